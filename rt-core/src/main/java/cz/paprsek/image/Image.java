@@ -1,0 +1,82 @@
+package cz.paprsek.image;
+
+import cz.paprsek.math.Require;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+
+/**
+ * A picture in linear light: three floats per pixel, unclamped, row by row from the top left.
+ * Threads may write different pixels at the same time.
+ */
+public final class Image {
+    private final int width;
+    private final int height;
+    private final float[] linear;
+
+    /** A black picture. */
+    public Image(int width, int height) {
+        Require.within("picture width", width, 1, 1 << 16);
+        Require.within("picture height", height, 1, 1 << 16);
+        long size = 3L * width * height;
+        Require.that(size <= Integer.MAX_VALUE - 8, "a picture of " + width + " × " + height + " pixels is too large for one array");
+        this.width = width;
+        this.height = height;
+        this.linear = new float[(int) size];
+    }
+
+    public int width() {
+        return width;
+    }
+
+    public int height() {
+        return height;
+    }
+
+    public float red(int x, int y) {
+        return linear[index(x, y)];
+    }
+
+    public float green(int x, int y) {
+        return linear[index(x, y) + 1];
+    }
+
+    public float blue(int x, int y) {
+        return linear[index(x, y) + 2];
+    }
+
+    /** Sets a pixel's linear light. */
+    public void set(int x, int y, double red, double green, double blue) {
+        int i = index(x, y);
+        linear[i] = (float) red;
+        linear[i + 1] = (float) green;
+        linear[i + 2] = (float) blue;
+    }
+
+    /** The pixel as sRGB, 0xFFRRGGBB. */
+    public int argb(int x, int y) {
+        int i = index(x, y);
+        return 0xFF000000 | Srgb.encode(linear[i]) << 16 | Srgb.encode(linear[i + 1]) << 8 | Srgb.encode(linear[i + 2]);
+    }
+
+    /** All pixels as sRGB, 0xFFRRGGBB, row by row from the top left. */
+    public int[] toArgb() {
+        int[] pixels = new int[width * height];
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                pixels[y * width + x] = argb(x, y);
+            }
+        }
+        return pixels;
+    }
+
+    /** A copy for AWT and ImageIO, of type {@link BufferedImage#TYPE_INT_RGB}. */
+    public BufferedImage toBufferedImage() {
+        BufferedImage copy = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        System.arraycopy(toArgb(), 0, ((DataBufferInt) copy.getRaster().getDataBuffer()).getData(), 0, width * height);
+        return copy;
+    }
+
+    private int index(int x, int y) {
+        return 3 * (y * width + x);
+    }
+}

@@ -1,0 +1,5 @@
+/**
+ * What surfaces are made of: colours, patterns, materials, as plain values.
+ * Right-handed world, y up, lengths in scene units; degrees at the border, radians inside.
+ */
+package cz.paprsek.material;

@@ -1,0 +1,57 @@
+package cz.paprsek.math;
+
+/** Checks of arguments, each with one sentence that says what was expected and what was found. */
+public final class Require {
+    private Require() {}
+
+    /** @throws IllegalArgumentException unless the value is finite */
+    public static double finite(String what, double value) {
+        return check(Double.isFinite(value), what, "a finite number", value);
+    }
+
+    /** @throws IllegalArgumentException unless the value is finite and above 0 */
+    public static double positive(String what, double value) {
+        return check(Double.isFinite(value) && value > 0, what, "a finite number above 0", value);
+    }
+
+    /** @throws IllegalArgumentException unless the value is finite and 0 or above */
+    public static double notNegative(String what, double value) {
+        return check(Double.isFinite(value) && value >= 0, what, "a finite number, 0 or above", value);
+    }
+
+    /** @throws IllegalArgumentException unless low ≤ value ≤ high */
+    public static double within(String what, double value, double low, double high) {
+        return check(value >= low && value <= high, what, "a number from " + plain(low) + " to " + plain(high), value);
+    }
+
+    /** @throws IllegalArgumentException unless low ≤ value ≤ high */
+    public static int within(String what, int value, int low, int high) {
+        if (value < low || value > high) {
+            throw refused(what, "a whole number from " + low + " to " + high, Integer.toString(value));
+        }
+        return value;
+    }
+
+    /** @throws IllegalArgumentException with the given sentence unless the condition holds */
+    public static void that(boolean condition, String sentence) {
+        if (!condition) {
+            throw new IllegalArgumentException(sentence);
+        }
+    }
+
+    private static double check(boolean condition, String what, String expected, double found) {
+        if (!condition) {
+            throw refused(what, expected, Double.toString(found));
+        }
+        return found;
+    }
+
+    private static IllegalArgumentException refused(String what, String expected, String found) {
+        return new IllegalArgumentException(what + " must be " + expected + ", but is " + found);
+    }
+
+    /** A bound as a reader would write it: 180 rather than 180.0. */
+    private static String plain(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e9 ? Long.toString((long) value) : Double.toString(value);
+    }
+}

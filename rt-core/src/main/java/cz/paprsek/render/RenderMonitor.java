@@ -1,0 +1,24 @@
+package cz.paprsek.render;
+
+import cz.paprsek.image.Image;
+
+/** What a render asks and tells its caller while it runs, from any of its threads. Both methods must return quickly. */
+public interface RenderMonitor {
+    /** Never cancels, and listens to nothing. */
+    RenderMonitor NONE = new RenderMonitor() {};
+
+    /** Whether to stop; asked often. Once true, it should stay true. */
+    default boolean cancelled() {
+        return false;
+    }
+
+    /**
+     * A tile of the picture is complete.
+     *
+     * @param tile its pixels, in the coordinates of the image under way
+     * @param image the image under way; pixels of finished tiles no longer change
+     * @param done tiles finished so far, this one included
+     * @param total tiles in all
+     */
+    default void finished(Tile tile, Image image, int done, int total) {}
+}

@@ -1,0 +1,42 @@
+package cz.paprsek.render;
+
+import cz.paprsek.math.Require;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+
+/**
+ * How to render.
+ *
+ * @param settings size, depth and samples of the whole picture
+ * @param region the part of the picture to compute; the image that results has the region's size
+ * @param threads how many workers, 1–1024; the picture does not depend on it
+ */
+public record RenderOptions(RenderSettings settings, Tile region, int threads) {
+
+    /** @throws IllegalArgumentException if the region does not lie inside the picture */
+    public RenderOptions {
+        Require.within("threads", threads, 1, 1024);
+        Require.that(region.x() + region.width() <= settings.width() && region.y() + region.height() <= settings.height(),
+                "region " + region.x() + "," + region.y() + "," + region.width() + "," + region.height()
+                        + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
+    }
+
+    /** The whole picture, on all processors. */
+    public static RenderOptions of(RenderSettings settings) {
+        return new RenderOptions(settings, new Tile(0, 0, settings.width(), settings.height()),
+                Runtime.getRuntime().availableProcessors());
+    }
+
+    /** What the scene asks for. */
+    public static RenderOptions of(Scene scene) {
+        return of(scene.settings());
+    }
+
+    public RenderOptions withThreads(int count) {
+        return new RenderOptions(settings, region, count);
+    }
+
+    public RenderOptions withRegion(Tile part) {
+        return new RenderOptions(settings, part, threads);
+    }
+}

@@ -1,0 +1,5 @@
+/**
+ * From a scene to an image: the prepared scene, its hierarchy, shading and optics, and the workers.
+ * Right-handed world, y up, lengths in scene units; degrees at the border, radians inside.
+ */
+package cz.paprsek.render;

@@ -1,0 +1,40 @@
+package cz.paprsek.scene;
+
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
+
+/**
+ * A point that shines evenly in all directions, without fall-off.
+ *
+ * @param name free text for people; empty for none, unique among the scene's lights otherwise
+ * @param position world space
+ * @param color its colour
+ * @param intensity factor on the linear colour, 0 or above
+ */
+public record Light(String name, Vec3 position, Rgb color, double intensity) {
+    public Light {
+        Require.notNegative("light intensity", intensity);
+    }
+
+    /** A white light of intensity 1. */
+    public static Light at(double x, double y, double z) {
+        return new Light("", new Vec3(x, y, z), Rgb.WHITE, 1);
+    }
+
+    public Light named(String value) {
+        return new Light(value, position, color, intensity);
+    }
+
+    public Light withPosition(Vec3 value) {
+        return new Light(name, value, color, intensity);
+    }
+
+    public Light withColor(Rgb value) {
+        return new Light(name, position, value, intensity);
+    }
+
+    public Light withIntensity(double value) {
+        return new Light(name, position, color, value);
+    }
+}

@@ -1,0 +1,55 @@
+package cz.paprsek.scene;
+
+import cz.paprsek.material.Inherited;
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.MaterialSource;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Shape;
+
+/**
+ * A shape placed in the world and made of something.
+ *
+ * @param name free text for people; empty for none, unique among the scene's objects otherwise
+ */
+public record SceneObject(String name, Shape shape, Placement placement, MaterialSource material) {
+
+    public static SceneObject of(Shape shape) {
+        return new SceneObject("", shape, Placement.NONE, Inherited.INHERITED);
+    }
+
+    public SceneObject named(String value) {
+        return new SceneObject(value, shape, placement, material);
+    }
+
+    public SceneObject at(double x, double y, double z) {
+        return placed(placement.withPosition(new Vec3(x, y, z)));
+    }
+
+    /** With a rotation in degrees about x, then y, then z. */
+    public SceneObject rotated(double x, double y, double z) {
+        return placed(placement.withRotation(new Vec3(x, y, z)));
+    }
+
+    public SceneObject scaled(double x, double y, double z) {
+        return placed(placement.withScale(new Vec3(x, y, z)));
+    }
+
+    public SceneObject placed(Placement value) {
+        return new SceneObject(name, shape, value, material);
+    }
+
+    public SceneObject withShape(Shape value) {
+        return new SceneObject(name, value, placement, material);
+    }
+
+    /** Made of the given material. */
+    public SceneObject madeOf(MaterialSource value) {
+        return new SceneObject(name, shape, placement, value);
+    }
+
+    /** Made of the scene's material of that name. */
+    public SceneObject madeOf(String materialName) {
+        return madeOf(new MaterialName(materialName));
+    }
+}

@@ -1,0 +1,41 @@
+package cz.paprsek.scene;
+
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.Optional;
+
+/** Finds the known name that a misspelt one was probably meant to be. */
+public final class Similar {
+    private Similar() {}
+
+    /** The known name nearest to {@code name}, if one is near enough to be a slip of the fingers. */
+    public static Optional<String> nearest(String name, Collection<String> known) {
+        int most = Math.max(1, name.length() / 3);
+        return known.stream()
+                .filter(candidate -> distance(name, candidate) <= most)
+                .min(Comparator.comparingInt((String candidate) -> distance(name, candidate)).thenComparing(c -> c));
+    }
+
+    /** {@code ; did you mean "…"?}, or nothing. */
+    public static String suggestion(String name, Collection<String> known) {
+        return nearest(name, known).map(found -> "; did you mean \"" + found + "\"?").orElse("");
+    }
+
+    /** Insertions, deletions, replacements and swaps of neighbours that turn one word into the other, letter case ignored. */
+    private static int distance(String first, String second) {
+        String a = first.toLowerCase(java.util.Locale.ROOT);
+        String b = second.toLowerCase(java.util.Locale.ROOT);
+        int[][] cost = new int[a.length() + 1][b.length() + 1];
+        for (int i = 0; i <= a.length(); i++) {
+            for (int j = 0; j <= b.length(); j++) {
+                cost[i][j] = i == 0 || j == 0 ? i + j
+                        : Math.min(Math.min(cost[i - 1][j], cost[i][j - 1]) + 1,
+                                cost[i - 1][j - 1] + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1));
+                if (i > 1 && j > 1 && a.charAt(i - 1) == b.charAt(j - 2) && a.charAt(i - 2) == b.charAt(j - 1)) {
+                    cost[i][j] = Math.min(cost[i][j], cost[i - 2][j - 2] + 1);
+                }
+            }
+        }
+        return cost[a.length()][b.length()];
+    }
+}

@@ -1,0 +1,81 @@
+package cz.paprsek.shape;
+
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Require;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * A solid made of solids by a set operation, nested to any depth. Operands stand in the space of the operation.
+ *
+ * @param operation what is done
+ * @param operands at least one; a difference takes all others from the first
+ */
+public record Csg(Operation operation, List<Operand> operands) implements Solid {
+
+    /** How two solids make one. */
+    public enum Operation {
+        UNION, DIFFERENCE, INTERSECTION;
+
+        /** Whether a point is inside the result, given whether it is inside the left and the right solid. */
+        public boolean inside(boolean inLeft, boolean inRight) {
+            return switch (this) {
+                case UNION -> inLeft || inRight;
+                case DIFFERENCE -> inLeft && !inRight;
+                case INTERSECTION -> inLeft && inRight;
+            };
+        }
+
+        private Bounds bounds(Bounds left, Bounds right) {
+            return switch (this) {
+                case UNION -> left.union(right);
+                case DIFFERENCE -> left;
+                case INTERSECTION -> left.intersection(right);
+            };
+        }
+    }
+
+    public Csg {
+        operands = List.copyOf(operands);
+        Require.that(!operands.isEmpty(), "a CSG operation needs at least one operand");
+    }
+
+    /** All points in any of the solids, as one body without inner walls. */
+    public static Csg union(Operand... operands) {
+        return new Csg(Operation.UNION, List.of(operands));
+    }
+
+    public static Csg union(Solid... solids) {
+        return union(operands(solids));
+    }
+
+    /** The first solid without the others. */
+    public static Csg difference(Operand... operands) {
+        return new Csg(Operation.DIFFERENCE, List.of(operands));
+    }
+
+    public static Csg difference(Solid... solids) {
+        return difference(operands(solids));
+    }
+
+    /** The points common to all solids. */
+    public static Csg intersection(Operand... operands) {
+        return new Csg(Operation.INTERSECTION, List.of(operands));
+    }
+
+    public static Csg intersection(Solid... solids) {
+        return intersection(operands(solids));
+    }
+
+    @Override
+    public Bounds bounds() {
+        return operands.stream()
+                .map(operand -> operand.solid().bounds().transformed(operand.placement().toParent()))
+                .reduce(operation::bounds)
+                .orElseThrow();
+    }
+
+    private static Operand[] operands(Solid[] solids) {
+        return Arrays.stream(solids).map(Operand::of).toArray(Operand[]::new);
+    }
+}

@@ -1,0 +1,43 @@
+package cz.paprsek.shape;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
+
+/**
+ * Where a shape stands in the space around it: scaled, then rotated, then moved.
+ *
+ * @param position where the shape's own origin goes, scene units
+ * @param rotation degrees about x, then y, then z, each counter-clockwise seen from the positive end of its axis
+ * @param scale factor along each of the shape's own axes; not 0, negative mirrors
+ */
+public record Placement(Vec3 position, Vec3 rotation, Vec3 scale) {
+    public static final Placement NONE = new Placement(Vec3.ZERO, Vec3.ZERO, Vec3.ONE);
+
+    /** @throws IllegalArgumentException if a scale is 0 */
+    public Placement {
+        Require.that(scale.x() != 0 && scale.y() != 0 && scale.z() != 0,
+                "scale must not be 0 along any axis, but is " + scale.x() + " " + scale.y() + " " + scale.z());
+    }
+
+    public static Placement at(double x, double y, double z) {
+        return NONE.withPosition(new Vec3(x, y, z));
+    }
+
+    public Placement withPosition(Vec3 value) {
+        return new Placement(value, rotation, scale);
+    }
+
+    public Placement withRotation(Vec3 degrees) {
+        return new Placement(position, degrees, scale);
+    }
+
+    public Placement withScale(Vec3 value) {
+        return new Placement(position, rotation, value);
+    }
+
+    /** The map from the shape's own space to the space around it. */
+    public Affine toParent() {
+        return Affine.translation(position).after(Affine.rotation(rotation)).after(Affine.scaling(scale));
+    }
+}

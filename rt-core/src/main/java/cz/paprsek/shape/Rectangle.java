@@ -1,0 +1,22 @@
+package cz.paprsek.shape;
+
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Numbers;
+import cz.paprsek.math.Require;
+
+/** A rectangle in the plane z = 0, facing +z, seen from both sides. It has no inside. */
+public record Rectangle(double minX, double minY, double maxX, double maxY) implements Shape {
+    public Rectangle {
+        Require.finite("rectangle min x", minX);
+        Require.finite("rectangle min y", minY);
+        Require.finite("rectangle max x", maxX);
+        Require.finite("rectangle max y", maxY);
+        Require.that(minX < maxX && minY < maxY, "rectangle min must be below max along both axes, but min is "
+                + Numbers.text(minX) + " " + Numbers.text(minY) + " and max is " + Numbers.text(maxX) + " " + Numbers.text(maxY));
+    }
+
+    @Override
+    public Bounds bounds() {
+        return new Bounds(minX, minY, 0, maxX, maxY, 0);
+    }
+}

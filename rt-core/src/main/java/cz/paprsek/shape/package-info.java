@@ -1,0 +1,5 @@
+/**
+ * Shapes, CSG and placement, and how a ray meets them. Knows nothing of lights, files or threads.
+ * Right-handed world, y up, lengths in scene units; degrees at the border, radians inside.
+ */
+package cz.paprsek.shape;
