@@ -27,7 +27,8 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
 
     /** Whether the box is empty or all its sides are finite. */
     public boolean isFinite() {
-        return isEmpty() || Double.isFinite(maxX - minX) && Double.isFinite(maxY - minY) && Double.isFinite(maxZ - minZ);
+        return isEmpty()
+                || (Double.isFinite(maxX - minX) && Double.isFinite(maxY - minY) && Double.isFinite(maxZ - minZ));
     }
 
     public boolean contains(Vec3 p) {
