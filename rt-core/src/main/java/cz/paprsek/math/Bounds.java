@@ -31,6 +31,11 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
                 || (Double.isFinite(maxX - minX) && Double.isFinite(maxY - minY) && Double.isFinite(maxZ - minZ));
     }
 
+    /** The space in the box; 0 if empty. */
+    public double volume() {
+        return isEmpty() ? 0 : (maxX - minX) * (maxY - minY) * (maxZ - minZ);
+    }
+
     public boolean contains(Vec3 p) {
         return p.x() >= minX && p.x() <= maxX && p.y() >= minY && p.y() <= maxY && p.z() >= minZ && p.z() <= maxZ;
     }
@@ -54,6 +59,11 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
     public Bounds grown(double margin) {
         return isEmpty() ? this
                 : new Bounds(minX - margin, minY - margin, minZ - margin, maxX + margin, maxY + margin, maxZ + margin);
+    }
+
+    /** The box grown by more than the rounding errors of any arithmetic on its coordinates, so that no hit is lost at its faces. */
+    public Bounds padded() {
+        return grown(1e-12 * Math.min(magnitude(), Double.MAX_VALUE));
     }
 
     /** The corner farthest from the origin along each axis: the largest absolute coordinate in the box; 0 if empty. */

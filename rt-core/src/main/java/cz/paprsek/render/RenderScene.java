@@ -1,18 +1,171 @@
 package cz.paprsek.render;
 
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Bounds;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.shape.Ray;
+import cz.paprsek.shape.Solid;
+import cz.paprsek.shape.Spans;
+import cz.paprsek.shape.Surface;
+import cz.paprsek.shape.Volume;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.concurrent.CancellationException;
 
-/** A scene prepared for tracing. Immutable; any number of renders may use it at once. */
+/** A scene prepared for tracing: shapes placed in the world, materials resolved, the hierarchy built. Any number of renders may use it at once. */
 public final class RenderScene {
-    private RenderScene() {}
+    /** How many objects are placed between two questions whether to stop. */
+    private static final int BATCH = 1024;
 
+    private final Scene scene;
+    private final PartTable parts;
+    private final Bvh bvh;
+    private final Lamp[] lamps;
+    private final int[] aroundCamera;
+    private final double buildSeconds;
+
+    private RenderScene(Scene scene, RenderMonitor monitor) {
+        long begin = System.nanoTime();
+        this.scene = scene;
+        this.parts = new PartTable(scene);
+        this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
+        Surface[] surfaces = new Surface[scene.objects().size()];
+        boolean[] opaque = new boolean[surfaces.length];
+        for (int i = 0; i < surfaces.length; i++) {
+            if (i % BATCH == 0 && monitor.cancelled()) {
+                throw new CancellationException("the preparation of the scene was cancelled");
+            }
+            int first = parts.size();
+            surfaces[i] = parts.place(i, scene.objects().get(i));
+            opaque[i] = isOpaque(first, parts.size());
+        }
+        this.aroundCamera = aroundCamera(surfaces, opaque);
+        this.bvh = hierarchy(surfaces, opaque, monitor);
+        this.buildSeconds = (System.nanoTime() - begin) / 1e9;
+    }
+
+    /** Prepares a scene. */
     public static RenderScene of(Scene scene) {
         return of(scene, RenderMonitor.NONE);
     }
 
-    /** @throws java.util.concurrent.CancellationException if the monitor cancels before the scene is ready */
+    /**
+     * Prepares a scene unless the monitor cancels.
+     *
+     * @throws CancellationException if the monitor cancels before the scene is ready
+     */
     public static RenderScene of(Scene scene, RenderMonitor monitor) {
-        monitor.cancelled();
-        return new RenderScene();
+        return new RenderScene(scene, monitor);
+    }
+
+    /** The scene this was made of. */
+    public Scene scene() {
+        return scene;
+    }
+
+    /** The time it took to prepare the scene. */
+    public double buildSeconds() {
+        return buildSeconds;
+    }
+
+    PartTable parts() {
+        return parts;
+    }
+
+    Bvh bvh() {
+        return bvh;
+    }
+
+    Lamp[] lamps() {
+        return lamps;
+    }
+
+    Rgb background() {
+        return scene.background();
+    }
+
+    Rgb ambient() {
+        return scene.ambient();
+    }
+
+    boolean isSolid(int object) {
+        return scene.objects().get(object).shape() instanceof Solid;
+    }
+
+    /** Puts the ray that leaves the camera into the media the camera stands in. */
+    void enterMediaAroundCamera(Media media) {
+        media.clear();
+        for (int part : aroundCamera) {
+            media.enter(parts.object(part), parts.finish(part).refractiveIndex);
+        }
+    }
+
+    private boolean isOpaque(int firstPart, int endPart) {
+        for (int i = firstPart; i < endPart; i++) {
+            if (parts.finish(i).transparency > 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** The first part of every transparent solid that the camera is in, the largest solid first, as if entered from outside. */
+    private int[] aroundCamera(Surface[] surfaces, boolean[] opaque) {
+        var eye = scene.camera().position();
+        Ray ray = new Ray(new Spans());
+        List<Integer> inside = new ArrayList<>();
+        for (int part = 0; part < parts.size(); part++) {
+            int object = parts.object(part);
+            boolean isFirst = part == 0 || parts.object(part - 1) != object;
+            if (isFirst && !opaque[object] && surfaces[object] instanceof Volume volume && volume.bounds().contains(eye)) {
+                ray.start(eye.x(), eye.y(), eye.z(), 1, 0, 0);
+                if (volume.holdsOrigin(ray)) {
+                    inside.add(part);
+                }
+            }
+        }
+        inside.sort(Comparator.comparingDouble((Integer part) -> surfaces[parts.object(part)].bounds().volume()).reversed());
+        return inside.stream().mapToInt(Integer::intValue).toArray();
+    }
+
+    private static Bvh hierarchy(Surface[] surfaces, boolean[] opaque, RenderMonitor monitor) {
+        int finite = 0;
+        int[] record = new int[surfaces.length];
+        double[] box = new double[6 * surfaces.length];
+        List<Integer> endless = new ArrayList<>();
+        for (int i = 0; i < surfaces.length; i++) {
+            Bounds bounds = surfaces[i].bounds();
+            if (!bounds.isFinite()) {
+                endless.add(i);
+            } else if (!bounds.isEmpty()) {
+                BvhBuilder.put(box, finite, bounds.padded());
+                record[finite++] = i;
+            }
+        }
+        record = java.util.Arrays.copyOf(record, finite);
+        BvhBuilder builder = new BvhBuilder(box, record, monitor);
+        int root = Bvh.NOTHING;
+        int depth = 0;
+        if (finite > 0) {
+            BvhBuilder.Subtree tree = builder.build();
+            root = tree.name;
+            depth = tree.depth;
+        }
+        int[] ends = endless.stream().mapToInt(Integer::intValue).toArray();
+        return new Bvh(pick(surfaces, record), pick(opaque, record), pick(surfaces, ends), pick(opaque, ends),
+                builder.boxes, builder.child, root, depth);
+    }
+
+    private static Surface[] pick(Surface[] from, int[] which) {
+        return java.util.Arrays.stream(which).mapToObj(i -> from[i]).toArray(Surface[]::new);
+    }
+
+    private static boolean[] pick(boolean[] from, int[] which) {
+        boolean[] picked = new boolean[which.length];
+        for (int i = 0; i < which.length; i++) {
+            picked[i] = from[which[i]];
+        }
+        return picked;
     }
 }

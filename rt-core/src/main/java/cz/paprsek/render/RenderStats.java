@@ -14,6 +14,9 @@ package cz.paprsek.render;
 public record RenderStats(
         long primary, long reflected, long refracted, long shadow, long hits, double buildSeconds, double traceSeconds) {
 
+    /** Nothing done. */
+    public static final RenderStats NONE = new RenderStats(0, 0, 0, 0, 0, 0, 0);
+
     /** Rays of all kinds. */
     public long rays() {
         return primary + reflected + refracted + shadow;

@@ -1,5 +1,6 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Require;
@@ -16,5 +17,94 @@ public record Block(Vec3 min, Vec3 max) implements Solid {
     @Override
     public Bounds bounds() {
         return Bounds.of(min, max);
+    }
+
+    @Override
+    public Volume place(Affine toWorld, Parts parts) {
+        return toWorld.keepsAxes()
+                ? parts.add(part -> new Upright(part, Bounds.of(toWorld.point(min), toWorld.point(max))))
+                : parts.add(part -> new Turned(part, toWorld, min, max));
+    }
+
+    /** A block whose faces are still perpendicular to the axes. Face 2a is at the minimum of axis a, 2a + 1 at its maximum. */
+    private static final class Upright extends Convex {
+        private final double minX;
+        private final double minY;
+        private final double minZ;
+        private final double maxX;
+        private final double maxY;
+        private final double maxZ;
+
+        Upright(int part, Bounds box) {
+            super(part);
+            minX = box.minX();
+            minY = box.minY();
+            minZ = box.minZ();
+            maxX = box.maxX();
+            maxY = box.maxY();
+            maxZ = box.maxZ();
+        }
+
+        @Override
+        public Bounds bounds() {
+            return new Bounds(minX, minY, minZ, maxX, maxY, maxZ);
+        }
+
+        @Override
+        boolean clip(Ray ray) {
+            int x = ray.dx < 0 ? 1 : 0;
+            int y = ray.dy < 0 ? 3 : 2;
+            int z = ray.dz < 0 ? 5 : 4;
+            double enterX = ((x == 0 ? minX : maxX) - ray.ox) * ray.rx;
+            double leaveX = ((x == 0 ? maxX : minX) - ray.ox) * ray.rx;
+            double enterY = ((y == 2 ? minY : maxY) - ray.oy) * ray.ry;
+            double leaveY = ((y == 2 ? maxY : minY) - ray.oy) * ray.ry;
+            double enterZ = ((z == 4 ? minZ : maxZ) - ray.oz) * ray.rz;
+            double leaveZ = ((z == 4 ? maxZ : minZ) - ray.oz) * ray.rz;
+            double enter = Math.max(enterX, Math.max(enterY, enterZ));
+            double leave = Math.min(leaveX, Math.min(leaveY, leaveZ));
+            if (!(enter < leave)) {
+                return false;
+            }
+            ray.enter = enter;
+            ray.leave = leave;
+            ray.enterFace = enter == enterX ? x : enter == enterY ? y : z;
+            ray.leaveFace = leave == leaveX ? x ^ 1 : leave == leaveY ? y ^ 1 : z ^ 1;
+            return true;
+        }
+
+        @Override
+        public void describe(int face, Hit hit) {
+            double side = face % 2 == 0 ? -1 : 1;
+            hit.nx = face / 2 == 0 ? side : 0;
+            hit.ny = face / 2 == 1 ? side : 0;
+            hit.nz = face / 2 == 2 ? side : 0;
+        }
+    }
+
+    /** A block turned or sheared, met in its own space. Faces as above. */
+    private static final class Turned extends LocalConvex {
+        private final Vec3 min;
+        private final Vec3 max;
+
+        Turned(int part, Affine toWorld, Vec3 min, Vec3 max) {
+            super(part, toWorld, Bounds.of(min, max).transformed(toWorld));
+            this.min = min;
+            this.max = max;
+        }
+
+        @Override
+        boolean clip(Line line, Ray ray) {
+            open(ray);
+            return narrow(ray, line.ox, line.dx, min.x(), max.x(), 0)
+                    && narrow(ray, line.oy, line.dy, min.y(), max.y(), 2)
+                    && narrow(ray, line.oz, line.dz, min.z(), max.z(), 4);
+        }
+
+        @Override
+        void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
+            double side = face % 2 == 0 ? -1 : 1;
+            hit.normal(toLocal, face / 2 == 0 ? side : 0, face / 2 == 1 ? side : 0, face / 2 == 2 ? side : 0);
+        }
     }
 }

@@ -1,7 +1,9 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
 
 /** A closed cone about the y axis: {@code radius} at y = 0, {@code topRadius} at y = height; pointed if that is 0. */
 public record Cone(double radius, double topRadius, double height) implements Solid {
@@ -21,5 +23,77 @@ public record Cone(double radius, double topRadius, double height) implements So
     public Bounds bounds() {
         double widest = Math.max(radius, topRadius);
         return new Bounds(-widest, 0, -widest, widest, height, widest);
+    }
+
+    @Override
+    public Volume place(Affine toWorld, Parts parts) {
+        return parts.add(part -> new Placed(part, toWorld, this));
+    }
+
+    /** The box around a body of two discs about the y axis and what is between them. */
+    static Bounds roundBounds(Affine toWorld, double bottom, double top, double height) {
+        Affine toTop = toWorld.after(Affine.translation(new Vec3(0, height, 0)));
+        return Bounds.ofEllipsoid(toWorld, bottom, 0, bottom).union(Bounds.ofEllipsoid(toTop, top, 0, top));
+    }
+
+    /**
+     * Met in its own space: the stretch between the caps and within the endless double cone x² + z² ≤ (r + k·y)².
+     * Between the caps r + k·y is never negative, so the other nappe does not matter.
+     */
+    private static final class Placed extends LocalConvex {
+        private static final int SIDE = 0;
+        private static final int BOTTOM = 1;
+
+        private final double radius;
+        private final double slope;
+        private final double height;
+
+        Placed(int part, Affine toWorld, Cone shape) {
+            super(part, toWorld, roundBounds(toWorld, shape.radius, shape.topRadius, shape.height));
+            radius = shape.radius;
+            slope = (shape.topRadius - shape.radius) / shape.height;
+            height = shape.height;
+        }
+
+        @Override
+        boolean clip(Line line, Ray ray) {
+            open(ray);
+            if (!narrow(ray, line.oy, line.dy, 0, height, BOTTOM)) {
+                return false;
+            }
+            double w = radius + slope * line.oy;
+            double dw = slope * line.dy;
+            double a = line.dx * line.dx + line.dz * line.dz - dw * dw;
+            double b = line.ox * line.dx + line.oz * line.dz - w * dw;
+            double c = line.ox * line.ox + line.oz * line.oz - w * w;
+            double discriminant = b * b - a * c;
+            if (!(discriminant > 0)) {
+                // No crossing: the line is inside all along if its form is negative, which it is exactly when a < 0.
+                return a < 0;
+            }
+            // The root of larger size without cancellation, the other from the product of both.
+            double q = -(b + Math.copySign(Math.sqrt(discriminant), b));
+            double t0 = q / a;
+            double t1 = c / q;
+            double first = Math.min(t0, t1);
+            double second = Math.max(t0, t1);
+            return a > 0 ? narrow(ray, first, SIDE, second, SIDE) : narrowOutside(ray, first, second);
+        }
+
+        /** For a ray steeper than the side: inside before the first crossing and after the second, of which the caps leave one. */
+        private static boolean narrowOutside(Ray ray, double first, double second) {
+            return first - ray.enter > ray.leave - second
+                    ? narrow(ray, Double.NEGATIVE_INFINITY, SIDE, first, SIDE)
+                    : narrow(ray, second, SIDE, Double.POSITIVE_INFINITY, SIDE);
+        }
+
+        @Override
+        void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
+            if (face == SIDE) {
+                hit.normal(toLocal, x, -slope * (radius + slope * y), z);
+            } else {
+                hit.normal(toLocal, 0, face == BOTTOM ? -1 : 1, 0);
+            }
+        }
     }
 }

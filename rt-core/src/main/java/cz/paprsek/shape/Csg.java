@@ -1,5 +1,6 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import java.util.Arrays;
@@ -75,7 +76,55 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
                 .orElseThrow();
     }
 
+    @Override
+    public Volume place(Affine toWorld, Parts parts) {
+        Volume[] placed = new Volume[operands.size()];
+        for (int i = 0; i < placed.length; i++) {
+            Operand operand = operands.get(i);
+            Affine operandToWorld = toWorld.after(operand.placement().toParent());
+            placed[i] = operand.solid().place(operandToWorld, parts.within(operand, operandToWorld));
+        }
+        return placed.length == 1 ? placed[0] : new Placed(operation, placed);
+    }
+
     private static Operand[] operands(Solid[] solids) {
         return Arrays.stream(solids).map(Operand::of).toArray(Operand[]::new);
+    }
+
+    /** The operands one after the other, each combined with the result of those before it. */
+    private static final class Placed extends Volume {
+        private final Operation operation;
+        private final Volume[] operands;
+        private final Bounds[] boxes;
+        private final Bounds bounds;
+
+        Placed(Operation operation, Volume[] operands) {
+            this.operation = operation;
+            this.operands = operands;
+            this.boxes = Arrays.stream(operands).map(operand -> operand.bounds().padded()).toArray(Bounds[]::new);
+            this.bounds = Arrays.stream(operands).map(Surface::bounds).reduce(operation::bounds).orElseThrow();
+        }
+
+        @Override
+        public Bounds bounds() {
+            return bounds;
+        }
+
+        @Override
+        public void spans(Ray ray, Spans out) {
+            int left = out.size();
+            for (int i = 0; i < operands.length; i++) {
+                int right = out.size();
+                if (right == left && i > 0 && operation != Operation.UNION) {
+                    return;
+                }
+                if (ray.meets(boxes[i])) {
+                    operands[i].spans(ray, out);
+                }
+                if (left < right && (right < out.size() || operation == Operation.INTERSECTION)) {
+                    out.combine(operation, left, right, ray.scale);
+                }
+            }
+        }
     }
 }

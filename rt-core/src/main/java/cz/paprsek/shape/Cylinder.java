@@ -1,5 +1,6 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 
@@ -13,5 +14,55 @@ public record Cylinder(double radius, double height) implements Solid {
     @Override
     public Bounds bounds() {
         return new Bounds(-radius, 0, -radius, radius, height, radius);
+    }
+
+    @Override
+    public Volume place(Affine toWorld, Parts parts) {
+        return parts.add(part -> new Placed(part, toWorld, this));
+    }
+
+    /** Met in its own space: the stretch between the caps and within the endless cylinder. */
+    private static final class Placed extends LocalConvex {
+        private static final int SIDE = 0;
+        private static final int BOTTOM = 1;
+
+        private final double radius;
+        private final double height;
+
+        Placed(int part, Affine toWorld, Cylinder shape) {
+            super(part, toWorld, Cone.roundBounds(toWorld, shape.radius, shape.radius, shape.height));
+            radius = shape.radius;
+            height = shape.height;
+        }
+
+        @Override
+        boolean clip(Line line, Ray ray) {
+            open(ray);
+            if (!narrow(ray, line.oy, line.dy, 0, height, BOTTOM)) {
+                return false;
+            }
+            double dd = line.dx * line.dx + line.dz * line.dz;
+            if (dd == 0) {
+                return line.ox * line.ox + line.oz * line.oz < radius * radius;
+            }
+            double middle = -(line.ox * line.dx + line.oz * line.dz) / dd;
+            double px = line.ox + middle * line.dx;
+            double pz = line.oz + middle * line.dz;
+            double half = radius * radius - (px * px + pz * pz);
+            if (!(half > 0)) {
+                return false;
+            }
+            double s = Math.sqrt(half / dd);
+            return narrow(ray, middle - s, SIDE, middle + s, SIDE);
+        }
+
+        @Override
+        void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
+            if (face == SIDE) {
+                hit.normal(toLocal, x, 0, z);
+            } else {
+                hit.normal(toLocal, 0, face == BOTTOM ? -1 : 1, 0);
+            }
+        }
     }
 }

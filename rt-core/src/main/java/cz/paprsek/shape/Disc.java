@@ -1,5 +1,6 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 
@@ -12,5 +13,35 @@ public record Disc(double radius) implements Shape {
     @Override
     public Bounds bounds() {
         return new Bounds(-radius, -radius, 0, radius, radius, 0);
+    }
+
+    @Override
+    public Surface place(Affine toWorld, Parts parts) {
+        return parts.add(part -> new Placed(part, toWorld, radius));
+    }
+
+    /** Met in its own space; u and v run over the square around it. */
+    private static final class Placed extends Flat {
+        private final double radius;
+
+        Placed(int part, Affine toWorld, double radius) {
+            super(part, toWorld, Bounds.ofEllipsoid(toWorld, radius, radius, 0));
+            this.radius = radius;
+        }
+
+        @Override
+        boolean holds(double x, double y) {
+            return x * x + y * y <= radius * radius;
+        }
+
+        @Override
+        double u(double x) {
+            return (x / radius + 1) / 2;
+        }
+
+        @Override
+        double v(double y) {
+            return (y / radius + 1) / 2;
+        }
     }
 }

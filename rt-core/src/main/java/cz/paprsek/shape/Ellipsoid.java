@@ -1,5 +1,6 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
@@ -15,5 +16,41 @@ public record Ellipsoid(Vec3 semiAxes) implements Solid {
     @Override
     public Bounds bounds() {
         return Bounds.around(Vec3.ZERO, semiAxes);
+    }
+
+    @Override
+    public Volume place(Affine toWorld, Parts parts) {
+        return Sphere.place(toWorld, semiAxes.x(), semiAxes.y(), semiAxes.z(), parts);
+    }
+
+    /** Any ellipsoid as the unit ball of its own space. The direction has any length there: t₀ ± √((1 − |o + t₀·d|²)/|d|²). */
+    static final class Placed extends LocalConvex {
+        Placed(int part, Affine fromUnit) {
+            super(part, fromUnit, Bounds.ofEllipsoid(fromUnit, 1, 1, 1));
+        }
+
+        @Override
+        boolean clip(Line line, Ray ray) {
+            double dd = line.dx * line.dx + line.dy * line.dy + line.dz * line.dz;
+            double middle = -(line.ox * line.dx + line.oy * line.dy + line.oz * line.dz) / dd;
+            double px = line.ox + middle * line.dx;
+            double py = line.oy + middle * line.dy;
+            double pz = line.oz + middle * line.dz;
+            double half = 1 - (px * px + py * py + pz * pz);
+            if (!(half > 0)) {
+                return false;
+            }
+            double s = Math.sqrt(half / dd);
+            ray.enter = middle - s;
+            ray.leave = middle + s;
+            ray.enterFace = 0;
+            ray.leaveFace = 0;
+            return true;
+        }
+
+        @Override
+        void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
+            hit.normal(toLocal, x, y, z);
+        }
     }
 }

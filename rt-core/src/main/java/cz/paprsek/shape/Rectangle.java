@@ -1,5 +1,6 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Require;
@@ -18,5 +19,34 @@ public record Rectangle(double minX, double minY, double maxX, double maxY) impl
     @Override
     public Bounds bounds() {
         return new Bounds(minX, minY, 0, maxX, maxY, 0);
+    }
+
+    @Override
+    public Surface place(Affine toWorld, Parts parts) {
+        return parts.add(part -> new Placed(part, toWorld, this));
+    }
+
+    private static final class Placed extends Flat {
+        private final Rectangle shape;
+
+        Placed(int part, Affine toWorld, Rectangle shape) {
+            super(part, toWorld, shape.bounds().transformed(toWorld));
+            this.shape = shape;
+        }
+
+        @Override
+        boolean holds(double x, double y) {
+            return x >= shape.minX && x <= shape.maxX && y >= shape.minY && y <= shape.maxY;
+        }
+
+        @Override
+        double u(double x) {
+            return (x - shape.minX) / (shape.maxX - shape.minX);
+        }
+
+        @Override
+        double v(double y) {
+            return (y - shape.minY) / (shape.maxY - shape.minY);
+        }
     }
 }

@@ -1,4 +1,10 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.math.Affine;
+
 /** A shape with an inside, which can therefore be an operand of CSG. */
-public sealed interface Solid extends Shape permits Sphere, Block, Ellipsoid, Plane, Cylinder, Cone, Torus, Csg {}
+public sealed interface Solid extends Shape permits Sphere, Block, Ellipsoid, Plane, Cylinder, Cone, Torus, Csg {
+
+    @Override
+    Volume place(Affine toWorld, Parts parts);
+}

@@ -1,0 +1,55 @@
+package cz.paprsek.render;
+
+import cz.paprsek.material.Material;
+
+/** A material ready for shading. */
+final class Finish {
+    final Paint paint;
+    final double diffusion;
+    final double specular;
+    final double reflection;
+    final double transparency;
+    final double refractiveIndex;
+    private final double shininess;
+    /** The exponent if it is a whole number, else −1. */
+    private final int wholeShininess;
+
+    Finish(Material material, Paint paint) {
+        this.paint = paint;
+        diffusion = material.diffusion();
+        specular = material.specular();
+        shininess = material.shininess();
+        wholeShininess = shininess == Math.rint(shininess) ? (int) shininess : -1;
+        reflection = material.reflection();
+        transparency = material.transparency();
+        refractiveIndex = material.refractiveIndex();
+    }
+
+    /** Whether light that falls on it shows: if not, no shadow ray is needed. */
+    boolean isLit() {
+        return diffusion > 0 || specular > 0;
+    }
+
+    /**
+     * kS · max(0, cos)ⁿ. Whole exponents by squaring, which is fast and rounds alike on every JDK; {@link Math#pow} need not.
+     *
+     * @param cosine of the angle between the mirrored eye ray and the light
+     */
+    double highlight(double cosine) {
+        if (!(cosine > 0) || specular == 0) {
+            return 0;
+        }
+        if (wholeShininess < 0) {
+            return specular * StrictMath.pow(cosine, shininess);
+        }
+        double result = specular;
+        double factor = cosine;
+        for (int n = wholeShininess; n > 0; n >>= 1) {
+            if ((n & 1) != 0) {
+                result *= factor;
+            }
+            factor *= factor;
+        }
+        return result;
+    }
+}

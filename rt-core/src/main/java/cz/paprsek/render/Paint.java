@@ -1,0 +1,101 @@
+package cz.paprsek.render;
+
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Affine;
+import cz.paprsek.shape.Hit;
+
+/** A pattern ready to be asked for its colour at a point: two colours in linear light, and which of them lies where. */
+abstract class Paint {
+    private final Rgb even;
+    private final Rgb odd;
+    private final double[] linear;
+
+    private Paint(Rgb even, Rgb odd) {
+        this.even = even;
+        this.odd = odd;
+        this.linear = new double[] {
+            even.linearRed(), even.linearGreen(), even.linearBlue(), odd.linearRed(), odd.linearGreen(), odd.linearBlue()
+        };
+    }
+
+    /** @param toPattern from the world to the space the pattern is stated in */
+    static Paint of(Pattern pattern, Affine toPattern) {
+        if (pattern instanceof Pattern.Checkerboard board) {
+            return new Board(board);
+        }
+        if (pattern instanceof Pattern.Checker checker) {
+            return new Cubes(checker, toPattern);
+        }
+        return new Plain(((Pattern.Plain) pattern).color());
+    }
+
+    /** Whether the odd colour lies at the hit. */
+    abstract boolean isOdd(Hit hit);
+
+    /** Writes the colour at the level's hit into the level, linear light. */
+    final void color(Level level) {
+        int i = isOdd(level.hit) ? 3 : 0;
+        level.colorRed = linear[i];
+        level.colorGreen = linear[i + 1];
+        level.colorBlue = linear[i + 2];
+    }
+
+    @Override
+    public String toString() {
+        return even + "/" + odd;
+    }
+
+    private static final class Plain extends Paint {
+        Plain(Rgb color) {
+            super(color, color);
+        }
+
+        @Override
+        boolean isOdd(Hit hit) {
+            return false;
+        }
+    }
+
+    private static final class Board extends Paint {
+        private final int columns;
+        private final int rows;
+
+        Board(Pattern.Checkerboard board) {
+            super(board.even(), board.odd());
+            columns = board.columns();
+            rows = board.rows();
+        }
+
+        /** The far edges belong to the last square, not to one beyond it. */
+        @Override
+        boolean isOdd(Hit hit) {
+            int column = Math.min((int) (hit.u * columns), columns - 1);
+            int row = Math.min((int) (hit.v * rows), rows - 1);
+            return (column + row) % 2 != 0;
+        }
+    }
+
+    private static final class Cubes extends Paint {
+        /** What a face lying on a boundary between cells is moved by, in cells, so that rounding does not speckle it. */
+        private static final double NUDGE = 1e-10;
+
+        private final Affine toCells;
+
+        Cubes(Pattern.Checker checker, Affine toPattern) {
+            super(checker.even(), checker.odd());
+            double k = 1 / checker.size();
+            toCells = Affine.scaling(cz.paprsek.math.Vec3.ONE.times(k))
+                    .after(Affine.translation(checker.origin().negated()))
+                    .after(toPattern);
+        }
+
+        @Override
+        boolean isOdd(Hit hit) {
+            double cells = Math.floor(toCells.pointX(hit.px, hit.py, hit.pz) + NUDGE)
+                    + Math.floor(toCells.pointY(hit.px, hit.py, hit.pz) + NUDGE)
+                    + Math.floor(toCells.pointZ(hit.px, hit.py, hit.pz) + NUDGE);
+            return cells % 2 != 0;
+        }
+    }
+}

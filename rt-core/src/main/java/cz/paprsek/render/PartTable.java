@@ -1,0 +1,112 @@
+package cz.paprsek.render;
+
+import cz.paprsek.material.Inherited;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.math.Affine;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Part;
+import cz.paprsek.shape.Parts;
+import cz.paprsek.shape.Surface;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.IntFunction;
+
+/** The primitives of a scene, numbered as they are placed: for each its geometry, its finish and the object it belongs to. */
+final class PartTable {
+    private final Map<String, Material> materials;
+    private final Map<Material, Finish> shared = new HashMap<>();
+    private Part[] parts;
+    private Finish[] finishes;
+    private int[] objects;
+    private int size;
+
+    PartTable(Scene scene) {
+        int expected = Math.max(16, scene.objects().size());
+        materials = scene.materials();
+        parts = new Part[expected];
+        finishes = new Finish[expected];
+        objects = new int[expected];
+    }
+
+    int size() {
+        return size;
+    }
+
+    Part part(int i) {
+        return parts[i];
+    }
+
+    Finish finish(int i) {
+        return finishes[i];
+    }
+
+    /** The number of the scene's object that the part belongs to. */
+    int object(int i) {
+        return objects[i];
+    }
+
+    /** Places an object and registers its parts. */
+    Surface place(int number, SceneObject object) {
+        Affine toWorld = object.placement().toParent();
+        Finish standard = finish(Material.DEFAULT, toWorld);
+        return object.shape().place(toWorld, new Scope(number, own(object.material(), toWorld, standard)));
+    }
+
+    private Finish own(MaterialSource source, Affine toWorld, Finish inherited) {
+        if (source == Inherited.INHERITED) {
+            return inherited;
+        }
+        Material material = source instanceof MaterialName reference
+                ? materials.getOrDefault(reference.name(), Material.DEFAULT)
+                : (Material) source;
+        return finish(material, toWorld);
+    }
+
+    /** A pattern in space depends on where it is declared; all other finishes are shared. */
+    private Finish finish(Material material, Affine toWorld) {
+        return material.pattern() instanceof Pattern.Checker checker
+                ? new Finish(material, Paint.of(checker, toWorld.inverse()))
+                : shared.computeIfAbsent(material, m -> new Finish(m, Paint.of(m.pattern(), Affine.IDENTITY)));
+    }
+
+    private int add(int object, Finish finish) {
+        if (size == parts.length) {
+            parts = Arrays.copyOf(parts, 2 * size);
+            finishes = Arrays.copyOf(finishes, 2 * size);
+            objects = Arrays.copyOf(objects, 2 * size);
+        }
+        objects[size] = object;
+        finishes[size] = finish;
+        return size++;
+    }
+
+    /** What parts registered here belong to, and what they are made of. */
+    private final class Scope implements Parts {
+        private final int object;
+        private final Finish finish;
+
+        Scope(int object, Finish finish) {
+            this.object = object;
+            this.finish = finish;
+        }
+
+        @Override
+        public <P extends Part> P add(IntFunction<P> maker) {
+            int number = PartTable.this.add(object, finish);
+            P part = maker.apply(number);
+            parts[number] = part;
+            return part;
+        }
+
+        @Override
+        public Parts within(Operand operand, Affine toWorld) {
+            return new Scope(object, own(operand.material(), toWorld, finish));
+        }
+    }
+}

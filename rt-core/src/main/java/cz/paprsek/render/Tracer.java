@@ -1,0 +1,244 @@
+package cz.paprsek.render;
+
+import cz.paprsek.shape.Hit;
+import cz.paprsek.shape.Ray;
+import cz.paprsek.shape.Spans;
+import cz.paprsek.shape.Surface;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Follows rays and shades what they hit: one worker's scratch and the formulas of the picture. Nothing is allocated once it is made.
+ *
+ * <pre>B = ambient·C + Σ lights V·I·( kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ ) + kR·trace(R) + kT·trace(T)</pre>
+ */
+final class Tracer {
+    /** How many rays are traced between two questions whether to stop. */
+    private static final int BATCH = 64;
+
+    private final RenderScene scene;
+    private final RenderMonitor monitor;
+    private final Spans spans = new Spans();
+    private final Ray shadow = new Ray(spans);
+    private final Bvh.Stack stack;
+    private final Level[] levels;
+    private final double[] background;
+    private final double[] ambient;
+    /** What last stood between each light and a point: likely to stand there again. */
+    private final @Nullable Surface[] lastOccluder;
+    private double[] shares = new double[16];
+
+    long primary;
+    long reflected;
+    long refracted;
+    long shadows;
+    long hits;
+    boolean cancelled;
+
+    Tracer(RenderScene scene, int maxDepth, RenderMonitor monitor) {
+        this.scene = scene;
+        this.monitor = monitor;
+        this.stack = scene.bvh().newStack();
+        this.lastOccluder = new Surface[scene.lamps().length];
+        this.levels = new Level[maxDepth];
+        for (int i = 0; i < maxDepth; i++) {
+            levels[i] = new Level(spans);
+        }
+        background = linear(scene.background());
+        ambient = linear(scene.ambient());
+    }
+
+    private static double[] linear(cz.paprsek.material.Rgb color) {
+        return new double[] {color.linearRed(), color.linearGreen(), color.linearBlue()};
+    }
+
+    /** Traces the ray through a point of the picture; the light it brings is in the level returned. */
+    Level trace(Eye eye, double x, double y) {
+        Level first = levels[0];
+        eye.start(first.ray, x, y);
+        scene.enterMediaAroundCamera(first.media);
+        primary++;
+        trace(0);
+        return first;
+    }
+
+    private void trace(int depth) {
+        Level level = levels[depth];
+        if ((primary + reflected + refracted) % BATCH == 0 && monitor.cancelled()) {
+            cancelled = true;
+        }
+        if (cancelled) {
+            level.light(0, 0, 0);
+            return;
+        }
+        Ray ray = level.ray;
+        scene.bvh().nearest(ray, stack);
+        if (ray.part < 0) {
+            level.light(background[0], background[1], background[2]);
+        } else {
+            hits++;
+            shade(level, depth);
+        }
+    }
+
+    private void shade(Level level, int depth) {
+        Ray ray = level.ray;
+        Hit hit = level.hit;
+        Finish finish = scene.parts().finish(ray.part);
+        locate(ray, hit);
+        finish.paint.color(level);
+        double cosine = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz;
+        boolean leaving = cosine > 0;
+        if (leaving) {
+            hit.nx = -hit.nx;
+            hit.ny = -hit.ny;
+            hit.nz = -hit.nz;
+        }
+        double c = Math.abs(cosine);
+        double mirrorX = ray.dx + 2 * c * hit.nx;
+        double mirrorY = ray.dy + 2 * c * hit.ny;
+        double mirrorZ = ray.dz + 2 * c * hit.nz;
+        double size = ray.max + Math.max(Math.abs(hit.px), Math.max(Math.abs(hit.py), Math.abs(hit.pz)));
+
+        level.light(ambient[0] * level.colorRed, ambient[1] * level.colorGreen, ambient[2] * level.colorBlue);
+        if (finish.isLit()) {
+            for (int i = 0; i < scene.lamps().length; i++) {
+                illuminate(i, level, finish, mirrorX, mirrorY, mirrorZ, size);
+            }
+        }
+        if (depth + 1 < levels.length && (finish.reflection > 0 || finish.transparency > 0)) {
+            spawn(level, levels[depth + 1], depth + 1, finish, leaving, c, mirrorX, mirrorY, mirrorZ, size);
+        }
+    }
+
+    private void locate(Ray ray, Hit hit) {
+        hit.px = ray.ox + ray.max * ray.dx;
+        hit.py = ray.oy + ray.max * ray.dy;
+        hit.pz = ray.oz + ray.max * ray.dz;
+        boolean flipped = ray.face < 0;
+        scene.parts().part(ray.part).describe(flipped ? ~ray.face : ray.face, hit);
+        if (flipped) {
+            hit.nx = -hit.nx;
+            hit.ny = -hit.ny;
+            hit.nz = -hit.nz;
+        }
+    }
+
+    /** Adds one light's diffuse and specular part. */
+    private void illuminate(int light, Level level, Finish finish, double mirrorX, double mirrorY, double mirrorZ, double size) {
+        Hit hit = level.hit;
+        Lamp lamp = scene.lamps()[light];
+        double lx = lamp.x() - hit.px;
+        double ly = lamp.y() - hit.py;
+        double lz = lamp.z() - hit.pz;
+        double distance = Math.sqrt(lx * lx + ly * ly + lz * lz);
+        lx /= distance;
+        ly /= distance;
+        lz /= distance;
+        double facing = hit.nx * lx + hit.ny * ly + hit.nz * lz;
+        if (!(facing > 0)) {
+            return;
+        }
+        shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.OFFSET * size);
+        double visibility = visibility(light);
+        if (visibility > 0) {
+            double diffuse = finish.diffusion * facing;
+            double highlight = finish.highlight(mirrorX * lx + mirrorY * ly + mirrorZ * lz);
+            level.red += visibility * lamp.red() * (diffuse * level.colorRed + highlight);
+            level.green += visibility * lamp.green() * (diffuse * level.colorGreen + highlight);
+            level.blue += visibility * lamp.blue() * (diffuse * level.colorBlue + highlight);
+        }
+    }
+
+    /** The share of a light that comes along the shadow ray: the product of the transparencies of all surfaces in between. */
+    private double visibility(int light) {
+        shadows++;
+        Surface last = lastOccluder[light];
+        if (last != null && last.occludes(shadow)) {
+            return 0;
+        }
+        int mark = spans.size();
+        Surface occluder = scene.bvh().occluder(shadow, stack, spans);
+        double product = occluder == null ? product(mark) : 0;
+        spans.release(mark);
+        lastOccluder[light] = occluder;
+        return product;
+    }
+
+    /** The smallest share first, so that the product does not depend on the order in which the surfaces were found. */
+    private double product(int mark) {
+        int count = spans.size() - mark;
+        if (count > shares.length) {
+            shares = new double[2 * count];
+        }
+        for (int i = 0; i < count; i++) {
+            double share = scene.parts().finish(spans.part(mark + i)).transparency;
+            int at = i;
+            for (; at > 0 && shares[at - 1] > share; at--) {
+                shares[at] = shares[at - 1];
+            }
+            shares[at] = share;
+        }
+        double product = 1;
+        for (int i = 0; i < count; i++) {
+            product *= shares[i];
+        }
+        return product;
+    }
+
+    /**
+     * Adds what is mirrored and what shines through. With e = n₁/n₂ and t = 1 + e²(c² − 1), the refracted direction is e·u + (e·c − √t)·N;
+     * if t is negative all light is reflected, with the weight of both.
+     *
+     * @param c cosine of the angle between the ray and the normal, 0–1
+     * @source Whitted, An Improved Illumination Model for Shaded Display, CACM 23(6), 1980
+     */
+    private void spawn(Level level, Level next, int depth, Finish finish, boolean leaving, double c,
+            double mirrorX, double mirrorY, double mirrorZ, double size) {
+        Ray ray = level.ray;
+        Hit hit = level.hit;
+        double reflection = finish.reflection;
+        double e = 1;
+        double root = c;
+        boolean refracts = finish.transparency > 0;
+        if (refracts) {
+            e = level.media.refractiveIndex() / indexBeyond(level, next.media, finish, leaving);
+            double t = 1 + e * e * (c * c - 1);
+            refracts = t >= 0;
+            if (refracts) {
+                root = Math.sqrt(t);
+            } else {
+                reflection += finish.transparency;
+            }
+        }
+        if (reflection > 0) {
+            next.ray.start(hit.px, hit.py, hit.pz, mirrorX, mirrorY, mirrorZ, size, Double.POSITIVE_INFINITY);
+            next.media.set(level.media);
+            reflected++;
+            trace(depth);
+            level.add(reflection, next);
+        }
+        if (refracts) {
+            double k = e * c - root;
+            next.ray.start(hit.px, hit.py, hit.pz, e * ray.dx + k * hit.nx, e * ray.dy + k * hit.ny, e * ray.dz + k * hit.nz,
+                    size, Double.POSITIVE_INFINITY);
+            indexBeyond(level, next.media, finish, leaving);
+            refracted++;
+            trace(depth);
+            level.add(finish.transparency, next);
+        }
+    }
+
+    /** Sets the media beyond the surface that the level's ray has hit, and returns their refractive index. A flat figure has no inside. */
+    private double indexBeyond(Level level, Media beyond, Finish finish, boolean leaving) {
+        beyond.set(level.media);
+        int object = scene.parts().object(level.ray.part);
+        if (scene.isSolid(object)) {
+            if (leaving) {
+                beyond.leave(object);
+            } else {
+                beyond.enter(object, finish.refractiveIndex);
+            }
+        }
+        return beyond.refractiveIndex();
+    }
+}

@@ -1,0 +1,71 @@
+package cz.paprsek.shape;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
+
+/** A figure in the plane z = 0 of its own space, met there at t = −o_z / d_z. */
+abstract class Flat extends Surface implements Part {
+    private final int part;
+    private final Affine toLocal;
+    private final Bounds bounds;
+
+    Flat(int part, Affine toWorld, Bounds worldBounds) {
+        this.part = part;
+        this.toLocal = toWorld.inverse();
+        this.bounds = worldBounds;
+    }
+
+    /** Whether a point of the plane belongs to the figure. */
+    abstract boolean holds(double x, double y);
+
+    /** The figure's x as 0–1. */
+    abstract double u(double x);
+
+    /** The figure's y as 0–1. */
+    abstract double v(double y);
+
+    @Override
+    public Bounds bounds() {
+        return bounds;
+    }
+
+    @Override
+    public void nearest(Ray ray) {
+        double t = crossing(ray);
+        if (t > ray.min && t < ray.max) {
+            ray.accept(t, part, 0);
+        }
+    }
+
+    @Override
+    public boolean occludes(Ray ray) {
+        double t = crossing(ray);
+        return t > ray.min && t < ray.max;
+    }
+
+    @Override
+    public void crossings(Ray ray, Spans out) {
+        if (occludes(ray)) {
+            out.add(crossing(ray), part, 0);
+        }
+    }
+
+    @Override
+    public void describe(int face, Hit hit) {
+        hit.normal(toLocal, 0, 0, 1);
+        hit.u = u(toLocal.pointX(hit.px, hit.py, hit.pz));
+        hit.v = v(toLocal.pointY(hit.px, hit.py, hit.pz));
+    }
+
+    /** Where the ray's line meets the figure; not a number if it does not. */
+    private double crossing(Ray ray) {
+        double dz = toLocal.directionZ(ray.dx, ray.dy, ray.dz);
+        double t = -toLocal.pointZ(ray.ox, ray.oy, ray.oz) / dz;
+        if (dz == 0 || !(t > ray.min && t < ray.max)) {
+            return Double.NaN;
+        }
+        double x = toLocal.pointX(ray.ox, ray.oy, ray.oz) + t * toLocal.directionX(ray.dx, ray.dy, ray.dz);
+        double y = toLocal.pointY(ray.ox, ray.oy, ray.oz) + t * toLocal.directionY(ray.dx, ray.dy, ray.dz);
+        return holds(x, y) ? t : Double.NaN;
+    }
+}

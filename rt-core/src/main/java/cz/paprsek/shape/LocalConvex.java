@@ -1,0 +1,73 @@
+package cz.paprsek.shape;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
+
+/** A convex primitive that is met in its own space, through the map that leads there. */
+abstract class LocalConvex extends Convex {
+    private final Affine toLocal;
+    private final Bounds bounds;
+
+    LocalConvex(int part, Affine toWorld, Bounds worldBounds) {
+        super(part);
+        this.toLocal = toWorld.inverse();
+        this.bounds = worldBounds;
+    }
+
+    /** As {@link #clip(Ray)}, for the line in the shape's own space. */
+    abstract boolean clip(Line line, Ray ray);
+
+    /** Calls {@link Hit#normal} for a point on a face, both in the shape's own space. */
+    abstract void describe(int face, double x, double y, double z, Affine toLocal, Hit hit);
+
+    @Override
+    public Bounds bounds() {
+        return bounds;
+    }
+
+    @Override
+    boolean clip(Ray ray) {
+        ray.local.set(ray, toLocal);
+        return clip(ray.local, ray);
+    }
+
+    @Override
+    public void describe(int face, Hit hit) {
+        describe(face, toLocal.pointX(hit.px, hit.py, hit.pz), toLocal.pointY(hit.px, hit.py, hit.pz),
+                toLocal.pointZ(hit.px, hit.py, hit.pz), toLocal, hit);
+    }
+
+    /**
+     * Narrows the ray's stretch to where low ≤ o + t·d ≤ high along one axis.
+     *
+     * @param lowFace the face at low; the one at high is the next number
+     * @return whether anything is left
+     */
+    static boolean narrow(Ray ray, double o, double d, double low, double high, int lowFace) {
+        if (d == 0) {
+            return o >= low && o <= high;
+        }
+        double atLow = (low - o) / d;
+        double atHigh = (high - o) / d;
+        return d > 0 ? narrow(ray, atLow, lowFace, atHigh, lowFace + 1) : narrow(ray, atHigh, lowFace + 1, atLow, lowFace);
+    }
+
+    /** Narrows the ray's stretch to [enter, leave]; whether anything is left. */
+    static boolean narrow(Ray ray, double enter, int enterFace, double leave, int leaveFace) {
+        if (enter > ray.enter) {
+            ray.enter = enter;
+            ray.enterFace = enterFace;
+        }
+        if (leave < ray.leave) {
+            ray.leave = leave;
+            ray.leaveFace = leaveFace;
+        }
+        return ray.enter < ray.leave;
+    }
+
+    /** Opens the ray's stretch to the whole line. */
+    static void open(Ray ray) {
+        ray.enter = Double.NEGATIVE_INFINITY;
+        ray.leave = Double.POSITIVE_INFINITY;
+    }
+}

@@ -1,0 +1,13 @@
+package cz.paprsek.shape;
+
+import cz.paprsek.math.Affine;
+import java.util.function.IntFunction;
+
+/** Numbers the primitives of a scene as they are placed, and remembers which object and operand each came from. */
+public interface Parts {
+    /** Registers the part that {@code maker} makes for its number. */
+    <P extends Part> P add(IntFunction<P> maker);
+
+    /** Where the parts of an operand are to be registered. */
+    Parts within(Operand operand, Affine toWorld);
+}

@@ -1,0 +1,18 @@
+package cz.paprsek.shape;
+
+import cz.paprsek.math.Bounds;
+
+/** A shape as placed in the world, ready to be hit: the render half of a {@link Shape}. Immutable. */
+public abstract class Surface {
+    /** The box around it, world space; may be unbounded. */
+    public abstract Bounds bounds();
+
+    /** Lowers the ray's max to the first boundary between its min and max, and notes what was hit, if there is one. */
+    public abstract void nearest(Ray ray);
+
+    /** Whether there is a boundary between the ray's min and max. */
+    public abstract boolean occludes(Ray ray);
+
+    /** Pushes every boundary between the ray's min and max. */
+    public abstract void crossings(Ray ray, Spans out);
+}

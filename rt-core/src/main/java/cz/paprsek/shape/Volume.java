@@ -1,0 +1,58 @@
+package cz.paprsek.shape;
+
+/** A solid as placed in the world. What it must know is {@link #spans}; a primitive may answer the rest faster. */
+public abstract class Volume extends Surface {
+    /**
+     * Pushes the boundaries of the stretches of the ray's whole line inside the solid, sorted, entering and leaving in turn.
+     * Stretches that do not reach between the ray's min and max may be left out.
+     */
+    public abstract void spans(Ray ray, Spans out);
+
+    @Override
+    public void nearest(Ray ray) {
+        Spans spans = ray.spans;
+        int mark = spans.size();
+        spans(ray, spans);
+        int i = mark;
+        while (i < spans.size() && spans.t(i) <= ray.min) {
+            i++;
+        }
+        if (i < spans.size() && spans.t(i) < ray.max) {
+            ray.accept(spans.t(i), spans.part(i), spans.face(i));
+        }
+        spans.release(mark);
+    }
+
+    @Override
+    public boolean occludes(Ray ray) {
+        Spans spans = ray.spans;
+        int mark = spans.size();
+        spans(ray, spans);
+        boolean found = false;
+        for (int i = mark; i < spans.size(); i++) {
+            found |= spans.t(i) > ray.min && spans.t(i) < ray.max;
+        }
+        spans.release(mark);
+        return found;
+    }
+
+    @Override
+    public void crossings(Ray ray, Spans out) {
+        int mark = out.size();
+        spans(ray, out);
+        out.clip(mark, ray.min, ray.max);
+    }
+
+    /** Whether the ray's origin lies inside; the ray's min must be 0 and its max infinite. */
+    public boolean holdsOrigin(Ray ray) {
+        Spans spans = ray.spans;
+        int mark = spans.size();
+        spans(ray, spans);
+        int before = 0;
+        while (mark + before < spans.size() && spans.t(mark + before) <= 0) {
+            before++;
+        }
+        spans.release(mark);
+        return before % 2 != 0;
+    }
+}
