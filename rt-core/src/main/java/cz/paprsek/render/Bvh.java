@@ -3,6 +3,7 @@ package cz.paprsek.render;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
 import cz.paprsek.shape.Surface;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A bounding volume hierarchy over surfaces, flat: an inner node n has two children. {@code child[2n]} and {@code child[2n + 1]} name
@@ -44,13 +45,13 @@ final class Bvh {
     /** Scratch of one worker: nodes still to visit, and where the ray enters their boxes. */
     static final class Stack {
         private final int[] node;
-        private final double[] near;
+        private final int[] near;
         /** The number of tree nodes visited so far, leaves included. */
         long visits;
 
         private Stack(int depth) {
             node = new int[depth];
-            near = new double[depth];
+            near = new int[depth];
         }
     }
 
@@ -68,7 +69,7 @@ final class Bvh {
         double rx = ray.rx;
         double ry = ray.ry;
         double rz = ray.rz;
-        double min = ray.min;
+        int begin = order(ray.min);
         // Where in a box the planes lie that the ray crosses first and last.
         int ax = rx < 0 ? 3 : 0;
         int bx = 3 - ax;
@@ -76,6 +77,7 @@ final class Bvh {
         int by = 5 - ay;
         int az = rz < 0 ? 5 : 2;
         int bz = 7 - az;
+        int end = order(ray.max);
         int top = 0;
         int node = root;
         while (true) {
@@ -85,14 +87,22 @@ final class Bvh {
                 for (int i = first + ~node % LEAF; i >= first; i--) {
                     surfaces[i].nearest(ray);
                 }
+                end = order(ray.max);
             } else {
                 int b = 12 * node;
-                double max = ray.max;
-                double nearL = Math.max(Math.max((boxes[b + ax] - ox) * rx, (boxes[b + ay] - oy) * ry), Math.max((boxes[b + az] - oz) * rz, min));
-                double farL = Math.min(Math.min((boxes[b + bx] - ox) * rx, (boxes[b + by] - oy) * ry), Math.min((boxes[b + bz] - oz) * rz, max));
+                int nearL = Math.max(
+                        Math.max(order((boxes[b + ax] - ox) * rx), order((boxes[b + ay] - oy) * ry)),
+                        Math.max(order((boxes[b + az] - oz) * rz), begin));
+                int farL = Math.min(
+                        Math.min(order((boxes[b + bx] - ox) * rx), order((boxes[b + by] - oy) * ry)),
+                        Math.min(order((boxes[b + bz] - oz) * rz), end)) + 1;
                 b += 6;
-                double nearR = Math.max(Math.max((boxes[b + ax] - ox) * rx, (boxes[b + ay] - oy) * ry), Math.max((boxes[b + az] - oz) * rz, min));
-                double farR = Math.min(Math.min((boxes[b + bx] - ox) * rx, (boxes[b + by] - oy) * ry), Math.min((boxes[b + bz] - oz) * rz, max));
+                int nearR = Math.max(
+                        Math.max(order((boxes[b + ax] - ox) * rx), order((boxes[b + ay] - oy) * ry)),
+                        Math.max(order((boxes[b + az] - oz) * rz), begin));
+                int farR = Math.min(
+                        Math.min(order((boxes[b + bx] - ox) * rx), order((boxes[b + by] - oy) * ry)),
+                        Math.min(order((boxes[b + bz] - oz) * rz), end)) + 1;
                 int left = child[2 * node];
                 int right = child[2 * node + 1];
                 if (nearL <= farL) {
@@ -116,7 +126,7 @@ final class Bvh {
                     return;
                 }
                 node = stack.node[--top];
-            } while (stack.near[top] > ray.max);
+            } while (stack.near[top] > end);
         }
     }
 
@@ -126,7 +136,7 @@ final class Bvh {
      * @param through receives the boundaries of transparent bodies; incomplete if the answer is not null
      * @return the first opaque body found, or null
      */
-    @org.jspecify.annotations.Nullable Surface occluder(Ray ray, Stack stack, Spans through) {
+    @Nullable Surface occluder(Ray ray, Stack stack, Spans through) {
         for (int i = 0; i < endless.length; i++) {
             if (blocks(endless[i], endlessOpaque[i], ray, through)) {
                 return endless[i];
@@ -141,8 +151,8 @@ final class Bvh {
         double rx = ray.rx;
         double ry = ray.ry;
         double rz = ray.rz;
-        double min = ray.min;
-        double max = ray.max;
+        int begin = order(ray.min);
+        int end = order(ray.max);
         int ax = rx < 0 ? 3 : 0;
         int bx = 3 - ax;
         int ay = ry < 0 ? 4 : 1;
@@ -162,11 +172,19 @@ final class Bvh {
                 }
             } else {
                 int b = 12 * node;
-                double nearL = Math.max(Math.max((boxes[b + ax] - ox) * rx, (boxes[b + ay] - oy) * ry), Math.max((boxes[b + az] - oz) * rz, min));
-                double farL = Math.min(Math.min((boxes[b + bx] - ox) * rx, (boxes[b + by] - oy) * ry), Math.min((boxes[b + bz] - oz) * rz, max));
+                int nearL = Math.max(
+                        Math.max(order((boxes[b + ax] - ox) * rx), order((boxes[b + ay] - oy) * ry)),
+                        Math.max(order((boxes[b + az] - oz) * rz), begin));
+                int farL = Math.min(
+                        Math.min(order((boxes[b + bx] - ox) * rx), order((boxes[b + by] - oy) * ry)),
+                        Math.min(order((boxes[b + bz] - oz) * rz), end)) + 1;
                 b += 6;
-                double nearR = Math.max(Math.max((boxes[b + ax] - ox) * rx, (boxes[b + ay] - oy) * ry), Math.max((boxes[b + az] - oz) * rz, min));
-                double farR = Math.min(Math.min((boxes[b + bx] - ox) * rx, (boxes[b + by] - oy) * ry), Math.min((boxes[b + bz] - oz) * rz, max));
+                int nearR = Math.max(
+                        Math.max(order((boxes[b + ax] - ox) * rx), order((boxes[b + ay] - oy) * ry)),
+                        Math.max(order((boxes[b + az] - oz) * rz), begin));
+                int farR = Math.min(
+                        Math.min(order((boxes[b + bx] - ox) * rx), order((boxes[b + by] - oy) * ry)),
+                        Math.min(order((boxes[b + bz] - oz) * rz), end)) + 1;
                 if (nearL <= farL) {
                     if (nearR <= farR) {
                         stack.node[top++] = child[2 * node + 1];
@@ -192,5 +210,15 @@ final class Bvh {
         }
         surface.crossings(ray, through);
         return false;
+    }
+
+    /**
+     * The upper half of a double as an integer, by which values of t are compared: the JVM makes two instructions of the maximum of
+     * integers, but eleven, three of them slow, of that of doubles. For numbers not below 0 the order is the same, only coarser, which the
+     * + 1 on the far side makes up for. A t below 0 becomes a negative integer, of wrong order among its kind, but below where every ray
+     * starts, which is all that matters.
+     */
+    private static int order(double t) {
+        return (int) (Double.doubleToRawLongBits(t) >>> 32);
     }
 }

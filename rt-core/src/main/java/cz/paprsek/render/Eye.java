@@ -34,7 +34,7 @@ final class Eye {
         double dx = forward.x() + a * right.x() + b * up.x();
         double dy = forward.y() + a * right.y() + b * up.y();
         double dz = forward.z() + a * right.z() + b * up.z();
-        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        ray.start(position.x(), position.y(), position.z(), dx / length, dy / length, dz / length);
+        double k = 1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
+        ray.start(position.x(), position.y(), position.z(), dx * k, dy * k, dz * k);
     }
 }

@@ -19,6 +19,9 @@ final class Tracer {
     private final RenderMonitor monitor;
     private final Spans spans = new Spans();
     private final Ray shadow = new Ray(spans);
+    private final Bvh bvh;
+    private final PartTable parts;
+    private final Lamp[] lamps;
     private final Bvh.Stack stack;
     private final Level[] levels;
     private final double[] background;
@@ -37,8 +40,11 @@ final class Tracer {
     Tracer(RenderScene scene, int maxDepth, RenderMonitor monitor) {
         this.scene = scene;
         this.monitor = monitor;
-        this.stack = scene.bvh().newStack();
-        this.lastOccluder = new Surface[scene.lamps().length];
+        this.bvh = scene.bvh();
+        this.parts = scene.parts();
+        this.lamps = scene.lamps();
+        this.stack = bvh.newStack();
+        this.lastOccluder = new Surface[lamps.length];
         this.levels = new Level[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
             levels[i] = new Level(spans);
@@ -71,7 +77,7 @@ final class Tracer {
             return;
         }
         Ray ray = level.ray;
-        scene.bvh().nearest(ray, stack);
+        bvh.nearest(ray, stack);
         if (ray.part < 0) {
             level.light(background[0], background[1], background[2]);
         } else {
@@ -83,7 +89,7 @@ final class Tracer {
     private void shade(Level level, int depth) {
         Ray ray = level.ray;
         Hit hit = level.hit;
-        Finish finish = scene.parts().finish(ray.part);
+        Finish finish = parts.finish(ray.part);
         locate(ray, hit);
         finish.paint.color(level);
         double cosine = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz;
@@ -101,7 +107,7 @@ final class Tracer {
 
         level.light(ambient[0] * level.colorRed, ambient[1] * level.colorGreen, ambient[2] * level.colorBlue);
         if (finish.isLit()) {
-            for (int i = 0; i < scene.lamps().length; i++) {
+            for (int i = 0; i < lamps.length; i++) {
                 illuminate(i, level, finish, mirrorX, mirrorY, mirrorZ, size);
             }
         }
@@ -115,7 +121,7 @@ final class Tracer {
         hit.py = ray.oy + ray.max * ray.dy;
         hit.pz = ray.oz + ray.max * ray.dz;
         boolean flipped = ray.face < 0;
-        scene.parts().part(ray.part).describe(flipped ? ~ray.face : ray.face, hit);
+        parts.part(ray.part).describe(flipped ? ~ray.face : ray.face, hit);
         if (flipped) {
             hit.nx = -hit.nx;
             hit.ny = -hit.ny;
@@ -126,14 +132,15 @@ final class Tracer {
     /** Adds one light's diffuse and specular part. */
     private void illuminate(int light, Level level, Finish finish, double mirrorX, double mirrorY, double mirrorZ, double size) {
         Hit hit = level.hit;
-        Lamp lamp = scene.lamps()[light];
+        Lamp lamp = lamps[light];
         double lx = lamp.x() - hit.px;
         double ly = lamp.y() - hit.py;
         double lz = lamp.z() - hit.pz;
         double distance = Math.sqrt(lx * lx + ly * ly + lz * lz);
-        lx /= distance;
-        ly /= distance;
-        lz /= distance;
+        double k = 1 / distance;
+        lx *= k;
+        ly *= k;
+        lz *= k;
         double facing = hit.nx * lx + hit.ny * ly + hit.nz * lz;
         if (!(facing > 0)) {
             return;
@@ -157,10 +164,12 @@ final class Tracer {
             return 0;
         }
         int mark = spans.size();
-        Surface occluder = scene.bvh().occluder(shadow, stack, spans);
+        Surface occluder = bvh.occluder(shadow, stack, spans);
         double product = occluder == null ? product(mark) : 0;
         spans.release(mark);
-        lastOccluder[light] = occluder;
+        if (occluder != last) {
+            lastOccluder[light] = occluder;
+        }
         return product;
     }
 
@@ -171,7 +180,7 @@ final class Tracer {
             shares = new double[2 * count];
         }
         for (int i = 0; i < count; i++) {
-            double share = scene.parts().finish(spans.part(mark + i)).transparency;
+            double share = parts.finish(spans.part(mark + i)).transparency;
             int at = i;
             for (; at > 0 && shares[at - 1] > share; at--) {
                 shares[at] = shares[at - 1];
@@ -231,7 +240,7 @@ final class Tracer {
     /** Sets the media beyond the surface that the level's ray has hit, and returns their refractive index. A flat figure has no inside. */
     private double indexBeyond(Level level, Media beyond, Finish finish, boolean leaving) {
         beyond.set(level.media);
-        int object = scene.parts().object(level.ray.part);
+        int object = parts.object(level.ray.part);
         if (scene.isSolid(object)) {
             if (leaving) {
                 beyond.leave(object);

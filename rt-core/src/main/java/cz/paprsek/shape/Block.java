@@ -52,25 +52,17 @@ public record Block(Vec3 min, Vec3 max) implements Solid {
 
         @Override
         boolean clip(Ray ray) {
-            int x = ray.dx < 0 ? 1 : 0;
-            int y = ray.dy < 0 ? 3 : 2;
-            int z = ray.dz < 0 ? 5 : 4;
-            double enterX = ((x == 0 ? minX : maxX) - ray.ox) * ray.rx;
-            double leaveX = ((x == 0 ? maxX : minX) - ray.ox) * ray.rx;
-            double enterY = ((y == 2 ? minY : maxY) - ray.oy) * ray.ry;
-            double leaveY = ((y == 2 ? maxY : minY) - ray.oy) * ray.ry;
-            double enterZ = ((z == 4 ? minZ : maxZ) - ray.oz) * ray.rz;
-            double leaveZ = ((z == 4 ? maxZ : minZ) - ray.oz) * ray.rz;
-            double enter = Math.max(enterX, Math.max(enterY, enterZ));
-            double leave = Math.min(leaveX, Math.min(leaveY, leaveZ));
-            if (!(enter < leave)) {
-                return false;
-            }
-            ray.enter = enter;
-            ray.leave = leave;
-            ray.enterFace = enter == enterX ? x : enter == enterY ? y : z;
-            ray.leaveFace = leave == leaveX ? x ^ 1 : leave == leaveY ? y ^ 1 : z ^ 1;
-            return true;
+            boolean forwardX = ray.rx > 0;
+            ray.enter = ((forwardX ? minX : maxX) - ray.ox) * ray.rx;
+            ray.leave = ((forwardX ? maxX : minX) - ray.ox) * ray.rx;
+            ray.enterFace = forwardX ? 0 : 1;
+            ray.leaveFace = forwardX ? 1 : 0;
+            boolean forwardY = ray.ry > 0;
+            boolean forwardZ = ray.rz > 0;
+            return narrow(ray, ((forwardY ? minY : maxY) - ray.oy) * ray.ry, forwardY ? 2 : 3,
+                            ((forwardY ? maxY : minY) - ray.oy) * ray.ry, forwardY ? 3 : 2)
+                    && narrow(ray, ((forwardZ ? minZ : maxZ) - ray.oz) * ray.rz, forwardZ ? 4 : 5,
+                            ((forwardZ ? maxZ : minZ) - ray.oz) * ray.rz, forwardZ ? 5 : 4);
         }
 
         @Override

@@ -37,4 +37,17 @@ abstract class Convex extends Volume implements Part {
     public boolean occludes(Ray ray) {
         return clip(ray) && ((ray.enter > ray.min && ray.enter < ray.max) || (ray.leave > ray.min && ray.leave < ray.max));
     }
+
+    /** Narrows the ray's stretch to [enter, leave]; whether anything is left. */
+    static boolean narrow(Ray ray, double enter, int enterFace, double leave, int leaveFace) {
+        if (enter > ray.enter) {
+            ray.enter = enter;
+            ray.enterFace = enterFace;
+        }
+        if (leave < ray.leave) {
+            ray.leave = leave;
+            ray.leaveFace = leaveFace;
+        }
+        return ray.enter < ray.leave;
+    }
 }

@@ -26,9 +26,9 @@ public final class Hit {
 
     /** Sets the normal from a vector of any length but 0, world space. */
     void unitNormal(double x, double y, double z) {
-        double length = Math.sqrt(x * x + y * y + z * z);
-        nx = x / length;
-        ny = y / length;
-        nz = z / length;
+        double k = 1 / Math.sqrt(x * x + y * y + z * z);
+        nx = x * k;
+        ny = y * k;
+        nz = z * k;
     }
 }

@@ -52,19 +52,6 @@ abstract class LocalConvex extends Convex {
         return d > 0 ? narrow(ray, atLow, lowFace, atHigh, lowFace + 1) : narrow(ray, atHigh, lowFace + 1, atLow, lowFace);
     }
 
-    /** Narrows the ray's stretch to [enter, leave]; whether anything is left. */
-    static boolean narrow(Ray ray, double enter, int enterFace, double leave, int leaveFace) {
-        if (enter > ray.enter) {
-            ray.enter = enter;
-            ray.enterFace = enterFace;
-        }
-        if (leave < ray.leave) {
-            ray.leave = leave;
-            ray.leaveFace = leaveFace;
-        }
-        return ray.enter < ray.leave;
-    }
-
     /** Opens the ray's stretch to the whole line. */
     static void open(Ray ray) {
         ray.enter = Double.NEGATIVE_INFINITY;

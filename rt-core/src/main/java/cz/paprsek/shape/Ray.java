@@ -82,19 +82,28 @@ public final class Ray {
 
     /** Whether the part of the ray between min and max meets the box. */
     public boolean meets(Bounds box) {
-        double x0 = (box.minX() - ox) * rx;
-        double x1 = (box.maxX() - ox) * rx;
-        double y0 = (box.minY() - oy) * ry;
-        double y1 = (box.maxY() - oy) * ry;
-        double z0 = (box.minZ() - oz) * rz;
-        double z1 = (box.maxZ() - oz) * rz;
-        double near = Math.max(Math.max(Math.min(x0, x1), Math.min(y0, y1)), Math.max(Math.min(z0, z1), min));
-        double far = Math.min(Math.min(Math.max(x0, x1), Math.max(y0, y1)), Math.min(Math.max(z0, z1), max));
-        return near <= far;
+        boolean forwardX = rx > 0;
+        double near = ((forwardX ? box.minX() : box.maxX()) - ox) * rx;
+        double far = ((forwardX ? box.maxX() : box.minX()) - ox) * rx;
+        if (far < min || near > max) {
+            return false;
+        }
+        boolean forwardY = ry > 0;
+        double nearY = ((forwardY ? box.minY() : box.maxY()) - oy) * ry;
+        double farY = ((forwardY ? box.maxY() : box.minY()) - oy) * ry;
+        if (farY < min || nearY > max || nearY > far || near > farY) {
+            return false;
+        }
+        near = nearY > near ? nearY : near;
+        far = farY < far ? farY : far;
+        boolean forwardZ = rz > 0;
+        double nearZ = ((forwardZ ? box.minZ() : box.maxZ()) - oz) * rz;
+        double farZ = ((forwardZ ? box.maxZ() : box.minZ()) - oz) * rz;
+        return farZ >= min && nearZ <= max && nearZ <= far && near <= farZ;
     }
 
     private static double reciprocal(double d) {
         double r = 1 / d;
-        return Double.isInfinite(r) ? Math.copySign(Double.MAX_VALUE, d) : r;
+        return Math.abs(r) <= Double.MAX_VALUE ? r : Math.copySign(Double.MAX_VALUE, d);
     }
 }
