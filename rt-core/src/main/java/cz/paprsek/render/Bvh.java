@@ -1,8 +1,11 @@
 package cz.paprsek.render;
 
+import cz.paprsek.math.Bounds;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
 import cz.paprsek.shape.Surface;
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,8 +17,6 @@ import org.jspecify.annotations.Nullable;
 final class Bvh {
     /** The most surfaces in one leaf. */
     static final int LEAF = 8;
-    /** Says that there is no tree: every surface is unbounded. */
-    static final int NOTHING = Integer.MIN_VALUE;
 
     private final Surface[] surfaces;
     private final boolean[] opaque;
@@ -23,29 +24,50 @@ final class Bvh {
     private final boolean[] endlessOpaque;
     private final double[] boxes;
     private final int[] child;
-    private final int root;
     private final int depth;
+    private final Entries whole;
 
-    Bvh(Surface[] surfaces, boolean[] opaque, Surface[] endless, boolean[] endlessOpaque, double[] boxes, int[] child, int root, int depth) {
-        this.surfaces = surfaces;
-        this.opaque = opaque;
-        this.endless = endless;
-        this.endlessOpaque = endlessOpaque;
-        this.boxes = boxes;
-        this.child = child;
-        this.root = root;
-        this.depth = depth;
+    private Bvh(Surface[] all, boolean[] allOpaque, int[] finite, int[] infinite, BvhBuilder builder) {
+        this.depth = finite.length == 0 ? 0 : builder.build();
+        this.surfaces = pick(all, finite);
+        this.opaque = pick(allOpaque, finite);
+        this.endless = pick(all, infinite);
+        this.endlessOpaque = pick(allOpaque, infinite);
+        this.boxes = builder.boxes;
+        this.child = builder.child;
+        this.whole = new Entries();
+        if (finite.length > 0) {
+            whole.add(builder.root(), Entries.ANYWHERE, 0);
+        }
+    }
+
+    /** Builds the hierarchy; empty surfaces are left out. */
+    static Bvh of(Surface[] surfaces, boolean[] opaque, RenderMonitor monitor) {
+        Bounds[] bounds = Arrays.stream(surfaces).map(Surface::bounds).toArray(Bounds[]::new);
+        int[] infinite = IntStream.range(0, bounds.length).filter(i -> !bounds[i].isFinite()).toArray();
+        int[] finite = IntStream.range(0, bounds.length).filter(i -> bounds[i].isFinite() && !bounds[i].isEmpty()).toArray();
+        double[] box = new double[6 * finite.length];
+        for (int i = 0; i < finite.length; i++) {
+            BvhBuilder.put(box, i, bounds[finite[i]].padded());
+        }
+        return new Bvh(surfaces, opaque, finite, infinite, new BvhBuilder(box, finite, monitor));
+    }
+
+    /** Where a search starts that knows nothing of its ray. */
+    Entries whole() {
+        return whole;
     }
 
     /** The scratch that one worker needs to search the tree. */
     Stack newStack() {
-        return new Stack(depth + 2);
+        return new Stack(depth + 2 + Entries.MOST);
     }
 
     /** Scratch of one worker: nodes still to visit, and where the ray enters their boxes. */
     static final class Stack {
         private final int[] node;
         private final int[] near;
+        private final Probe probe = new Probe();
         /** The number of tree nodes visited so far, leaves included. */
         long visits;
 
@@ -53,155 +75,123 @@ final class Bvh {
             node = new int[depth];
             near = new int[depth];
         }
-    }
 
-    /** Finds the ray's nearest hit. */
-    void nearest(Ray ray, Stack stack) {
-        for (Surface surface : endless) {
-            surface.nearest(ray);
-        }
-        if (root == NOTHING) {
-            return;
-        }
-        double ox = ray.ox;
-        double oy = ray.oy;
-        double oz = ray.oz;
-        double rx = ray.rx;
-        double ry = ray.ry;
-        double rz = ray.rz;
-        int begin = order(ray.min);
-        // Where in a box the planes lie that the ray crosses first and last.
-        int ax = rx < 0 ? 3 : 0;
-        int bx = 3 - ax;
-        int ay = ry < 0 ? 4 : 1;
-        int by = 5 - ay;
-        int az = rz < 0 ? 5 : 2;
-        int bz = 7 - az;
-        int end = order(ray.max);
-        int top = 0;
-        int node = root;
-        while (true) {
-            stack.visits++;
-            if (node < 0) {
-                int first = ~node / LEAF;
-                for (int i = first + ~node % LEAF; i >= first; i--) {
-                    surfaces[i].nearest(ray);
-                }
-                end = order(ray.max);
-            } else {
-                int b = 12 * node;
-                int nearL = Math.max(
-                        Math.max(order((boxes[b + ax] - ox) * rx), order((boxes[b + ay] - oy) * ry)),
-                        Math.max(order((boxes[b + az] - oz) * rz), begin));
-                int farL = Math.min(
-                        Math.min(order((boxes[b + bx] - ox) * rx), order((boxes[b + by] - oy) * ry)),
-                        Math.min(order((boxes[b + bz] - oz) * rz), end)) + 1;
-                b += 6;
-                int nearR = Math.max(
-                        Math.max(order((boxes[b + ax] - ox) * rx), order((boxes[b + ay] - oy) * ry)),
-                        Math.max(order((boxes[b + az] - oz) * rz), begin));
-                int farR = Math.min(
-                        Math.min(order((boxes[b + bx] - ox) * rx), order((boxes[b + by] - oy) * ry)),
-                        Math.min(order((boxes[b + bz] - oz) * rz), end)) + 1;
-                int left = child[2 * node];
-                int right = child[2 * node + 1];
-                if (nearL <= farL) {
-                    if (nearR <= farR) {
-                        boolean leftFirst = nearL <= nearR;
-                        stack.node[top] = leftFirst ? right : left;
-                        stack.near[top++] = leftFirst ? nearR : nearL;
-                        node = leftFirst ? left : right;
-                    } else {
-                        node = left;
-                    }
-                    continue;
-                }
-                if (nearR <= farR) {
-                    node = right;
-                    continue;
+        /** Fills the stack with those entries that the ray meets, the first on top; returns how many. */
+        private int push(Entries entries, double[] boxes) {
+            int top = 0;
+            for (int i = entries.size - 1; i >= 0; i--) {
+                int enter = entries.box[i] == Entries.ANYWHERE ? 0 : probe.enter(boxes, entries.box[i]);
+                if (enter != Probe.MISS) {
+                    node[top] = entries.node[i];
+                    near[top++] = enter;
                 }
             }
-            do {
-                if (top == 0) {
-                    return;
-                }
-                node = stack.node[--top];
-            } while (stack.near[top] > end);
+            return top;
         }
     }
 
     /**
-     * Looks for what stands between the ray's min and max.
+     * Finds the subtrees that hold whatever the rays of a bundle can meet. The nearest inner node is opened again and again until all are
+     * leaves, or there would be too many.
+     */
+    void enter(Bundle bundle, Entries entries) {
+        entries.clear();
+        if (whole.size > 0) {
+            entries.add(whole.node[0], Entries.ANYWHERE, 0);
+        }
+        int i = 0;
+        while (i < entries.size) {
+            int node = entries.node[i];
+            if (node < 0 || entries.size == Entries.MOST) {
+                i++;
+                continue;
+            }
+            entries.remove(i);
+            for (int side = 0; side < 2; side++) {
+                double near = bundle.enter(boxes, 12 * node + 6 * side);
+                if (near < Double.POSITIVE_INFINITY) {
+                    entries.add(child[2 * node + side], 12 * node + 6 * side, near);
+                }
+            }
+        }
+    }
+
+    /** Finds the ray's nearest hit in the given subtrees. */
+    void nearest(Ray ray, Entries entries, Stack stack) {
+        for (Surface surface : endless) {
+            surface.nearest(ray);
+        }
+        Probe probe = stack.probe;
+        probe.set(ray);
+        int top = stack.push(entries, boxes);
+        while (top > 0) {
+            int node = stack.node[--top];
+            if (!probe.reaches(stack.near[top])) {
+                continue;
+            }
+            while (node >= 0) {
+                stack.visits++;
+                int left = probe.enter(boxes, 12 * node);
+                int right = probe.enter(boxes, 12 * node + 6);
+                int first = left <= right ? 2 * node : 2 * node + 1;
+                if (left != Probe.MISS && right != Probe.MISS) {
+                    stack.node[top] = child[first ^ 1];
+                    stack.near[top++] = Math.max(left, right);
+                } else if (left == right) {
+                    break;
+                }
+                node = child[first];
+            }
+            if (node < 0) {
+                stack.visits++;
+                int start = ~node / LEAF;
+                for (int i = start + ~node % LEAF; i >= start; i--) {
+                    surfaces[i].nearest(ray);
+                }
+                probe.end(ray.max);
+            }
+        }
+    }
+
+    /**
+     * Looks in the given subtrees for what stands between the ray's min and max.
      *
      * @param through receives the boundaries of transparent bodies; incomplete if the answer is not null
      * @return the first opaque body found, or null
      */
-    @Nullable Surface occluder(Ray ray, Stack stack, Spans through) {
+    @Nullable Surface occluder(Ray ray, Entries entries, Stack stack, Spans through) {
         for (int i = 0; i < endless.length; i++) {
             if (blocks(endless[i], endlessOpaque[i], ray, through)) {
                 return endless[i];
             }
         }
-        if (root == NOTHING) {
-            return null;
-        }
-        double ox = ray.ox;
-        double oy = ray.oy;
-        double oz = ray.oz;
-        double rx = ray.rx;
-        double ry = ray.ry;
-        double rz = ray.rz;
-        int begin = order(ray.min);
-        int end = order(ray.max);
-        int ax = rx < 0 ? 3 : 0;
-        int bx = 3 - ax;
-        int ay = ry < 0 ? 4 : 1;
-        int by = 5 - ay;
-        int az = rz < 0 ? 5 : 2;
-        int bz = 7 - az;
-        int top = 0;
-        int node = root;
-        while (true) {
-            stack.visits++;
+        Probe probe = stack.probe;
+        probe.set(ray);
+        int top = stack.push(entries, boxes);
+        while (top > 0) {
+            int node = stack.node[--top];
+            while (node >= 0) {
+                stack.visits++;
+                boolean left = probe.enter(boxes, 12 * node) != Probe.MISS;
+                boolean right = probe.enter(boxes, 12 * node + 6) != Probe.MISS;
+                if (left && right) {
+                    stack.node[top++] = child[2 * node + 1];
+                } else if (!left && !right) {
+                    break;
+                }
+                node = child[left ? 2 * node : 2 * node + 1];
+            }
             if (node < 0) {
-                int first = ~node / LEAF;
-                for (int i = first + ~node % LEAF; i >= first; i--) {
+                stack.visits++;
+                int start = ~node / LEAF;
+                for (int i = start + ~node % LEAF; i >= start; i--) {
                     if (blocks(surfaces[i], opaque[i], ray, through)) {
                         return surfaces[i];
                     }
                 }
-            } else {
-                int b = 12 * node;
-                int nearL = Math.max(
-                        Math.max(order((boxes[b + ax] - ox) * rx), order((boxes[b + ay] - oy) * ry)),
-                        Math.max(order((boxes[b + az] - oz) * rz), begin));
-                int farL = Math.min(
-                        Math.min(order((boxes[b + bx] - ox) * rx), order((boxes[b + by] - oy) * ry)),
-                        Math.min(order((boxes[b + bz] - oz) * rz), end)) + 1;
-                b += 6;
-                int nearR = Math.max(
-                        Math.max(order((boxes[b + ax] - ox) * rx), order((boxes[b + ay] - oy) * ry)),
-                        Math.max(order((boxes[b + az] - oz) * rz), begin));
-                int farR = Math.min(
-                        Math.min(order((boxes[b + bx] - ox) * rx), order((boxes[b + by] - oy) * ry)),
-                        Math.min(order((boxes[b + bz] - oz) * rz), end)) + 1;
-                if (nearL <= farL) {
-                    if (nearR <= farR) {
-                        stack.node[top++] = child[2 * node + 1];
-                    }
-                    node = child[2 * node];
-                    continue;
-                }
-                if (nearR <= farR) {
-                    node = child[2 * node + 1];
-                    continue;
-                }
             }
-            if (top == 0) {
-                return null;
-            }
-            node = stack.node[--top];
         }
+        return null;
     }
 
     private static boolean blocks(Surface surface, boolean isOpaque, Ray ray, Spans through) {
@@ -212,13 +202,15 @@ final class Bvh {
         return false;
     }
 
-    /**
-     * The upper half of a double as an integer, by which values of t are compared: the JVM makes two instructions of the maximum of
-     * integers, but eleven, three of them slow, of that of doubles. For numbers not below 0 the order is the same, only coarser, which the
-     * + 1 on the far side makes up for. A t below 0 becomes a negative integer, of wrong order among its kind, but below where every ray
-     * starts, which is all that matters.
-     */
-    private static int order(double t) {
-        return (int) (Double.doubleToRawLongBits(t) >>> 32);
+    private static Surface[] pick(Surface[] from, int[] which) {
+        return Arrays.stream(which).mapToObj(i -> from[i]).toArray(Surface[]::new);
+    }
+
+    private static boolean[] pick(boolean[] from, int[] which) {
+        boolean[] picked = new boolean[which.length];
+        for (int i = 0; i < which.length; i++) {
+            picked[i] = from[which[i]];
+        }
+        return picked;
     }
 }

@@ -25,6 +25,7 @@ final class BvhBuilder {
     private final RenderMonitor monitor;
     final double[] boxes;
     final int[] child;
+    private int root;
 
     BvhBuilder(double[] box, int[] record, RenderMonitor monitor) {
         this.box = box;
@@ -45,11 +46,17 @@ final class BvhBuilder {
         box[6 * i + 5] = bounds.maxZ();
     }
 
-    /** Permutes the records into the order of the leaves and fills the nodes; returns the root as {@link Bvh} names children. */
-    Subtree build() {
+    /** Permutes the records, at least one, into the order of the leaves and fills the nodes; returns the depth of the tree. */
+    int build() {
         Subtree whole = new Subtree(0, record.length, 0, 0);
         whole.invoke();
-        return whole;
+        root = whole.name;
+        return whole.depth;
+    }
+
+    /** The root as {@link Bvh} names children. */
+    int root() {
+        return root;
     }
 
     /** One task: the records from {@code from} to {@code to} become a subtree with nodes from {@code base} on. */

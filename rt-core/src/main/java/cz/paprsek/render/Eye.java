@@ -14,8 +14,8 @@ final class Eye {
     private final Vec3 forward;
     private final Vec3 right;
     private final Vec3 up;
-    private final double width;
-    private final double height;
+    private final double perColumn;
+    private final double perRow;
 
     Eye(Camera camera, int width, int height) {
         double h = 2 * Angles.tan(camera.fovy() / 2);
@@ -23,18 +23,38 @@ final class Eye {
         this.forward = camera.forward();
         this.right = camera.right().times(h * width / height);
         this.up = camera.trueUp().times(h);
-        this.width = width;
-        this.height = height;
+        this.perColumn = 1.0 / width;
+        this.perRow = 1.0 / height;
     }
 
     /** Starts the ray through a point of the picture; the centre of pixel (column j, row i) is (j + ½, i + ½). */
     void start(Ray ray, double x, double y) {
-        double a = x / width - 0.5;
-        double b = 0.5 - y / height;
-        double dx = forward.x() + a * right.x() + b * up.x();
-        double dy = forward.y() + a * right.y() + b * up.y();
-        double dz = forward.z() + a * right.z() + b * up.z();
+        double dx = directionX(x, y);
+        double dy = directionY(x, y);
+        double dz = directionZ(x, y);
         double k = 1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
         ray.start(position.x(), position.y(), position.z(), dx * k, dy * k, dz * k);
+    }
+
+    /** Makes a bundle of all rays through a block of pixels. */
+    void bundle(Bundle bundle, int left, int top, int columns, int rows) {
+        bundle.start(position.x(), position.y(), position.z(), Double.POSITIVE_INFINITY);
+        for (int corner = 0; corner < 4; corner++) {
+            int x = left + (corner & 1) * columns;
+            int y = top + (corner >> 1) * rows;
+            bundle.add(directionX(x, y), directionY(x, y), directionZ(x, y));
+        }
+    }
+
+    private double directionX(double x, double y) {
+        return forward.x() + (x * perColumn - 0.5) * right.x() + (0.5 - y * perRow) * up.x();
+    }
+
+    private double directionY(double x, double y) {
+        return forward.y() + (x * perColumn - 0.5) * right.y() + (0.5 - y * perRow) * up.y();
+    }
+
+    private double directionZ(double x, double y) {
+        return forward.z() + (x * perColumn - 0.5) * right.z() + (0.5 - y * perRow) * up.z();
     }
 }

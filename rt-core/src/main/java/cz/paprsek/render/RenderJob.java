@@ -8,12 +8,15 @@ import org.jspecify.annotations.Nullable;
 /** One picture under way: its tiles, taken from a counter by any number of workers, and what they have in common. */
 final class RenderJob implements RenderMonitor {
     private static final int SIDE = 32;
+    /** Rays along each side of a block, about: how many are traced together. */
+    private static final int TOGETHER = 8;
 
     private final RenderScene scene;
     private final RenderOptions options;
     private final RenderMonitor monitor;
     private final Image image;
     private final Eye eye;
+    private final int block;
     private final int columns;
     private final int tiles;
     private final AtomicInteger next = new AtomicInteger();
@@ -29,6 +32,7 @@ final class RenderJob implements RenderMonitor {
         Tile region = options.region();
         image = new Image(region.width(), region.height());
         eye = new Eye(scene.scene().camera(), options.settings().width(), options.settings().height());
+        block = Math.max(1, TOGETHER / options.settings().samples());
         columns = (region.width() + SIDE - 1) / SIDE;
         tiles = columns * ((region.height() + SIDE - 1) / SIDE);
     }
@@ -56,7 +60,7 @@ final class RenderJob implements RenderMonitor {
 
     /** Renders tiles until none is left or the job is stopped. */
     void work() {
-        Tracer tracer = new Tracer(scene, options.settings().maxDepth(), this);
+        Tracer tracer = new Tracer(scene, options.settings().maxDepth(), options.settings().samples(), this);
         for (int i = next.getAndIncrement(); i < tiles && !cancelled(); i = next.getAndIncrement()) {
             render(tile(i), tracer);
         }
@@ -90,9 +94,9 @@ final class RenderJob implements RenderMonitor {
         int x = tile.x();
         int y = tile.y();
         try {
-            for (y = tile.y(); y < tile.y() + tile.height(); y++) {
-                for (x = tile.x(); x < tile.x() + tile.width(); x++) {
-                    render(x, y, tracer);
+            for (y = tile.y(); y < tile.y() + tile.height(); y += block) {
+                for (x = tile.x(); x < tile.x() + tile.width(); x += block) {
+                    renderBlock(x, y, Math.min(block, tile.x() + tile.width() - x), Math.min(block, tile.y() + tile.height() - y), tracer);
                     if (tracer.cancelled) {
                         return;
                     }
@@ -105,23 +109,20 @@ final class RenderJob implements RenderMonitor {
         }
     }
 
-    /** Averages the rays of one pixel: a regular grid, whose middle is the pixel's centre. */
-    private void render(int x, int y, Tracer tracer) {
-        int side = options.settings().samples();
-        double red = 0;
-        double green = 0;
-        double blue = 0;
-        for (int i = 0; i < side; i++) {
-            for (int j = 0; j < side; j++) {
-                double column = options.region().x() + x + (j + 0.5) / side;
-                double row = options.region().y() + y + (i + 0.5) / side;
-                Level level = tracer.trace(eye, column, row);
-                red += level.red;
-                green += level.green;
-                blue += level.blue;
+    /** Renders a block of pixels. Each is the average of a regular grid of rays about its centre. */
+    private void renderBlock(int x, int y, int width, int height, Tracer tracer) {
+        Level[] rays = tracer.trace(eye, options.region().x() + x, options.region().y() + y, width, height);
+        int perPixel = options.settings().samples() * options.settings().samples();
+        for (int i = 0; i < width * height; i++) {
+            double red = 0;
+            double green = 0;
+            double blue = 0;
+            for (int j = i * perPixel; j < (i + 1) * perPixel; j++) {
+                red += rays[j].red;
+                green += rays[j].green;
+                blue += rays[j].blue;
             }
+            image.set(x + i % width, y + i / width, red / perPixel, green / perPixel, blue / perPixel);
         }
-        double share = 1.0 / (side * side);
-        image.set(x, y, red * share, green * share, blue * share);
     }
 }

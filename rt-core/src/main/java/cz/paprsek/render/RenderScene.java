@@ -1,7 +1,6 @@
 package cz.paprsek.render;
 
 import cz.paprsek.material.Rgb;
-import cz.paprsek.math.Bounds;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Solid;
@@ -41,7 +40,7 @@ public final class RenderScene {
             opaque[i] = isOpaque(first, parts.size());
         }
         this.aroundCamera = aroundCamera(surfaces, opaque);
-        this.bvh = hierarchy(surfaces, opaque, monitor);
+        this.bvh = Bvh.of(surfaces, opaque, monitor);
         this.buildSeconds = (System.nanoTime() - begin) / 1e9;
     }
 
@@ -127,45 +126,5 @@ public final class RenderScene {
         }
         inside.sort(Comparator.comparingDouble((Integer part) -> surfaces[parts.object(part)].bounds().volume()).reversed());
         return inside.stream().mapToInt(Integer::intValue).toArray();
-    }
-
-    private static Bvh hierarchy(Surface[] surfaces, boolean[] opaque, RenderMonitor monitor) {
-        int finite = 0;
-        int[] record = new int[surfaces.length];
-        double[] box = new double[6 * surfaces.length];
-        List<Integer> endless = new ArrayList<>();
-        for (int i = 0; i < surfaces.length; i++) {
-            Bounds bounds = surfaces[i].bounds();
-            if (!bounds.isFinite()) {
-                endless.add(i);
-            } else if (!bounds.isEmpty()) {
-                BvhBuilder.put(box, finite, bounds.padded());
-                record[finite++] = i;
-            }
-        }
-        record = java.util.Arrays.copyOf(record, finite);
-        BvhBuilder builder = new BvhBuilder(box, record, monitor);
-        int root = Bvh.NOTHING;
-        int depth = 0;
-        if (finite > 0) {
-            BvhBuilder.Subtree tree = builder.build();
-            root = tree.name;
-            depth = tree.depth;
-        }
-        int[] ends = endless.stream().mapToInt(Integer::intValue).toArray();
-        return new Bvh(pick(surfaces, record), pick(opaque, record), pick(surfaces, ends), pick(opaque, ends),
-                builder.boxes, builder.child, root, depth);
-    }
-
-    private static Surface[] pick(Surface[] from, int[] which) {
-        return java.util.Arrays.stream(which).mapToObj(i -> from[i]).toArray(Surface[]::new);
-    }
-
-    private static boolean[] pick(boolean[] from, int[] which) {
-        boolean[] picked = new boolean[which.length];
-        for (int i = 0; i < which.length; i++) {
-            picked[i] = from[which[i]];
-        }
-        return picked;
     }
 }

@@ -4,6 +4,8 @@ import cz.paprsek.shape.Hit;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
 import cz.paprsek.shape.Surface;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,10 +26,17 @@ final class Tracer {
     private final Lamp[] lamps;
     private final Bvh.Stack stack;
     private final Level[] levels;
+    /** Where the samples lie along each side of a pixel, 0–1. */
+    private final double[] samples;
     private final double[] background;
     private final double[] ambient;
     /** What last stood between each light and a point: likely to stand there again. */
     private final @Nullable Surface[] lastOccluder;
+    private final Bundle bundle = new Bundle();
+    private final Entries entries = new Entries();
+    private final Entries[] towardsLamp;
+    private final Entries[] anywhere;
+    private Level[] block = {};
     private double[] shares = new double[16];
 
     long primary;
@@ -37,7 +46,7 @@ final class Tracer {
     long hits;
     boolean cancelled;
 
-    Tracer(RenderScene scene, int maxDepth, RenderMonitor monitor) {
+    Tracer(RenderScene scene, int maxDepth, int samplesPerSide, RenderMonitor monitor) {
         this.scene = scene;
         this.monitor = monitor;
         this.bvh = scene.bvh();
@@ -45,6 +54,9 @@ final class Tracer {
         this.lamps = scene.lamps();
         this.stack = bvh.newStack();
         this.lastOccluder = new Surface[lamps.length];
+        this.towardsLamp = Stream.generate(Entries::new).limit(lamps.length).toArray(Entries[]::new);
+        this.anywhere = Stream.generate(bvh::whole).limit(lamps.length).toArray(Entries[]::new);
+        this.samples = IntStream.range(0, samplesPerSide).mapToDouble(i -> (i + 0.5) / samplesPerSide).toArray();
         this.levels = new Level[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
             levels[i] = new Level(spans);
@@ -57,14 +69,58 @@ final class Tracer {
         return new double[] {color.linearRed(), color.linearGreen(), color.linearBlue()};
     }
 
-    /** Traces the ray through a point of the picture; the light it brings is in the level returned. */
-    Level trace(Eye eye, double x, double y) {
-        Level first = levels[0];
-        eye.start(first.ray, x, y);
-        scene.enterMediaAroundCamera(first.media);
-        primary++;
-        trace(0);
+    /**
+     * Traces the rays through a block of pixels, a grid of samples × samples in each; the light they bring is in the levels returned, pixel
+     * by pixel. What they can meet, and what can stand between their hits and each light, is found once for all; the light is the same
+     * as for each ray alone.
+     */
+    Level[] trace(Eye eye, int x, int y, int width, int height) {
+        int rays = width * height * samples.length * samples.length;
+        Level[] first = levels(rays);
+        eye.bundle(bundle, x, y, width, height);
+        bvh.enter(bundle, entries);
+        int i = 0;
+        for (int row = y; row < y + height; row++) {
+            for (int column = x; column < x + width; column++) {
+                for (double down : samples) {
+                    for (double across : samples) {
+                        eye.start(first[i].ray, column + across, row + down);
+                        scene.enterMediaAroundCamera(first[i].media);
+                        find(first[i++], entries);
+                    }
+                }
+            }
+        }
+        primary += rays;
+        for (int light = 0; light < lamps.length; light++) {
+            gather(lamps[light], first, rays);
+            bvh.enter(bundle, towardsLamp[light]);
+        }
+        for (i = 0; i < rays; i++) {
+            shade(first[i], 0, towardsLamp);
+        }
         return first;
+    }
+
+    /** Bundles the lines from a lamp to all hits. */
+    private void gather(Lamp lamp, Level[] first, int rays) {
+        bundle.start(lamp.x(), lamp.y(), lamp.z(), 1);
+        for (int i = 0; i < rays; i++) {
+            if (first[i].ray.part >= 0) {
+                Hit hit = first[i].hit;
+                bundle.add(hit.px - lamp.x(), hit.py - lamp.y(), hit.pz - lamp.z());
+            }
+        }
+    }
+
+    private Level[] levels(int size) {
+        if (block.length < size) {
+            block = new Level[size];
+            for (int i = 0; i < size; i++) {
+                block[i] = new Level(spans);
+            }
+        }
+        return block;
     }
 
     private void trace(int depth) {
@@ -76,21 +132,27 @@ final class Tracer {
             level.light(0, 0, 0);
             return;
         }
-        Ray ray = level.ray;
-        bvh.nearest(ray, stack);
-        if (ray.part < 0) {
-            level.light(background[0], background[1], background[2]);
-        } else {
+        find(level, bvh.whole());
+        shade(level, depth, anywhere);
+    }
+
+    /** Finds what the level's ray hits, and where. */
+    private void find(Level level, Entries among) {
+        bvh.nearest(level.ray, among, stack);
+        if (level.ray.part >= 0) {
             hits++;
-            shade(level, depth);
+            locate(level.ray, level.hit);
         }
     }
 
-    private void shade(Level level, int depth) {
+    private void shade(Level level, int depth, Entries[] between) {
         Ray ray = level.ray;
+        if (ray.part < 0) {
+            level.light(background[0], background[1], background[2]);
+            return;
+        }
         Hit hit = level.hit;
         Finish finish = parts.finish(ray.part);
-        locate(ray, hit);
         finish.paint.color(level);
         double cosine = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz;
         boolean leaving = cosine > 0;
@@ -108,7 +170,7 @@ final class Tracer {
         level.light(ambient[0] * level.colorRed, ambient[1] * level.colorGreen, ambient[2] * level.colorBlue);
         if (finish.isLit()) {
             for (int i = 0; i < lamps.length; i++) {
-                illuminate(i, level, finish, mirrorX, mirrorY, mirrorZ, size);
+                illuminate(i, between[i], level, finish, mirrorX, mirrorY, mirrorZ, size);
             }
         }
         if (depth + 1 < levels.length && (finish.reflection > 0 || finish.transparency > 0)) {
@@ -130,7 +192,7 @@ final class Tracer {
     }
 
     /** Adds one light's diffuse and specular part. */
-    private void illuminate(int light, Level level, Finish finish, double mirrorX, double mirrorY, double mirrorZ, double size) {
+    private void illuminate(int light, Entries between, Level level, Finish finish, double mirrorX, double mirrorY, double mirrorZ, double size) {
         Hit hit = level.hit;
         Lamp lamp = lamps[light];
         double lx = lamp.x() - hit.px;
@@ -146,7 +208,7 @@ final class Tracer {
             return;
         }
         shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.OFFSET * size);
-        double visibility = visibility(light);
+        double visibility = visibility(light, between);
         if (visibility > 0) {
             double diffuse = finish.diffusion * facing;
             double highlight = finish.highlight(mirrorX * lx + mirrorY * ly + mirrorZ * lz);
@@ -157,14 +219,14 @@ final class Tracer {
     }
 
     /** The share of a light that comes along the shadow ray: the product of the transparencies of all surfaces in between. */
-    private double visibility(int light) {
+    private double visibility(int light, Entries between) {
         shadows++;
         Surface last = lastOccluder[light];
         if (last != null && last.occludes(shadow)) {
             return 0;
         }
         int mark = spans.size();
-        Surface occluder = bvh.occluder(shadow, stack, spans);
+        Surface occluder = bvh.occluder(shadow, between, stack, spans);
         double product = occluder == null ? product(mark) : 0;
         spans.release(mark);
         if (occluder != last) {

@@ -1,0 +1,80 @@
+package cz.paprsek.render;
+
+/**
+ * Scratch of one worker: all lines o + t·d from one point o, with d anywhere between two corners, up to t = 1 or without end. Tells by interval
+ * arithmetic which boxes none of them can meet.
+ *
+ * @source Boulos et al., Geometric and Arithmetic Culling Methods for Entire Ray Packets, 2006
+ */
+final class Bundle {
+    private double ox;
+    private double oy;
+    private double oz;
+    private double lowX;
+    private double lowY;
+    private double lowZ;
+    private double highX;
+    private double highY;
+    private double highZ;
+    private double end;
+    private double near;
+    private double far;
+
+    /** Starts an empty bundle from a point; t ends at {@code end}. */
+    void start(double x, double y, double z, double atMost) {
+        ox = x;
+        oy = y;
+        oz = z;
+        end = atMost;
+        lowX = Double.POSITIVE_INFINITY;
+        lowY = Double.POSITIVE_INFINITY;
+        lowZ = Double.POSITIVE_INFINITY;
+        highX = Double.NEGATIVE_INFINITY;
+        highY = Double.NEGATIVE_INFINITY;
+        highZ = Double.NEGATIVE_INFINITY;
+    }
+
+    /** Widens the bundle to hold a direction. */
+    void add(double dx, double dy, double dz) {
+        lowX = Math.min(lowX, dx);
+        lowY = Math.min(lowY, dy);
+        lowZ = Math.min(lowZ, dz);
+        highX = Math.max(highX, dx);
+        highY = Math.max(highY, dy);
+        highZ = Math.max(highZ, dz);
+    }
+
+    /** A t before which no line meets the box whose six numbers start at b; infinite if none does at all. */
+    double enter(double[] boxes, int b) {
+        near = 0;
+        far = end;
+        clip(boxes[b] - ox, boxes[b + 3] - ox, lowX, highX);
+        clip(boxes[b + 1] - oy, boxes[b + 4] - oy, lowY, highY);
+        clip(boxes[b + 2] - oz, boxes[b + 5] - oz, lowZ, highZ);
+        return near <= far ? near : Double.POSITIVE_INFINITY;
+    }
+
+    /** Narrows [near, far] to the t at which some d in [low, high] has p ≤ t·d ≤ q; t is not negative. */
+    private void clip(double p, double q, double low, double high) {
+        if (p > 0) {
+            clipAhead(p, q, low, high);
+        } else if (q < 0) {
+            clipAhead(-q, -p, -high, -low);
+        } else if (low > 0) {
+            far = Math.min(far, q / low);
+        } else if (high < 0) {
+            far = Math.min(far, p / high);
+        }
+    }
+
+    private void clipAhead(double p, double q, double low, double high) {
+        if (high <= 0) {
+            far = -1;
+        } else {
+            near = Math.max(near, p / high);
+            if (low > 0) {
+                far = Math.min(far, q / low);
+            }
+        }
+    }
+}
