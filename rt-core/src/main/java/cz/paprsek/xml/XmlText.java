@@ -1,0 +1,91 @@
+package cz.paprsek.xml;
+
+import cz.paprsek.math.Numbers;
+import cz.paprsek.math.Vec3;
+
+/** Builds the text of an XML file: UTF-8, two blanks a level, an element a line. */
+final class XmlText {
+    private final StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    private int level;
+    /** Whether the last start tag still lacks its {@code >}. */
+    private boolean tagIsOpen;
+
+    XmlText open(String element) {
+        endTag();
+        indent().append('<').append(element);
+        tagIsOpen = true;
+        level++;
+        return this;
+    }
+
+    /** Adds an attribute to the element just opened, unless its value is empty. */
+    XmlText attribute(String name, String value) {
+        if (!value.isEmpty()) {
+            text.append(' ').append(name).append("=\"");
+            escape(value);
+            text.append('"');
+        }
+        return this;
+    }
+
+    XmlText number(String name, double value) {
+        return attribute(name, Numbers.text(value));
+    }
+
+    XmlText number(String name, double value, double standard) {
+        return value == standard ? this : number(name, value);
+    }
+
+    XmlText vector(String name, Vec3 value, Vec3 standard) {
+        return value.equals(standard) ? this : attribute(name, Numbers.text(value));
+    }
+
+    XmlText close(String element) {
+        level--;
+        if (tagIsOpen) {
+            text.append("/>\n");
+            tagIsOpen = false;
+        } else {
+            indent().append("</").append(element).append(">\n");
+        }
+        return this;
+    }
+
+    /** An element that holds nothing but text. */
+    void element(String name, String content) {
+        endTag();
+        indent().append('<').append(name).append('>');
+        escape(content);
+        text.append("</").append(name).append(">\n");
+    }
+
+    @Override
+    public String toString() {
+        return text.toString();
+    }
+
+    private void endTag() {
+        if (tagIsOpen) {
+            text.append(">\n");
+            tagIsOpen = false;
+        }
+    }
+
+    private StringBuilder indent() {
+        return text.append("  ".repeat(level));
+    }
+
+    private void escape(String value) {
+        for (int i = 0; i < value.length(); i++) {
+            char c = value.charAt(i);
+            switch (c) {
+                case '<' -> text.append("&lt;");
+                case '>' -> text.append("&gt;");
+                case '&' -> text.append("&amp;");
+                case '"' -> text.append("&quot;");
+                case '\r', '\t' -> text.append("&#").append((int) c).append(';');
+                default -> text.append(c);
+            }
+        }
+    }
+}
