@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.io.PlainText;
 import java.util.ArrayList;
 import java.util.List;
 import javax.xml.validation.ValidatorHandler;
@@ -141,7 +142,7 @@ final class Elements extends DefaultHandler2 implements Locator {
         } else if (path.isEmpty()) {
             problems.add(at, where, "this is not a scene file: it should start with <scene xmlns=\"" + SceneFiles.NAMESPACE + "\">");
         } else {
-            problems.add(at, where, "this is not well-formed XML, within <" + inside + ">, or the file is cut off: " + PlainText.line(message));
+            problems.add(at, where, "this is not well-formed XML, within <" + inside + ">, or the file is cut off: " + PlainText.of(message, 240));
         }
     }
 

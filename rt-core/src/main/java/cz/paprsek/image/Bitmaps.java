@@ -1,0 +1,37 @@
+package cz.paprsek.image;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.Locale;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+
+/** The formats that the Java platform writes. */
+final class Bitmaps {
+    private static final float JPEG_QUALITY = 0.95f;
+
+    private Bitmaps() {}
+
+    static void write(Image image, OutputStream out, ImageFormat format) throws IOException {
+        ImageWriter writer = ImageIO.getImageWritersByFormatName(format == ImageFormat.TIF ? "tiff" : format.name().toLowerCase(Locale.ROOT)).next();
+        // A stream that caches in memory: ImageIO's own may open files in the temporary folder.
+        try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
+            ImageWriteParam settings = writer.getDefaultWriteParam();
+            if (format == ImageFormat.JPG) {
+                settings.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+                settings.setCompressionQuality(JPEG_QUALITY);
+            }
+            if (format == ImageFormat.TIF) {
+                settings.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+                settings.setCompressionType("Deflate");
+            }
+            writer.setOutput(stream);
+            writer.write(null, new IIOImage(image.toBufferedImage(), null, null), settings);
+        } finally {
+            writer.dispose();
+        }
+    }
+}

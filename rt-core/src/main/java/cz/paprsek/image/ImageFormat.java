@@ -1,0 +1,57 @@
+package cz.paprsek.image;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** The kinds of file that a picture can be written to. Eight-bit kinds are sRGB-encoded and clamped; the others say what they hold. */
+public enum ImageFormat {
+    PNG("8-bit sRGB, lossless", "png"),
+    JPG("8-bit sRGB, small", "jpg", "jpeg"),
+    BMP("8-bit sRGB, uncompressed", "bmp"),
+    TIF("8-bit sRGB, lossless", "tif", "tiff"),
+    PPM("8-bit sRGB, uncompressed", "ppm"),
+    PGM("8-bit brightness", "pgm"),
+    PFM("linear light as 32-bit floats, unclamped", "pfm"),
+    TXT("brightness 0-255 as text, one image row a line", "txt"),
+    RAW("linear luminance as decimal text, one image row a line", "lum"),
+    PPM16("16-bit linear light, for comparing with other renderers", "ppm16");
+
+    private final String description;
+    @SuppressWarnings("ImmutableEnumChecker") // never written after construction, never handed out
+    private final String[] extensions;
+
+    ImageFormat(String description, String... extensions) {
+        this.description = description;
+        this.extensions = extensions;
+    }
+
+    /** What such a file holds, for people. */
+    public String description() {
+        return description;
+    }
+
+    /** The usual ending of the file's name, without a dot. */
+    public String extension() {
+        return extensions[0];
+    }
+
+    /** The format with the given name or extension, upper or lower case. */
+    public static Optional<ImageFormat> of(String name) {
+        String lower = name.toLowerCase(Locale.ROOT);
+        return Arrays.stream(values()).filter(format -> List.of(format.extensions).contains(lower)).findFirst();
+    }
+
+    /** The format that a file's name ends with. */
+    public static Optional<ImageFormat> ofFile(String fileName) {
+        int dot = fileName.lastIndexOf('.');
+        return dot < 0 ? Optional.empty() : of(fileName.substring(dot + 1));
+    }
+
+    /** The extensions of all formats, separated by commas. */
+    public static String all() {
+        return Arrays.stream(values()).map(ImageFormat::extension).collect(Collectors.joining(", "));
+    }
+}
