@@ -15,7 +15,7 @@ final class Brightness {
 
     /** Brightness 0–255: luminance, sRGB-encoded. */
     static int of(Image image, int x, int y) {
-        return Srgb.encode(luminance(image, x, y));
+        return Srgb.encode((float) luminance(image, x, y));
     }
 
     static void encoded(Image image, OutputStream out) throws IOException {
@@ -27,8 +27,8 @@ final class Brightness {
         write(image, out, (x, y) -> Numbers.text(luminance(image, x, y)));
     }
 
-    private static float luminance(Image image, int x, int y) {
-        return (float) (0.2126 * image.red(x, y) + 0.7152 * image.green(x, y) + 0.0722 * image.blue(x, y));
+    private static double luminance(Image image, int x, int y) {
+        return 0.2126 * image.red(x, y) + 0.7152 * image.green(x, y) + 0.0722 * image.blue(x, y);
     }
 
     private interface Value {
