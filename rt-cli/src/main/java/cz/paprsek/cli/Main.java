@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 /** Starts the command line and ends the process with its exit code. */
 public final class Main {
     /** How long a process that was told to end waits for its commands to tidy up. */
-    private static final long PATIENCE_MILLIS = 2_000;
+    private static final long PATIENCE_MILLIS = 5_000;
 
     private Main() {}
 
