@@ -42,6 +42,8 @@ final class Elements extends DefaultHandler2 implements Locator {
     /** Where the piece of the file that comes next begins. */
     private int nextLine;
     private int nextColumn;
+    /** Whether the text at hand has been told to be out of place: the parser hands it over in pieces. */
+    private boolean isTextTold;
     /** Whether the root has been closed. */
     private boolean isOver;
 
@@ -84,6 +86,7 @@ final class Elements extends DefaultHandler2 implements Locator {
         path.add(uri.equals(SceneFiles.NAMESPACE) ? localName : "{" + uri + "}" + localName);
         attributes = found;
         setLimits(found);
+        isTextTold = false;
         lines[path.size()] = line;
         columns[path.size()] = column;
         problemsBefore[path.size()] = problems.size();
@@ -124,6 +127,7 @@ final class Elements extends DefaultHandler2 implements Locator {
         line = lines[path.size()];
         column = columns[path.size()];
         next.endElement(uri, localName, qName);
+        isTextTold = false;
         path.remove(path.size() - 1);
         isOver = path.isEmpty();
         advance();
@@ -148,7 +152,8 @@ final class Elements extends DefaultHandler2 implements Locator {
             column = text[at] == '\n' ? 1 : column + 1;
             at++;
         }
-        if (at < end && !path.get(path.size() - 1).equals("description")) {
+        if (at < end && !isTextTold && !path.get(path.size() - 1).equals("description")) {
+            isTextTold = true;
             complaints().addText(path, String.valueOf(text, at, Math.min(end - at, 60)).strip(), line, column);
         }
     }

@@ -30,8 +30,7 @@ final class Parse extends XMLFilterImpl {
         this.prolog = prolog;
         this.problems = problems;
         elements = new Elements(validator, prolog, problems);
-        // Messages are told apart by their English text.
-        validator.setProperty("http://apache.org/xml/properties/locale", Locale.ENGLISH);
+        validator.setProperty("http://apache.org/xml/properties/locale", Locale.ROOT);
         validator.setErrorHandler(elements);
     }
 
@@ -84,8 +83,12 @@ final class Parse extends XMLFilterImpl {
         return parser;
     }
 
+    /**
+     * Messages are told apart by their English text, which the tables without a language have. Asked for {@link Locale#ENGLISH}, Java finds no
+     * table of that name and takes the one of the machine's language.
+     */
     @SuppressWarnings("deprecation") // The only way there is to a parser's language.
     private static void speakEnglish(SAXParser parser) throws SAXException {
-        parser.getParser().setLocale(Locale.ENGLISH);
+        parser.getParser().setLocale(Locale.ROOT);
     }
 }
