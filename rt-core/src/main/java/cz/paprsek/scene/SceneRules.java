@@ -5,6 +5,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
+import cz.paprsek.math.Require;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Operand;
@@ -19,11 +20,14 @@ import java.util.Set;
 public final class SceneRules {
     private SceneRules() {}
 
+    /** The longest name, in characters of Java. */
+    public static final int LONGEST_NAME = 200;
+
     /** Is told of every rule that is broken. */
     @FunctionalInterface
     public interface Report {
         /**
-         * @param culprit the light, object or operand at fault: the very instance that was passed in
+         * @param culprit the light, material, object or operand at fault: the very instance that was passed in
          * @param sentence what is wrong and what to do
          */
         void broken(Object culprit, String sentence);
@@ -36,10 +40,49 @@ public final class SceneRules {
         for (Light light : lights) {
             checkName("light", light.name(), light, names, report);
         }
+        materials.forEach((name, material) -> {
+            if (name.isBlank()) {
+                report.broken(material, "a material's name must not be blank");
+            }
+            checkText("material name", name, material, report);
+        });
         names.clear();
         for (SceneObject object : objects) {
             checkName("object", object.name(), object, names, report);
             checkMaterial(object.material(), object.shape(), object, materials, report);
+        }
+    }
+
+    /**
+     * Checks a name, which people read in lists and terminals obey.
+     *
+     * @param what what it names, for the message
+     * @throws IllegalArgumentException if the name is empty, too long, or has a control character or one that changes the direction of writing
+     */
+    public static void checkName(String what, String name) {
+        Require.that(!name.isEmpty() && name.length() <= LONGEST_NAME,
+                what + " must have 1 to " + LONGEST_NAME + " characters, but has " + name.length());
+        for (int i = 0; i < name.length(); i += Character.charCount(name.codePointAt(i))) {
+            int c = name.codePointAt(i);
+            // Letters, digits and blanks need no look into the tables.
+            if ((c < ' ' || c > '~') && isForbidden(c)) {
+                throw new IllegalArgumentException(what + " must not have control characters, but has " + String.format("U+%04X", c));
+            }
+        }
+    }
+
+    private static boolean isForbidden(int c) {
+        int type = Character.getType(c);
+        return type == Character.CONTROL || type == Character.FORMAT || type == Character.SURROGATE || (c & 0xfffe) == 0xfffe;
+    }
+
+    private static void checkText(String what, String name, Object owner, Report report) {
+        try {
+            if (!name.isEmpty()) {
+                checkName(what, name);
+            }
+        } catch (IllegalArgumentException refused) {
+            report.broken(owner, String.valueOf(refused.getMessage()));
         }
     }
 
@@ -52,6 +95,7 @@ public final class SceneRules {
     }
 
     private static void checkName(String kind, String name, Object owner, Set<String> seen, Report report) {
+        checkText(kind + " name", name, owner, report);
         if (!name.isEmpty() && !seen.add(name)) {
             report.broken(owner, "there is already " + (kind.startsWith("o") ? "an " : "a ") + kind + " named \"" + name
                     + "\" here; give one of them another name");

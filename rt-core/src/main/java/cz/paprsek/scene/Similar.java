@@ -2,18 +2,28 @@ package cz.paprsek.scene;
 
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** Finds the known name that a misspelt one was probably meant to be. */
 public final class Similar {
     private Similar() {}
 
-    /** The known name nearest to {@code name}, if one is near enough to be a slip of the fingers. */
+    /** Longer names, and longer lists of them, are not searched: it would take longer than anybody waits for advice. */
+    private static final int LONGEST = 60;
+    private static final int MOST_KNOWN = 1000;
+
+    /** The known name nearest to {@code name}, if one is near enough to be a slip of the fingers, or is {@code name} with a word more. */
     public static Optional<String> nearest(String name, Collection<String> known) {
+        if (name.length() > LONGEST || known.size() > MOST_KNOWN) {
+            return Optional.empty();
+        }
         int most = Math.max(1, name.length() / 3);
-        return known.stream()
-                .filter(candidate -> distance(name, candidate) <= most)
+        Optional<String> slip = known.stream()
+                .filter(candidate -> Math.abs(candidate.length() - name.length()) <= most && distance(name, candidate) <= most)
                 .min(Comparator.comparingInt((String candidate) -> distance(name, candidate)).thenComparing(c -> c));
+        return slip.or(() -> known.stream().filter(candidate -> List.of(candidate.split("-", -1)).contains(name)).min(Comparator.naturalOrder()));
     }
 
     /** {@code ; did you mean "…"?}, or nothing. */
@@ -23,8 +33,8 @@ public final class Similar {
 
     /** Insertions, deletions, replacements and swaps of neighbours that turn one word into the other, letter case ignored. */
     private static int distance(String first, String second) {
-        String a = first.toLowerCase(java.util.Locale.ROOT);
-        String b = second.toLowerCase(java.util.Locale.ROOT);
+        String a = first.toLowerCase(Locale.ROOT);
+        String b = second.toLowerCase(Locale.ROOT);
         int[][] cost = new int[a.length() + 1][b.length() + 1];
         for (int i = 0; i <= a.length(); i++) {
             for (int j = 0; j <= b.length(); j++) {

@@ -2,73 +2,51 @@ package cz.paprsek.xml;
 
 import org.xml.sax.Attributes;
 import org.xml.sax.ContentHandler;
-import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
-import org.xml.sax.helpers.DefaultHandler;
+import org.xml.sax.helpers.XMLFilterImpl;
 
-/** Lets elements through to the binding as long as nothing is wrong: a bean never sees a value that the schema refuses. */
-final class BindingGate extends DefaultHandler {
-    private final ContentHandler binding;
+/**
+ * Keeps from the binding every element that the schema refuses, with all it holds: a bean never sees a value of the wrong form, and the beans of
+ * the others can still be asked what else is wrong.
+ */
+final class BindingGate extends XMLFilterImpl {
     private final Problems problems;
+    /** The problems there were when the last event passed; more now means that the event at hand is what is wrong. */
+    private int known;
+    /** How many elements are open within the refused one, itself included; 0 outside. */
+    private int refused;
 
     BindingGate(ContentHandler binding, Problems problems) {
-        this.binding = binding;
         this.problems = problems;
-    }
-
-    private boolean isOpen() {
-        return problems.size() == 0;
-    }
-
-    @Override
-    public void setDocumentLocator(Locator locator) {
-        binding.setDocumentLocator(locator);
-    }
-
-    @Override
-    public void startDocument() throws SAXException {
-        binding.startDocument();
-    }
-
-    @Override
-    public void endDocument() throws SAXException {
-        if (isOpen()) {
-            binding.endDocument();
-        }
-    }
-
-    @Override
-    public void startPrefixMapping(String prefix, String uri) throws SAXException {
-        if (isOpen()) {
-            binding.startPrefixMapping(prefix, uri);
-        }
-    }
-
-    @Override
-    public void endPrefixMapping(String prefix) throws SAXException {
-        if (isOpen()) {
-            binding.endPrefixMapping(prefix);
-        }
+        setContentHandler(binding);
     }
 
     @Override
     public void startElement(String uri, String localName, String qName, Attributes attributes) throws SAXException {
-        if (isOpen()) {
-            binding.startElement(uri, localName, qName, attributes);
+        if (refused > 0 || problems.size() > known) {
+            refused++;
+            problems.skip(localName);
+        } else {
+            super.startElement(uri, localName, qName, attributes);
         }
+        known = problems.size();
     }
 
     @Override
     public void endElement(String uri, String localName, String qName) throws SAXException {
-        if (isOpen()) {
-            binding.endElement(uri, localName, qName);
+        known = problems.size();
+        if (refused > 0) {
+            refused--;
+        } else {
+            super.endElement(uri, localName, qName);
         }
     }
 
     @Override
     public void characters(char[] text, int start, int length) throws SAXException {
-        if (isOpen()) {
-            binding.characters(text, start, length);
+        known = problems.size();
+        if (refused == 0) {
+            super.characters(text, start, length);
         }
     }
 }

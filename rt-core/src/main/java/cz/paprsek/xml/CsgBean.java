@@ -34,8 +34,15 @@ abstract class CsgBean extends ShapeBean {
     Shape toShape(Problems problems) {
         List<Operand> made = new ArrayList<>();
         for (ShapeBean bean : operands) {
-            problems.attempt(bean, () -> made.add(
-                    new Operand(bean.name, (Solid) bean.toShape(problems), bean.toPlacement(), bean.toMaterial())));
+            Operand operand = problems.make(bean,
+                    () -> new Operand(bean.name, (Solid) bean.toShape(problems), bean.toPlacement(), bean.toMaterial()));
+            if (operand != null) {
+                made.add(operand);
+            }
+        }
+        if (made.isEmpty() || made.size() < operands.size()) {
+            // The schema sees to it that there is an operand; one that is missing here was refused.
+            throw new Problems.ToldAlready();
         }
         return new Csg(operation(), made);
     }

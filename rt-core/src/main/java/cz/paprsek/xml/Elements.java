@@ -1,8 +1,9 @@
 package cz.paprsek.xml;
 
-import cz.paprsek.io.PlainText;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
@@ -13,28 +14,42 @@ import org.xml.sax.ext.DefaultHandler2;
 import org.xml.sax.helpers.AttributesImpl;
 
 /**
- * Stands between the parser and the validator: knows which elements are open and where the current one starts, limits nesting, and hears of
- * everything that is wrong. As a locator it gives the place of the current element's {@code <}; the parser itself gives that of its {@code >}.
+ * Stands between the parser and the validator: knows which elements are open and where the current one starts, sets limits, and hears of
+ * everything that is wrong. As a locator it gives the place of the current tag's {@code <}; the parser itself gives that of its {@code >}.
  */
 final class Elements extends DefaultHandler2 implements Locator {
+    /** The longest value of an attribute: longer than any that means something, short enough to be checked in no time. */
+    private static final int LONGEST_VALUE = 100_000;
+    private static final Set<String> AT_MOST_ONCE = Set.of("description", "render", "background", "ambient", "camera");
     private static final Attributes NO_ATTRIBUTES = new AttributesImpl();
 
     private final ValidatorHandler next;
+    private final Prolog prolog;
     private final Problems problems;
+    /** Local names; those of another namespace than ours after that namespace in braces. */
     private final List<String> path = new ArrayList<>();
-    /** Line and column of every open element. */
-    private final int[] starts = new int[2 * SceneFiles.DEEPEST];
+    /** Line and column where each open element starts, and the problems there were before it. */
+    private final int[] lines = new int[SceneFiles.DEEPEST + 1];
+    private final int[] columns = new int[SceneFiles.DEEPEST + 1];
+    private final int[] problemsBefore = new int[SceneFiles.DEEPEST + 1];
+    /** Of {@link #AT_MOST_ONCE}, what the scene at hand has had. */
+    private final Set<String> once = new HashSet<>();
     private Attributes attributes = NO_ATTRIBUTES;
     private @Nullable Complaints complaints;
     private @Nullable Locator parser;
     private int line = 1;
     private int column = 1;
     /** Where the piece of the file that comes next begins. */
-    private int nextLine = 1;
-    private int nextColumn = 1;
+    private int nextLine;
+    private int nextColumn;
+    /** Whether the text at hand has been told to be out of place: the parser hands it over in pieces. */
+    private boolean isTextTold;
+    /** Whether the root has been closed. */
+    private boolean isOver;
 
-    Elements(ValidatorHandler next, Problems problems) {
+    Elements(ValidatorHandler next, Prolog prolog, Problems problems) {
         this.next = next;
+        this.prolog = prolog;
         this.problems = problems;
     }
 
@@ -66,41 +81,91 @@ final class Elements extends DefaultHandler2 implements Locator {
 
     @Override
     public void startElement(String uri, String localName, String qName, Attributes found) throws SAXException {
-        line = nextLine;
-        column = nextColumn;
-        path.add(localName);
+        line = path.isEmpty() ? prolog.rootLine() : nextLine;
+        column = path.isEmpty() ? prolog.rootColumn() : nextColumn;
+        path.add(uri.equals(SceneFiles.NAMESPACE) ? localName : "{" + uri + "}" + localName);
         attributes = found;
-        if (path.size() > SceneFiles.DEEPEST) {
-            throw new SAXParseException("elements are nested deeper than " + SceneFiles.DEEPEST, null, null, line, column);
+        setLimits(found);
+        isTextTold = false;
+        lines[path.size()] = line;
+        columns[path.size()] = column;
+        problemsBefore[path.size()] = problems.size();
+        count(localName);
+        if (complaints != null) {
+            complaints.addIfUnknown(path, line, column);
         }
-        starts[2 * path.size() - 2] = line;
-        starts[2 * path.size() - 1] = column;
         next.startElement(uri, localName, qName, found);
         attributes = NO_ATTRIBUTES;
         advance();
     }
 
+    private void count(String element) {
+        if (element.equals("scene")) {
+            once.clear();
+        } else if (AT_MOST_ONCE.contains(element) && path.size() > 1 && path.get(path.size() - 2).equals("scene") && !once.add(element)) {
+            problems.add(line, column, "a scene has at most one <" + element + ">, but here is another");
+        }
+    }
+
+    private void setLimits(Attributes found) {
+        if (path.size() > SceneFiles.DEEPEST) {
+            problems.add(line, column, "elements must not be nested deeper than " + SceneFiles.DEEPEST);
+            throw new Problems.Stop();
+        }
+        for (int i = 0; i < found.getLength(); i++) {
+            if (found.getValue(i).length() > LONGEST_VALUE) {
+                problems.add(line, column, "the value of " + found.getQName(i) + " must not be longer than " + LONGEST_VALUE
+                        + " characters, but has " + found.getValue(i).length());
+                throw new Problems.Stop();
+            }
+        }
+    }
+
     @Override
     public void endElement(String uri, String localName, String qName) throws SAXException {
-        // What is found missing at the end of an element is told at its start.
-        line = starts[2 * path.size() - 2];
-        column = starts[2 * path.size() - 1];
+        // What is found out only now, as that something is missing inside, is told of the start.
+        line = lines[path.size()];
+        column = columns[path.size()];
         next.endElement(uri, localName, qName);
+        isTextTold = false;
         path.remove(path.size() - 1);
+        isOver = path.isEmpty();
         advance();
     }
 
     @Override
     public void characters(char[] text, int start, int length) throws SAXException {
+        complainOfText(text, start, start + length);
         next.characters(text, start, length);
         advance();
         // The parser has already taken the < that ends the text.
         nextColumn = Math.max(1, nextColumn - 1);
     }
 
+    /** Told here and not by the validator, which would tell the place of the end of the element. */
+    private void complainOfText(char[] text, int start, int end) {
+        int at = start;
+        line = nextLine;
+        column = nextColumn;
+        while (at < end && text[at] <= ' ') {
+            line += text[at] == '\n' ? 1 : 0;
+            column = text[at] == '\n' ? 1 : column + 1;
+            at++;
+        }
+        if (at < end && !isTextTold && !path.get(path.size() - 1).equals("description")) {
+            isTextTold = true;
+            complaints().addText(path, String.valueOf(text, at, Math.min(end - at, 60)).strip(), line, column);
+        }
+    }
+
     @Override
     public void ignorableWhitespace(char[] text, int start, int length) throws SAXException {
         characters(text, start, length);
+    }
+
+    @Override
+    public void endCDATA() {
+        advance();
     }
 
     @Override
@@ -125,35 +190,42 @@ final class Elements extends DefaultHandler2 implements Locator {
         if (path.isEmpty()) {
             throw e;
         }
+        boolean isToldInside = problems.size() > problemsBefore[path.size()];
+        complaints().add(String.valueOf(e.getMessage()), path, attributes, isToldInside, line, column);
+    }
+
+    private Complaints complaints() {
         if (complaints == null) {
             complaints = new Complaints(problems);
         }
-        complaints.add(String.valueOf(e.getMessage()), path, attributes, line, column);
-        if (problems.isFull()) {
-            throw new SAXException("enough");
-        }
+        return complaints;
     }
 
-    /** The file is no XML, or not in the form we take. */
-    void malformed(SAXParseException e) {
-        String message = String.valueOf(e.getMessage());
-        String inside = path.isEmpty() ? "" : path.get(path.size() - 1);
-        int at = Math.max(1, e.getLineNumber());
-        int where = Math.max(1, e.getColumnNumber());
-        if (message.startsWith("elements are nested")) {
-            problems.add(at, where, message);
-        } else if (message.contains("DOCTYPE")) {
-            problems.add(at, where, "a DOCTYPE is not allowed in a scene file; remove it");
-        } else if (path.isEmpty()) {
-            problems.add(at, where, "this is not a scene file: it should start with <scene xmlns=\"" + SceneFiles.NAMESPACE + "\">");
-        } else {
-            problems.add(at, where, "this is not well-formed XML, within <" + inside + ">, or the file is cut off: " + PlainText.of(message, 240));
+    /**
+     * The file is no XML, or not in the form we take.
+     *
+     * @throws Problems.Stop always
+     */
+    void malformed(String message, int atLine, int atColumn) {
+        String sentence = Malformed.sentence(message, path.isEmpty() ? "" : path.get(path.size() - 1));
+        String sample = "<scene xmlns=\"" + SceneFiles.NAMESPACE + "\">";
+        if (message.contains("DOCTYPE")) {
+            sentence = "a DOCTYPE is not allowed in a scene file; remove it";
+        } else if (prolog.isEmpty()) {
+            sentence = "this file is empty; a scene file starts with " + sample;
+        } else if (prolog.isBinary()) {
+            sentence = "this is a binary file, not a scene file";
+        } else if (path.isEmpty() && prolog.isMisdeclared()) {
+            sentence = prolog.wrongEncoding();
+        } else if (path.isEmpty() && !isOver && message.startsWith("Content is not allowed in prolog")) {
+            sentence = "this is not a scene file: it should start with " + sample;
+        } else if (path.isEmpty() && !isOver && message.startsWith("XML document structures")) {
+            sentence = "the file ends before its first element; is it cut off?";
+        } else if (path.isEmpty() && !isOver && message.startsWith("Premature end of file")) {
+            sentence = "the file ends before its first element; a scene file starts with " + sample;
         }
-    }
-
-    /** The bytes of the file are no text in the encoding that it claims. */
-    void unreadable() {
-        problems.add(nextLine, nextColumn, "this is not text in the encoding the file claims to have; save it as UTF-8");
+        problems.add(Math.max(1, atLine), Math.max(1, atColumn), sentence);
+        throw new Problems.Stop();
     }
 
     @Override

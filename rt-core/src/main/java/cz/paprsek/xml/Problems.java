@@ -1,16 +1,45 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.io.PlainText;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
-/** The problems of one file as they are found. */
+/** The problems of one file as they are found, and what is needed to tell their places. */
 final class Problems {
     /** Nobody reads more; a file that is no scene at all could have millions. */
-    private static final int MOST = 100;
+    static final int MOST = 100;
+    private static final int LONGEST_MESSAGE = 500;
+
+    /** Nothing more need be looked at: the file is hopeless, or there are problems enough. */
+    static final class Stop extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        Stop() {
+            super("reading stops here", null, false, false);
+        }
+    }
+
+    /** Something cannot be made because a part of it could not, which has been told already. */
+    static final class ToldAlready extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        ToldAlready() {
+            super("a part is missing", null, false, false);
+        }
+    }
 
     private final String file;
     private final List<Problem> found = new ArrayList<>();
+    private final Set<String> skipped = new TreeSet<>();
+    /** By the record: the bean it was made from. */
+    private final IdentityHashMap<Object, Located> origins = new IdentityHashMap<>();
+    private boolean areMore;
 
     Problems(String file) {
         this.file = file;
@@ -20,13 +49,14 @@ final class Problems {
         return found.size();
     }
 
-    boolean isFull() {
-        return found.size() >= MOST;
-    }
-
+    /** @throws Stop if there are more than anybody reads */
     void add(int line, int column, String message) {
-        Problem problem = new Problem(file, line, column, message);
-        if (!isFull() && !found.contains(problem)) {
+        Problem problem = new Problem(file, line, column, PlainText.of(message, LONGEST_MESSAGE));
+        if (!found.contains(problem)) {
+            if (found.size() == MOST) {
+                areMore = true;
+                throw new Stop();
+            }
             found.add(problem);
         }
     }
@@ -35,18 +65,42 @@ final class Problems {
         add(where.line, where.column, message);
     }
 
-    /** Does what may be refused by a record; the refusal becomes a problem of the bean. */
-    void attempt(Located where, Runnable work) {
+    /** Remembers that elements of a name are missing from the beans, since they are wrong. */
+    void skip(String element) {
+        skipped.add(element);
+    }
+
+    /** The names of the elements that are missing from the beans. */
+    Set<String> skipped() {
+        return skipped;
+    }
+
+    /** Makes a record of a bean, and remembers which; null if the record refuses, which becomes a problem of the bean. */
+    <T> @Nullable T make(Located bean, Supplier<T> maker) {
         try {
-            work.run();
+            T made = maker.get();
+            origins.put(made, bean);
+            return made;
         } catch (IllegalArgumentException refused) {
-            add(where, String.valueOf(refused.getMessage()));
+            add(bean, String.valueOf(refused.getMessage()));
+        } catch (ToldAlready incomplete) {
+            // Nothing to add.
         }
+        return null;
+    }
+
+    /** The bean that a record was made from. */
+    Located origin(Object made, Located otherwise) {
+        return origins.getOrDefault(made, otherwise);
     }
 
     void throwIfAny() throws SceneFileException {
         if (!found.isEmpty()) {
             found.sort(Comparator.comparingInt(Problem::line).thenComparingInt(Problem::column));
+            if (areMore) {
+                Problem last = found.get(found.size() - 1);
+                found.add(new Problem(file, last.line(), last.column(), "there are more problems than these " + MOST + "; mend these first"));
+            }
             throw new SceneFileException(found);
         }
     }

@@ -10,8 +10,7 @@ import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SceneRules;
-import cz.paprsek.shape.Csg;
-import cz.paprsek.shape.Solid;
+import cz.paprsek.scene.Similar;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlAttribute;
@@ -23,6 +22,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /** {@code <scene>} and what only a scene holds. */
@@ -31,11 +32,11 @@ import org.jspecify.annotations.Nullable;
 final class SceneBean extends Located {
     @XmlAttribute String name = "";
     @XmlAttribute List<String> tags = new ArrayList<>();
-    @XmlElement(name = "description") List<String> descriptions = new ArrayList<>();
-    @XmlElement(name = "render") List<RenderBean> renders = new ArrayList<>();
-    @XmlElement(name = "background") List<ColoredBean> backgrounds = new ArrayList<>();
-    @XmlElement(name = "ambient") List<ColoredBean> ambients = new ArrayList<>();
-    @XmlElement(name = "camera") List<CameraBean> cameras = new ArrayList<>();
+    @XmlElement String description = "";
+    @XmlElement RenderBean render = new RenderBean();
+    @XmlElement @Nullable ColoredBean background;
+    @XmlElement @Nullable ColoredBean ambient;
+    @XmlElement @Nullable CameraBean camera;
     @XmlElement(name = "point-light") List<LightBean> lights = new ArrayList<>();
     @XmlElement(name = "material") List<MaterialBean> materials = new ArrayList<>();
     @XmlElements({
@@ -55,73 +56,56 @@ final class SceneBean extends Located {
 
     /** The scene; null, and at least one problem reported, if there is none. */
     @Nullable Scene toScene(Problems problems) {
-        int before = problems.size();
-        atMostOne("description", descriptions, problems);
-        atMostOne("render", renders, problems);
-        atMostOne("background", backgrounds, problems);
-        atMostOne("ambient", ambients, problems);
-        atMostOne("camera", cameras, problems);
-        if (cameras.isEmpty()) {
+        if (camera == null && Similar.nearest("camera", problems.skipped()).isEmpty()) {
             problems.add(this, "a scene needs a camera; add <camera position=\"0 1 5\" direction=\"0 0 -1\"/>");
         }
-        List<Camera> camera = new ArrayList<>();
-        cameras.forEach(bean -> problems.attempt(bean, () -> camera.add(bean.toCamera())));
+        Camera eye = camera == null ? null : problems.make(camera, camera::toCamera);
+        checkTexts(problems);
+        Map<String, Material> named = named(problems);
+        List<Light> lamps = made(lights, problems, LightBean::toLight);
+        List<SceneObject> things = made(objects, problems,
+                bean -> new SceneObject(bean.name, bean.toShape(problems), bean.toPlacement(), bean.toMaterial()));
+        // References to materials that were refused are no fault of those who refer.
+        if (Similar.nearest("material", problems.skipped()).isEmpty()) {
+            SceneRules.check(lamps, named, things, (culprit, sentence) -> problems.add(problems.origin(culprit, this), sentence));
+        }
+        return problems.size() > 0 || eye == null ? null
+                : new Scene(name, description, tags, render.toSettings(), background == null ? Rgb.BLACK : background.color,
+                        ambient == null ? Rgb.BLACK : ambient.color, eye, lamps, named, things);
+    }
+
+    private static <B extends Located, T> List<T> made(List<B> beans, Problems problems, Function<B, T> maker) {
+        List<T> made = new ArrayList<>(beans.size());
+        for (B bean : beans) {
+            T one = problems.make(bean, () -> maker.apply(bean));
+            if (one != null) {
+                made.add(one);
+            }
+        }
+        return made;
+    }
+
+    /** The materials by name. One that refuses counts as there, so that only itself is a problem. */
+    private Map<String, Material> named(Problems problems) {
         Map<String, Material> named = new LinkedHashMap<>();
         for (MaterialBean bean : materials) {
-            problems.attempt(bean, () -> Require.that(named.put(bean.name, bean.toMaterial()) == null,
-                    "there is already a material named \"" + bean.name + "\" here; give one of them another name"));
-        }
-        List<Light> lamps = lights.stream().map(LightBean::toLight).toList();
-        List<SceneObject> made = new ArrayList<>(objects.size());
-        for (ShapeBean bean : objects) {
-            problems.attempt(bean, () -> made.add(
-                    new SceneObject(bean.name, bean.toShape(problems), bean.toPlacement(), bean.toMaterial())));
-        }
-        if (problems.size() == before) {
-            SceneRules.check(lamps, named, made, (culprit, sentence) -> problems.add(find(culprit, lamps, made), sentence));
-        }
-        return problems.size() > before ? null
-                : new Scene(name, descriptions.isEmpty() ? "" : descriptions.get(0), tags,
-                        renders.isEmpty() ? RenderSettings.DEFAULT : renders.get(0).toSettings(),
-                        backgrounds.isEmpty() ? Rgb.BLACK : backgrounds.get(0).color,
-                        ambients.isEmpty() ? Rgb.BLACK : ambients.get(0).color,
-                        camera.get(0), lamps, named, made);
-    }
-
-    private void atMostOne(String element, List<?> found, Problems problems) {
-        if (found.size() > 1) {
-            Located where = found.get(1) instanceof Located bean ? bean : this;
-            problems.add(where, "a scene has at most one <" + element + ">, but here are " + found.size());
-        }
-    }
-
-    /** The bean that a light, object or operand was made from: every list of records runs parallel to one of beans. */
-    private Located find(Object culprit, List<Light> lamps, List<SceneObject> made) {
-        for (int i = 0; i < lamps.size(); i++) {
-            if (lamps.get(i) == culprit) {
-                return lights.get(i);
+            Material material = problems.make(bean, bean::toMaterial);
+            if (named.put(bean.name, material == null ? Material.DEFAULT : material) != null) {
+                problems.add(bean, "there is already a material named \"" + bean.name + "\" here; give one of them another name");
             }
         }
-        for (int i = 0; i < made.size(); i++) {
-            Located found = made.get(i) == culprit ? objects.get(i) : find(culprit, made.get(i).shape(), objects.get(i));
-            if (found != null) {
-                return found;
-            }
-        }
-        return this;
+        return named;
     }
 
-    private static @Nullable Located find(Object culprit, Object shape, ShapeBean bean) {
-        if (shape instanceof Csg csg && bean instanceof CsgBean csgBean) {
-            for (int i = 0; i < csg.operands().size(); i++) {
-                Solid solid = csg.operands().get(i).solid();
-                Located found = csg.operands().get(i) == culprit ? csgBean.operands.get(i) : find(culprit, solid, csgBean.operands.get(i));
-                if (found != null) {
-                    return found;
-                }
+    private void checkTexts(Problems problems) {
+        try {
+            if (!name.isEmpty()) {
+                SceneRules.checkName("scene name", name);
             }
+            tags.forEach(tag -> SceneRules.checkName("scene tag", tag));
+        } catch (IllegalArgumentException refused) {
+            problems.add(this, String.valueOf(refused.getMessage()));
         }
-        return null;
     }
 
     /** {@code <render>}. */
@@ -156,7 +140,7 @@ final class SceneBean extends Located {
             Require.that(direction != null || target != null, "<camera> needs a direction or a target");
             Require.that(direction == null || target == null, "<camera> has either a direction or a target, not both; remove one of them");
             Camera.Aim aim = direction != null ? new Camera.Direction(direction)
-                    : new Camera.Target(java.util.Objects.requireNonNull(target));
+                    : new Camera.Target(Objects.requireNonNull(target));
             return new Camera(position, aim, up, fovy);
         }
     }

@@ -2,7 +2,6 @@ package cz.paprsek.xml;
 
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -21,6 +20,9 @@ public final class SceneFiles {
 
     /** How deep elements may be nested in a file: far deeper than anybody builds, and safe for every recursion in the program. */
     public static final int DEEPEST = 500;
+
+    /** How many bytes a file may have: 1 GiB, ten million spheres. */
+    public static final long LARGEST = 1L << 30;
 
     private SceneFiles() {}
 
@@ -42,7 +44,7 @@ public final class SceneFiles {
     /** Reads a scene from text. */
     public static Scene parse(String xml) throws SceneFileException {
         try {
-            return read(new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "text");
+            return only(SceneReader.read(xml, "text"), "text");
         } catch (IOException e) {
             throw new IllegalStateException("a text in memory could not be read", e);
         }
@@ -69,22 +71,38 @@ public final class SceneFiles {
         }
     }
 
-    /** Writes a scene; the file is replaced as a whole or not at all, and keeps its permissions. */
+    /**
+     * Writes a scene; the file is replaced as a whole or not at all, and keeps its permissions.
+     *
+     * @throws IllegalArgumentException as {@link #format}
+     */
     public static void write(Scene scene, Path file) throws IOException {
         write(file, format(scene));
     }
 
-    /** Writes a database; the file is replaced as a whole or not at all, and keeps its permissions. */
+    /**
+     * Writes a database; the file is replaced as a whole or not at all, and keeps its permissions.
+     *
+     * @throws IllegalArgumentException as {@link #format}
+     */
     public static void writeAll(List<Scene> scenes, Path file) throws IOException {
         write(file, formatAll(scenes));
     }
 
-    /** The text of a scene file, always the same for the same scene. */
+    /**
+     * The text of a scene file, always the same for the same scene.
+     *
+     * @throws IllegalArgumentException if the scene has what no file can hold: a text with control characters, or nesting deeper than {@link #DEEPEST}
+     */
     public static String format(Scene scene) {
         return new SceneWriter().file(scene);
     }
 
-    /** The text of a database file, always the same for the same scenes. */
+    /**
+     * The text of a database file, always the same for the same scenes.
+     *
+     * @throws IllegalArgumentException as {@link #format}
+     */
     public static String formatAll(List<Scene> scenes) {
         return new SceneWriter().database(scenes);
     }

@@ -4,7 +4,7 @@ import cz.paprsek.scene.Scene;
 import jakarta.xml.bind.JAXBContext;
 import jakarta.xml.bind.JAXBException;
 import jakarta.xml.bind.Unmarshaller;
-import jakarta.xml.bind.UnmarshallerHandler;
+import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringReader;
@@ -12,89 +12,75 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
-import javax.xml.parsers.SAXParserFactory;
+import javax.xml.transform.sax.SAXSource;
 import javax.xml.transform.stream.StreamSource;
 import javax.xml.validation.Schema;
 import javax.xml.validation.SchemaFactory;
-import javax.xml.validation.ValidatorHandler;
+import org.jspecify.annotations.Nullable;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
-import org.xml.sax.SAXParseException;
-import org.xml.sax.XMLReader;
 
-/** One parse of a file: parser → {@link Elements} → validator → binding, which is no longer fed once something is wrong. */
+/** From a file to scenes: bound to beans by {@link Parse} and JAXB, of which the records are made, each of which may still refuse. */
 final class SceneReader {
     private SceneReader() {}
 
     static List<Scene> read(InputStream input, String file) throws SceneFileException, IOException {
+        BufferedInputStream buffered = new BufferedInputStream(new LimitedInput(input, file, SceneFiles.LARGEST));
+        Prolog prolog = Prolog.of(buffered);
+        return read(new InputSource(buffered), prolog, file);
+    }
+
+    /** As above; what the text says of its encoding does not matter, since it is a text already. */
+    static List<Scene> read(String text, String file) throws SceneFileException, IOException {
+        return read(new InputSource(new StringReader(text)), new Prolog(text), file);
+    }
+
+    private static List<Scene> read(InputSource input, Prolog prolog, String file) throws SceneFileException, IOException {
         Problems problems = new Problems(file);
-        Object root = bind(input, problems);
-        problems.throwIfAny();
-        List<SceneBean> beans = root instanceof DatabaseBean database ? database.scenes : List.of((SceneBean) root);
-        List<Scene> scenes = new ArrayList<>(beans.size());
-        for (SceneBean bean : beans) {
-            Scene scene = bean.toScene(problems);
-            if (scene != null) {
-                scenes.add(scene);
+        List<Scene> scenes = new ArrayList<>();
+        try {
+            Object root = bind(input, prolog, problems);
+            List<SceneBean> beans = root instanceof DatabaseBean database ? database.scenes
+                    : root instanceof SceneBean scene ? List.of(scene) : List.of();
+            for (SceneBean bean : beans) {
+                Scene scene = bean.toScene(problems);
+                if (scene != null) {
+                    scenes.add(scene);
+                }
             }
+        } catch (Problems.Stop enough) {
+            // What there is to tell stands in the problems.
         }
         problems.throwIfAny();
         return scenes;
     }
 
-    private static Object bind(InputStream input, Problems problems) throws IOException, SceneFileException {
+    /** The bean of the root element; null if that is wrong. */
+    private static @Nullable Object bind(InputSource input, Prolog prolog, Problems problems) throws IOException {
         try {
             Unmarshaller unmarshaller = Shared.CONTEXT.createUnmarshaller();
-            UnmarshallerHandler binding = unmarshaller.getUnmarshallerHandler();
-            ValidatorHandler validator = Shared.SCHEMA.newValidatorHandler();
-            Elements elements = new Elements(validator, problems);
-            validator.setContentHandler(new BindingGate(binding, problems));
-            validator.setErrorHandler(elements);
+            Parse parse = new Parse(Shared.SCHEMA.newValidatorHandler(), prolog, problems);
             unmarshaller.setListener(new Unmarshaller.Listener() {
                 @Override
                 public void beforeUnmarshal(Object target, Object parent) {
                     if (target instanceof Located located) {
-                        located.line = elements.getLineNumber();
-                        located.column = elements.getColumnNumber();
+                        parse.locate(located);
                     }
                 }
             });
-            XMLReader reader = hardened();
-            reader.setContentHandler(elements);
-            reader.setErrorHandler(elements);
-            reader.setProperty("http://xml.org/sax/properties/lexical-handler", elements);
-            parse(reader, input, elements, problems);
-            problems.throwIfAny();
-            return binding.getResult();
-        } catch (JAXBException | SAXException | ParserConfigurationException e) {
-            throw new IllegalStateException("the XML tools of this Java do not work as they should: " + e.getMessage(), e);
-        }
-    }
-
-    private static void parse(XMLReader reader, InputStream input, Elements elements, Problems problems) throws IOException, SAXException {
-        try {
-            reader.parse(new InputSource(input));
-        } catch (SAXParseException malformed) {
-            elements.malformed(malformed);
-        } catch (java.io.CharConversionException | java.io.UnsupportedEncodingException unreadable) {
-            elements.unreadable();
-        } catch (SAXException stopped) {
-            if (!problems.isFull()) {
-                throw stopped;
+            return unmarshaller.unmarshal(new SAXSource(parse, input));
+        } catch (JAXBException e) {
+            if (e.getLinkedException() instanceof IOException unreadable) {
+                throw unreadable;
             }
+            throw broken(e);
+        } catch (SAXException | ParserConfigurationException e) {
+            throw broken(e);
         }
     }
 
-    /** A parser that opens nothing but what it is given: no document type, no entities, no includes. */
-    private static XMLReader hardened() throws ParserConfigurationException, SAXException {
-        SAXParserFactory factory = SAXParserFactory.newInstance();
-        factory.setNamespaceAware(true);
-        factory.setXIncludeAware(false);
-        factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
-        factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
-        factory.setFeature("http://xml.org/sax/features/external-general-entities", false);
-        factory.setFeature("http://xml.org/sax/features/external-parameter-entities", false);
-        return factory.newSAXParser().getXMLReader();
+    private static IllegalStateException broken(Exception e) {
+        return new IllegalStateException("the XML tools of this Java do not work as they should: " + e, e);
     }
 
     /** What is costly to make, made when the first file is read. Both are safe to use from several threads. */

@@ -6,12 +6,14 @@ import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Numbers;
+import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SceneRules;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
@@ -30,6 +32,9 @@ import java.util.Locale;
 
 /** Writes scenes in a fixed order and form: one element a line, attributes equal to their default left out. */
 final class SceneWriter {
+    /** As in the schema. */
+    private static final int LONGEST_DESCRIPTION = 100_000;
+
     private final XmlText xml = new XmlText();
 
     String file(Scene scene) {
@@ -45,6 +50,16 @@ final class SceneWriter {
     }
 
     private void scene(Scene scene, boolean isRoot) {
+        // What the file could hold but would not be read.
+        if (!scene.name().isEmpty()) {
+            SceneRules.checkName("scene name", scene.name());
+        }
+        for (String tag : scene.tags()) {
+            SceneRules.checkName("scene tag", tag);
+            Require.that(tag.chars().noneMatch(Character::isWhitespace), "a scene's tag must be one word, but is \"" + tag + "\"");
+        }
+        Require.that(scene.description().length() <= LONGEST_DESCRIPTION,
+                "a scene's description must not be longer than " + LONGEST_DESCRIPTION + " characters");
         xml.open("scene").attribute("xmlns", isRoot ? SceneFiles.NAMESPACE : "").attribute("name", scene.name())
                 .attribute("tags", String.join(" ", scene.tags()));
         if (!scene.description().isEmpty()) {

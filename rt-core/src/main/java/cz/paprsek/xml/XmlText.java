@@ -1,6 +1,7 @@
 package cz.paprsek.xml;
 
 import cz.paprsek.math.Numbers;
+import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 
 /** Builds the text of an XML file: UTF-8, two blanks a level, an element a line. */
@@ -11,6 +12,7 @@ final class XmlText {
     private boolean tagIsOpen;
 
     XmlText open(String element) {
+        Require.that(level < SceneFiles.DEEPEST, "the scene is nested deeper than the " + SceneFiles.DEEPEST + " levels that a file may have");
         endTag();
         indent().append('<').append(element);
         tagIsOpen = true;
@@ -33,7 +35,8 @@ final class XmlText {
     }
 
     XmlText number(String name, double value, double standard) {
-        return value == standard ? this : number(name, value);
+        // Not ==, to which 0 and -0 are the same.
+        return Double.compare(value, standard) == 0 ? this : number(name, value);
     }
 
     XmlText vector(String name, Vec3 value, Vec3 standard) {
@@ -76,16 +79,23 @@ final class XmlText {
     }
 
     private void escape(String value) {
-        for (int i = 0; i < value.length(); i++) {
-            char c = value.charAt(i);
+        value.codePoints().forEach(c -> {
             switch (c) {
                 case '<' -> text.append("&lt;");
                 case '>' -> text.append("&gt;");
                 case '&' -> text.append("&amp;");
                 case '"' -> text.append("&quot;");
-                case '\r', '\t' -> text.append("&#").append((int) c).append(';');
-                default -> text.append(c);
+                case '\r', '\t' -> text.append("&#").append(c).append(';');
+                default -> {
+                    Require.that(isAllowed(c), "a text has the character " + String.format("U+%04X", c) + ", which no file can hold; remove it");
+                    text.appendCodePoint(c);
+                }
             }
-        }
+        });
+    }
+
+    /** @source W3C Extensible Markup Language 1.0, section 2.2 */
+    private static boolean isAllowed(int c) {
+        return c == '\n' || (c >= ' ' && c <= 0xd7ff) || (c >= 0xe000 && c <= 0xfffd) || c >= 0x10000;
     }
 }
