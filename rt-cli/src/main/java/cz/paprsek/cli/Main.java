@@ -1,10 +1,17 @@
 package cz.paprsek.cli;
 
-/** The command line. */
+/** Where the process begins, and the only place where it ends. */
 public final class Main {
     private Main() {}
 
+    /** Runs the command that the arguments say and exits with its code. */
     public static void main(String[] args) {
-        System.out.println(args.length);
+        // Pictures need parts of AWT, but never a display; looking for one takes time and can fail.
+        System.setProperty("java.awt.headless", "true");
+        Stop stop = new Stop();
+        Runtime.getRuntime().addShutdownHook(new Thread(stop::requestAndWait, "paprsek-stop"));
+        int code = new Cli(Terminal.system(), stop).run(args);
+        stop.ended();
+        System.exit(code);
     }
 }

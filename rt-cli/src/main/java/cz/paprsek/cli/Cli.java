@@ -1,0 +1,103 @@
+package cz.paprsek.cli;
+
+import cz.paprsek.image.ImageFormat;
+import cz.paprsek.render.Tile;
+import cz.paprsek.scene.Similar;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+import picocli.AutoComplete;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** The commands put together: what there is, and how a mistake is answered. */
+final class Cli {
+    private final Terminal terminal;
+    private final Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
+
+    Cli(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        commands.put("render", () -> new RenderCommand(terminal, stop));
+        commands.put("validate", () -> new ValidateCommand(terminal, stop));
+        commands.put("info", () -> new InfoCommand(terminal, stop));
+        commands.put("schema", () -> new SchemaCommand(terminal, stop));
+        commands.put("generate-completion", AutoComplete.GenerateCompletion::new);
+    }
+
+    /** Runs the command that the arguments say; returns its {@linkplain ExitCode exit code}. */
+    int run(String... args) {
+        int code = commandLine(args).execute(args);
+        terminal.out().flush();
+        terminal.err().flush();
+        return code;
+    }
+
+    /** A plain call of one command does without the others: looking at their annotations would take half the time of a small render. */
+    private CommandLine commandLine(String... args) {
+        CommandLine root = new CommandLine(new RootCommand());
+        boolean one = args.length > 0 && commands.containsKey(args[0]) && !args[0].equals("generate-completion");
+        commands.forEach((name, command) -> {
+            if (!one || name.equals(args[0])) {
+                root.addSubcommand(name, command.get());
+            }
+        });
+        root.registerConverter(Size.class, Size::parse);
+        root.registerConverter(Tile.class, Region::parse);
+        root.registerConverter(ImageFormat.class, Formats::parse);
+        root.setOut(terminal.out());
+        root.setErr(terminal.err());
+        root.setUsageHelpWidth(100);
+        root.setParameterExceptionHandler((mistake, given) -> wrongUsage(mistake.getCommandLine(), sentence(mistake)));
+        root.setExecutionExceptionHandler(this::failed);
+        root.getCommandSpec().addOption(
+                OptionSpec.builder("-V", "--version").versionHelp(true).description("Prints the version and exits.").build());
+        describe(root);
+        root.getSubcommands().values().forEach(Cli::describe);
+        return root;
+    }
+
+    private static void describe(CommandLine command) {
+        CommandSpec spec = command.getCommandSpec();
+        if (spec.findOption("--help") == null) {
+            spec.addOption(OptionSpec.builder("-h", "--help").usageHelp(true).description("Prints this help and exits.").build());
+        }
+        spec.usageMessage().exitCodeListHeading("%nExit codes:%n").exitCodeList(ExitCode.explained())
+                .commandListHeading("%nCommands:%n").abbreviateSynopsis(true).sortOptions(false);
+    }
+
+    private int failed(Exception failure, CommandLine command, CommandLine.ParseResult parsed) {
+        if (failure instanceof WrongUsage) {
+            return wrongUsage(command, String.valueOf(failure.getMessage()));
+        }
+        terminal.message("rt-cli: this is a fault of the program, please report it:");
+        failure.printStackTrace(terminal.err());
+        return ExitCode.FAILED;
+    }
+
+    private int wrongUsage(CommandLine command, String sentence) {
+        terminal.message("rt-cli: " + sentence);
+        terminal.message("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
+        return ExitCode.WRONG_USAGE;
+    }
+
+    private static String sentence(ParameterException mistake) {
+        if (mistake instanceof UnmatchedArgumentException unmatched && !unmatched.getUnmatched().isEmpty()) {
+            CommandSpec spec = mistake.getCommandLine().getCommandSpec();
+            String word = unmatched.getUnmatched().get(0);
+            List<String> known = new ArrayList<>(spec.subcommands().keySet());
+            boolean isOption = word.startsWith("-");
+            if (isOption) {
+                known = new ArrayList<>(spec.optionsMap().keySet());
+                word = word.split("=", 2)[0];
+            }
+            return (isOption ? "unknown option \"" : known.isEmpty() ? "unexpected \"" : "there is no command \"") + word + "\""
+                    + Similar.suggestion(word, known);
+        }
+        return String.valueOf(mistake.getMessage()).replace("\n", " ");
+    }
+}

@@ -1,0 +1,58 @@
+package cz.paprsek.cli;
+
+import cz.paprsek.scene.Scene;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Says what is in scene files. */
+@Command(
+        name = "info",
+        description = "Says what is in scene files and databases: picture, camera, lights, materials, objects by kind, and the space they take.",
+        footer = {"", "Examples:", "  rt-cli info showcase.xml", "  rt-cli info 'scenes/*.xml' --json"})
+final class InfoCommand implements Callable<Integer> {
+    private final Terminal terminal;
+    private final Stop stop;
+
+    @Parameters(paramLabel = "SCENE", arity = "1..*",
+            description = "Scene files. Patterns with * ? [] {} and ** are expanded, also when quoted.")
+    private List<String> scenes;
+
+    @Option(names = "--json", description = "Prints a JSON object for every scene, one a line, instead of plain text.")
+    private boolean json;
+
+    InfoCommand(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        this.stop = stop;
+    }
+
+    @Override
+    public Integer call() {
+        int worst = ExitCode.DONE;
+        for (Path file : SceneArguments.files(scenes)) {
+            SceneReading reading = SceneReading.of(file);
+            if (stop.requested()) {
+                return ExitCode.INTERRUPTED;
+            }
+            reading.sentences().forEach(terminal::message);
+            for (int i = 0; i < reading.scenes().size(); i++) {
+                show(file, reading.label(i), reading.scenes().get(i));
+            }
+            worst = Math.max(worst, reading.isValid() ? ExitCode.DONE : ExitCode.BAD_SCENE);
+        }
+        return worst;
+    }
+
+    private void show(Path file, String label, Scene scene) {
+        SceneSummary summary = SceneSummary.of(scene);
+        if (json) {
+            terminal.result(SummaryAsJson.of(file.toString(), summary).toString());
+        } else {
+            terminal.result(label);
+            SummaryAsText.lines(summary).forEach(terminal::result);
+        }
+    }
+}

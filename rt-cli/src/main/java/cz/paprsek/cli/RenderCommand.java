@@ -1,0 +1,89 @@
+package cz.paprsek.cli;
+
+import cz.paprsek.image.ImageFormat;
+import cz.paprsek.render.Tile;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Renders scene files to pictures. */
+@Command(
+        name = "render",
+        description = {
+            "Renders scene files to pictures.",
+            "One scene that fails does not stop the others; the exit code is that of the worst. A picture is written whole or not at all."
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  rt-cli render showcase.xml                     to showcase.png in the working directory",
+            "  rt-cli render showcase.xml -o a.jpg --size 1920x1080 --samples 3",
+            "  rt-cli render 'scenes/*.xml' -o 'out/{name}-small.png' --size 320x180",
+            "  rt-cli render a.xml --format ppm16 -o -        16-bit linear light to standard output",
+            "  rt-cli render a.xml b.xml --json --quiet       one JSON object a line, nothing else"
+        })
+final class RenderCommand implements Callable<Integer> {
+    private final Terminal terminal;
+    private final Stop stop;
+
+    @Parameters(paramLabel = "SCENE", arity = "1..*",
+            description = "Scene files. Patterns with * ? [] {} and ** are expanded, also when quoted.")
+    private List<String> scenes;
+
+    @Option(names = {"-o", "--output"}, paramLabel = "FILE|DIR|PATTERN", description = {
+        "A file, for one scene; its ending says the format. A directory (which exists or ends in /), or a pattern in which {name} "
+                + "stands for the scene's file name; their directories are made. - is standard output.",
+        "Default: {name}.png in the working directory."})
+    private Optional<String> output;
+
+    @Option(names = "--format", paramLabel = "FORMAT", completionCandidates = Formats.class, description = {
+        "One of ${COMPLETION-CANDIDATES}. Default: by the ending of the output, else png.",
+        "pfm and ppm16 hold linear light, txt brightness 0-255, one image row a line."})
+    private Optional<ImageFormat> format;
+
+    @Option(names = "--raw", description = "Text output holds linear luminance as decimals, 1 for white, instead of 0-255.")
+    private boolean raw;
+
+    @Option(names = "--size", paramLabel = "WxH", description = "Width and height in pixels, each 1-32768. Default: the scene's.")
+    private Optional<Size> size;
+
+    @Option(names = "--region", paramLabel = "X,Y,W,H", description =
+            "Renders this part only: column and row of its top left pixel from 0, width, height. The picture has the part's size.")
+    private Optional<Tile> region;
+
+    @Option(names = "--samples", paramLabel = "N", description = "Rays along each side of a pixel, 1-16: N x N in all. Default: the scene's.")
+    private Optional<Integer> samples;
+
+    @Option(names = "--max-depth", paramLabel = "N", description =
+            "Levels of reflected and refracted rays, 1-250; the ray from the eye is level 1. Default: the scene's.")
+    private Optional<Integer> maxDepth;
+
+    @Option(names = "--threads", paramLabel = "N", description =
+            "Threads to render with, 1-1024; the picture is the same for any number. Default: all processors.")
+    private Optional<Integer> threads;
+
+    @Option(names = "--json", description = "Prints a JSON object for every scene, one a line, instead of plain text.")
+    private boolean json;
+
+    @Option(names = {"-q", "--quiet"}, description = "Prints errors only, and what --json asks for.")
+    private boolean quiet;
+
+    RenderCommand(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        this.stop = stop;
+    }
+
+    @Override
+    public Integer call() {
+        if (json && output.equals(Optional.of("-"))) {
+            throw new WrongUsage("--json and the picture cannot both go to standard output");
+        }
+        Wishes wishes = new Wishes(size, maxDepth, samples, region, threads);
+        List<Target> targets = new Targets(output, format, raw).of(SceneArguments.files(scenes));
+        Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
+        return new RenderBatch(terminal, stop, wishes, progress, Report.of(terminal, json, quiet)).run(targets);
+    }
+}
