@@ -31,7 +31,7 @@ abstract class Progress implements RenderMonitor, AutoCloseable {
     /** A bar where somebody watches, else a line now and then. */
     static Maker maker(Terminal terminal) {
         return terminal.interactive()
-                ? (scene, options, stop) -> new ProgressBarOnTerminal(terminal, scene, options, stop)
+                ? (scene, options, stop) -> new ProgressBar(terminal, scene, options, stop)
                 : (scene, options, stop) -> new ProgressInLines(terminal, scene, options, stop);
     }
 

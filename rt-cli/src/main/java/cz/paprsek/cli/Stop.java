@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class Stop {
     /** How long a process that writes nothing is kept alive to say that it was interrupted. */
-    private static final long LAST_WORDS_MILLIS = 30;
+    private static final long LAST_WORDS_MILLIS = 20;
     /** How long to wait for a half-written file to be removed: more than that, and the disk hangs. */
     private static final long CLEANING_MILLIS = 5_000;
 
