@@ -131,14 +131,14 @@ class RenderCommandTest {
     void aRequestToStopLeavesNoFileAndExitsWith130() throws IOException {
         Stop stop = new Stop();
         stop.request();
-        Run run = Run.cli(false, stop, "render", ball, ball, "-o", folder.resolve("out") + "/");
+        Run run = Run.watched(false, stop, "render", ball, ball, "-o", folder.resolve("out") + "/");
         assertThat(run.code()).isEqualTo(130);
         assertThat(folder.resolve("out")).isEmptyDirectory();
     }
 
     @Test
     void somebodyAtATerminalSeesABarThatIsGoneAtTheEnd() {
-        Run run = Run.cli(true, new Stop(), "render", ball, "-o", folder.resolve("a.png"));
+        Run run = Run.watched(true, new Stop(), "render", ball, "-o", folder.resolve("a.png"));
         assertThat(run.err()).contains("\r").endsWith(" \r").doesNotContain("\n");
         assertThat(ProgressBar.line("glass.xml", 0.42, 1.25e6, 7.2))
                 .isEqualTo("glass.xml  42 % [########            ] 1.3 M eye rays/s  0:08 left");

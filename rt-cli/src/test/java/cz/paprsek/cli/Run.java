@@ -6,13 +6,13 @@ import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 
 /** A call of the command line within the test's own process: what it returned and what it printed. */
-record Run(int code, String out, String err, byte[] bytes) {
+record Run(int code, String out, String err, ByteArrayOutputStream written) {
 
     static Run cli(Object... arguments) {
-        return cli(false, new Stop(), arguments);
+        return watched(false, new Stop(), arguments);
     }
 
-    static Run cli(boolean interactive, Stop stop, Object... arguments) {
+    static Run watched(boolean interactive, Stop stop, Object... arguments) {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -25,11 +25,11 @@ record Run(int code, String out, String err, byte[] bytes) {
         return new Run(code, out.toString().replace("\r\n", "\n"), err.toString().replace("\r\n", "\n"), bytes);
     }
 
-    private Run(int code, String out, String err, ByteArrayOutputStream bytes) {
-        this(code, out, err, bytes.toByteArray());
+    byte[] bytes() {
+        return written.toByteArray();
     }
 
     String text() {
-        return new String(bytes, StandardCharsets.UTF_8);
+        return written.toString(StandardCharsets.UTF_8);
     }
 }

@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -34,7 +36,7 @@ class ValidateCommandTest {
                 Arguments.of(LIGHT + "<sphere radius=\"1\" position=\"0 1 4.5\"/>",
                         "the camera is inside sphere #1, which is opaque"),
                 Arguments.of(LIGHT + "<plane position=\"0 2 0\"/>", "the camera is inside plane #1, which is opaque"),
-                Arguments.of(LIGHT + "<difference><sphere radius=\"9\"/><sphere radius=\"1\"/></difference>",
+                Arguments.of(LIGHT + "<difference><sphere radius=\"5.2\"/><sphere radius=\"1\"/></difference>",
                         "the camera is inside difference #1, which is opaque"),
                 Arguments.of(LIGHT + "<block min=\"1 1 1\" max=\"9 9 9\"/>", "light \"lamp\" is inside block #1, which is opaque"),
                 Arguments.of(LIGHT + "<difference name=\"d\"><sphere radius=\"1\"/><torus major-radius=\"1\" minor-radius=\"0.2\" "
@@ -70,7 +72,7 @@ class ValidateCommandTest {
         Run run = Run.cli("validate", dark, broken);
         assertThat(run.code()).isEqualTo(3);
         assertThat(run.out()).startsWith(dark + ": warning: there is no light").endsWith(dark + ": valid, 1 warning\n");
-        assertThat(run.err().lines()).hasSize(2).allMatch(line -> line.startsWith(broken + ":"));
+        assertThat(run.err().lines()).hasSizeGreaterThan(1).allMatch(line -> line.startsWith(broken + ":"));
         assertThat(Run.cli("validate", dark).code()).isZero();
         assertThat(Run.cli("validate", dark, "--quiet").out()).isEmpty();
         assertThat(Run.cli("validate", broken, "--json").out()).contains("\"valid\":false,\"problems\":[{\"line\":2,\"column\":");
@@ -85,17 +87,21 @@ class ValidateCommandTest {
 
     @Test
     void theScenesOfADatabaseAreNamed() throws IOException {
-        Path file = Files.writeString(folder.resolve("db.xml"), "<database xmlns=\"urn:paprsek:scene:1\"><scene name=\"one\"/>"
-                + "<scene name=\"two\"/></database>");
+        String camera = "<camera position=\"0 1 5\" direction=\"0 0 -1\"/></scene>";
+        Path file = Files.writeString(folder.resolve("db.xml"), "<database xmlns=\"urn:paprsek:scene:1\"><scene name=\"one\">" + camera
+                + "<scene name=\"two\">" + camera + "</database>");
         assertThat(Run.cli("validate", file).out()).contains(file + ": scene \"two\": warning: there are no objects");
     }
 
     @Test
-    void namesThatATerminalWouldObeyAreShownAsCodes() throws IOException {
-        Path file = Scenes.scene(folder.resolve("x.xml"),
-                "<material name=\"a\u009b31m\u202eb\"/><point-light position=\"2 3 4\"/><sphere radius=\"1\"/>");
-        assertThat(Run.cli("validate", file).out()).contains("a\\u009b31m\\u202eb");
-        assertThat(Run.cli("info", file).out()).contains("a\\u009b31m\\u202eb");
-        assertThat(Run.cli("info", file, "--json").out()).contains("a\\u009b31m\\u202eb");
+    @DisabledOnOs(OS.WINDOWS)
+    void fileNamesThatATerminalWouldObeyAreShownAsCodes() throws IOException {
+        Path file = Scenes.ball(folder.resolve("a\u001b[31mb.xml"));
+        assertThat(Run.cli("validate", file).out()).contains("a\\u001b[31mb.xml: valid");
+        assertThat(Run.cli("info", file).out()).contains("a\\u001b[31mb.xml");
+        assertThat(Run.cli("info", file, "--json").out()).contains("a\\u001b[31mb.xml");
+        Run rendering = Run.cli("render", file, "-o", folder + "/");
+        assertThat(rendering.out() + rendering.err()).contains("a\\u001b[31mb.png").doesNotContain("\u001b");
+        assertThat(Run.cli("render", "\u001b[31m.xml", "-o", "\u001b.gif").err()).doesNotContain("\u001b");
     }
 }
