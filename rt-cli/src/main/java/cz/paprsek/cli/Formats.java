@@ -9,10 +9,10 @@ import picocli.CommandLine.TypeConversionException;
 
 /** The picture formats by the names a user gives them; lists them for the help and for shells that complete words. */
 final class Formats implements Iterable<String> {
-    private static final List<String> NAMES = Arrays.stream(ImageFormat.values()).map(ImageFormat::id).toList();
+    private static final List<String> NAMES = Arrays.stream(ImageFormat.values()).map(ImageFormat::extension).toList();
 
     static ImageFormat parse(String name) {
-        return ImageFormat.named(name).orElseThrow(() -> new TypeConversionException(
+        return ImageFormat.of(name).orElseThrow(() -> new TypeConversionException(
                 "expected one of " + String.join(", ", NAMES) + ", but found '" + name + "'" + Similar.suggestion(name, NAMES)));
     }
 

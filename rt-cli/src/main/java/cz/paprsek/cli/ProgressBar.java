@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.io.PlainText;
 import cz.paprsek.render.RenderOptions;
 import java.util.Locale;
 
@@ -20,7 +21,7 @@ final class ProgressBar extends Progress {
     ProgressBar(Terminal terminal, String scene, RenderOptions options, Stop stop) {
         super(options, stop);
         this.terminal = terminal;
-        String printable = Printable.line(scene);
+        String printable = PlainText.of(scene, Integer.MAX_VALUE);
         name = printable.length() <= LONGEST_NAME ? printable : "..." + printable.substring(printable.length() - LONGEST_NAME + 3);
         raysPerPixel = options.settings().samples() * options.settings().samples();
         draw(name);

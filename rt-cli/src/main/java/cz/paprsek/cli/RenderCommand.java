@@ -41,10 +41,10 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(names = "--format", paramLabel = "FORMAT", completionCandidates = Formats.class, description = {
         "One of ${COMPLETION-CANDIDATES}. Default: by the ending of the output, else png.",
-        "pfm and ppm16 hold linear light, txt brightness 0-255, one image row a line."})
+        "pfm and ppm16 hold linear light, txt brightness 0-255 and lum linear luminance, one image row a line."})
     private Optional<ImageFormat> format;
 
-    @Option(names = "--raw", description = "Text output holds linear luminance as decimals, 1 for white, instead of 0-255.")
+    @Option(names = "--raw", description = "Text output holds linear luminance as decimals, 1 for white, instead of 0-255: the same as --format lum.")
     private boolean raw;
 
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height in pixels, each 1-32768. Default: the scene's.")

@@ -62,7 +62,7 @@ interface Report {
         public void done(Target target, String scene, int width, int height, RenderStats stats, double totalSeconds) {
             terminal.result(begin(target, Outcome.DONE)
                     .with("scene", scene)
-                    .with("format", target.format().id())
+                    .with("format", target.format().extension())
                     .with("width", width)
                     .with("height", height)
                     .with("seconds", new Json()

@@ -1,6 +1,6 @@
 package cz.paprsek.cli;
 
-import cz.paprsek.image.WholeFile;
+import cz.paprsek.io.AtomicFile;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -32,7 +32,7 @@ final class SchemaCommand implements Callable<Integer> {
         byte[] text = SceneFiles.schema().getBytes(StandardCharsets.UTF_8);
         try {
             if (output.isPresent()) {
-                stop.guard(() -> WholeFile.write(output.get(), out -> out.write(text)));
+                stop.guard(() -> AtomicFile.write(output.get(), out -> out.write(text)));
             } else {
                 terminal.bytes().write(text);
             }

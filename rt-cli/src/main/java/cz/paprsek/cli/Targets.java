@@ -49,19 +49,19 @@ record Targets(Optional<String> output, Optional<ImageFormat> format, boolean ra
     }
 
     private ImageFormat format(Optional<Path> file) {
-        ImageFormat chosen = format.orElseGet(() -> file.map(Targets::byEnding).orElse(raw ? ImageFormat.TEXT : ImageFormat.PNG));
+        ImageFormat chosen = format.orElseGet(() -> file.map(Targets::byEnding).orElse(raw ? ImageFormat.RAW : ImageFormat.PNG));
         if (!raw) {
             return chosen;
         }
-        if (chosen != ImageFormat.TEXT && chosen != ImageFormat.RAW_TEXT) {
-            throw new WrongUsage("--raw is for text (.txt), not for " + chosen.id() + "; linear light is also in pfm and ppm16");
+        if (chosen != ImageFormat.TXT && chosen != ImageFormat.RAW) {
+            throw new WrongUsage("--raw is for text, not for " + chosen.extension() + "; linear light is also in pfm and ppm16");
         }
-        return ImageFormat.RAW_TEXT;
+        return ImageFormat.RAW;
     }
 
     private static ImageFormat byEnding(Path file) {
-        return ImageFormat.of(file).orElseThrow(() -> new WrongUsage("cannot tell the format of '" + file + "': end it in one of "
-                + ImageFormat.knownEndings() + ", give --format, or end a directory's name in /"));
+        return ImageFormat.ofFile(file.toString()).orElseThrow(() -> new WrongUsage("cannot tell the format of '" + file + "': let it end in one of "
+                + ImageFormat.all() + ", give --format, or end a directory's name in /"));
     }
 
     private void check(List<Target> targets) {

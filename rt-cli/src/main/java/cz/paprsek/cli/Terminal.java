@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.io.PlainText;
 import java.io.Console;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
@@ -31,13 +32,13 @@ record Terminal(PrintWriter out, PrintWriter err, OutputStream bytes, boolean in
 
     /** Prints a line of results. */
     void result(String line) {
-        out.println(Printable.line(line));
+        out.println(PlainText.of(line, Integer.MAX_VALUE));
         out.flush();
     }
 
     /** Prints a line for the user. */
     void message(String line) {
-        err.println(Printable.line(line));
+        err.println(PlainText.of(line, Integer.MAX_VALUE));
         err.flush();
     }
 

@@ -1,7 +1,6 @@
 package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -24,7 +23,7 @@ class InterruptTest {
     @Test
     @Timeout(60)
     void interruptingARenderExitsWith130AndKeepsTheOldPicture() throws Exception {
-        assumeFalse(interruptsAreIgnored(), "started with interrupts ignored, which every child inherits");
+        boolean deaf = interruptsAreIgnored();
         Path picture = Files.writeString(folder.resolve("picture.png"), "old");
         Process process = new ProcessBuilder(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", System.getProperty("java.class.path"),
@@ -36,7 +35,7 @@ class InterruptTest {
             // Into the middle of the tracing.
             Thread.sleep(300);
             long begin = System.nanoTime();
-            new ProcessBuilder("kill", "-INT", Long.toString(process.pid())).start().waitFor();
+            new ProcessBuilder("kill", deaf ? "-TERM" : "-INT", Long.toString(process.pid())).start().waitFor();
             assertThat(process.waitFor(10, TimeUnit.SECONDS)).isTrue();
             // Twenty times what is promised: this machine may be busy with other things.
             assertThat((System.nanoTime() - begin) / 1e6).as("milliseconds").isLessThan(1000);
@@ -44,12 +43,12 @@ class InterruptTest {
         } finally {
             process.destroyForcibly();
         }
-        assertThat(process.exitValue()).isEqualTo(130);
+        assertThat(process.exitValue()).isEqualTo(deaf ? 128 + 15 : ExitCode.INTERRUPTED);
         assertThat(picture).hasContent("old");
         assertThat(folder.toFile().list()).containsExactly("picture.png");
     }
 
-    /** Shells start background jobs so. */
+    /** Shells start background jobs so, and children inherit it; then another signal has to do. */
     private static boolean interruptsAreIgnored() throws IOException {
         Path status = Path.of("/proc/self/status");
         if (!Files.exists(status)) {

@@ -50,11 +50,11 @@ class RenderCommandTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"png", "jpg", "bmp", "tif", "ppm", "pgm", "pfm", "txt"})
+    @ValueSource(strings = {"png", "jpg", "bmp", "tif", "ppm", "pgm", "pfm", "ppm16", "txt", "lum"})
     void theEndingSaysTheFormat(String ending) throws Exception {
         Path picture = folder.resolve("a." + ending);
         assertThat(Run.cli("render", ball, "-o", picture, "--quiet")).matches(run -> run.out().isEmpty() && run.err().isEmpty());
-        assertThat(Files.readAllBytes(picture)).isEqualTo(expected(ImageFormat.named(ending).orElseThrow()));
+        assertThat(Files.readAllBytes(picture)).isEqualTo(expected(ImageFormat.of(ending).orElseThrow()));
     }
 
     @Test
@@ -62,7 +62,7 @@ class RenderCommandTest {
         Run.cli("render", ball, "-o", folder.resolve("a.ppm"), "--format", "ppm16");
         assertThat(Files.readAllBytes(folder.resolve("a.ppm"))).isEqualTo(expected(ImageFormat.PPM16));
         Run.cli("render", ball, "-o", folder.resolve("a.txt"), "--raw");
-        assertThat(Files.readAllBytes(folder.resolve("a.txt"))).isEqualTo(expected(ImageFormat.RAW_TEXT));
+        assertThat(Files.readAllBytes(folder.resolve("a.txt"))).isEqualTo(expected(ImageFormat.RAW));
         Run refused = Run.cli("render", ball, "-o", folder.resolve("a.png"), "--raw");
         assertThat(refused.code()).isEqualTo(2);
         assertThat(refused.err()).contains("--raw is for text");
@@ -71,7 +71,7 @@ class RenderCommandTest {
     @Test
     void aPictureOnStandardOutputIsAloneThere() throws Exception {
         Run run = Run.cli("render", ball, "--format", "txt", "-o", "-");
-        assertThat(run.bytes()).isEqualTo(expected(ImageFormat.TEXT));
+        assertThat(run.bytes()).isEqualTo(expected(ImageFormat.TXT));
         assertThat(run.out()).isEmpty();
         assertThat(run.err()).contains(ball + " -> -  16x8");
         assertThat(Run.cli("render", ball, "-o", "-", "--json").code()).isEqualTo(2);

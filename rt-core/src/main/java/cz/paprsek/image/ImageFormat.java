@@ -1,78 +1,57 @@
 package cz.paprsek.image;
 
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** The kinds of file a picture can be written to. */
+/** The kinds of file that a picture can be written to. Eight-bit kinds are sRGB-encoded and clamped; the others say what they hold. */
 public enum ImageFormat {
-    PNG("png", "8-bit sRGB, lossless", "png"),
-    JPEG("jpg", "8-bit sRGB, quality 95 %", "jpg", "jpeg"),
-    BMP("bmp", "8-bit sRGB, uncompressed", "bmp"),
-    TIFF("tif", "8-bit sRGB, lossless", "tif", "tiff"),
-    PPM("ppm", "8-bit sRGB, binary (P6)", "ppm"),
-    /** For measuring: what is in the file is proportional to light. */
-    PPM16("ppm16", "16-bit linear light, binary (P6)"),
-    PGM("pgm", "8-bit brightness, binary (P5)", "pgm"),
-    /** The only bitmap that keeps light above white. */
-    PFM("pfm", "linear light as 32-bit floats", "pfm"),
-    TEXT("txt", "brightness 0-255 as integers, one image row a line", "txt"),
-    RAW_TEXT("txt-raw", "linear luminance as decimals, one image row a line");
+    PNG("8-bit sRGB, lossless", "png"),
+    JPG("8-bit sRGB, small", "jpg", "jpeg"),
+    BMP("8-bit sRGB, uncompressed", "bmp"),
+    TIF("8-bit sRGB, lossless", "tif", "tiff"),
+    PPM("8-bit sRGB, uncompressed", "ppm"),
+    PGM("8-bit brightness", "pgm"),
+    PFM("linear light as 32-bit floats, unclamped", "pfm"),
+    TXT("brightness 0-255 as text, one image row a line", "txt"),
+    RAW("linear luminance as decimal text, one image row a line", "lum"),
+    PPM16("16-bit linear light, for comparing with other renderers", "ppm16");
 
-    private final String id;
     private final String description;
-    @SuppressWarnings("ImmutableEnumChecker") // made by List.of
-    private final List<String> extensions;
+    @SuppressWarnings("ImmutableEnumChecker") // never written after construction, never handed out
+    private final String[] extensions;
 
-    ImageFormat(String id, String description, String... extensions) {
-        this.id = id;
+    ImageFormat(String description, String... extensions) {
         this.description = description;
-        this.extensions = List.of(extensions);
+        this.extensions = extensions;
     }
 
-    /** The short name by which a user asks for the format. */
-    public String id() {
-        return id;
-    }
-
-    /** What is in the file, in a few words. */
+    /** What such a file holds, for people. */
     public String description() {
         return description;
     }
 
-    /** The file name endings that stand for this format, without dot; none for a variant of another format. */
-    public List<String> extensions() {
-        return extensions;
-    }
-
-    /** The ending for a new file, without dot: {@code ppm} also for {@link #PPM16}. */
+    /** The usual ending of the file's name, without a dot. */
     public String extension() {
-        return extensions.isEmpty() ? id.substring(0, 3) : extensions.get(0);
+        return extensions[0];
     }
 
-    /** The format with the given short name or file name ending, letter case ignored. */
-    public static Optional<ImageFormat> named(String name) {
-        String wanted = name.toLowerCase(Locale.ROOT);
-        return Arrays.stream(values()).filter(format -> format.id.equals(wanted) || format.extensions.contains(wanted)).findFirst();
+    /** The format with the given name or extension, upper or lower case. */
+    public static Optional<ImageFormat> of(String name) {
+        String lower = name.toLowerCase(Locale.ROOT);
+        return Arrays.stream(values()).filter(format -> List.of(format.extensions).contains(lower)).findFirst();
     }
 
-    /** The format that a file's ending stands for, letter case ignored. */
-    public static Optional<ImageFormat> of(Path file) {
-        Path name = file.getFileName();
-        String text = name == null ? "" : name.toString();
-        String ending = text.substring(text.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-        return text.equals(ending) ? Optional.empty()
-                : Arrays.stream(values()).filter(format -> format.extensions.contains(ending)).findFirst();
+    /** The format that a file's name ends with. */
+    public static Optional<ImageFormat> ofFile(String fileName) {
+        int dot = fileName.lastIndexOf('.');
+        return dot < 0 ? Optional.empty() : of(fileName.substring(dot + 1));
     }
 
-    /** All endings there are, as {@code .png, .jpg, …}. */
-    public static String knownEndings() {
-        return Arrays.stream(values())
-                .flatMap(format -> format.extensions.stream())
-                .map(ending -> "." + ending)
-                .collect(Collectors.joining(", "));
+    /** The extensions of all formats, separated by commas. */
+    public static String all() {
+        return Arrays.stream(values()).map(ImageFormat::extension).collect(Collectors.joining(", "));
     }
 }

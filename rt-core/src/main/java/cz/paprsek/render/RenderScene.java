@@ -1,6 +1,7 @@
 package cz.paprsek.render;
 
 import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Solid;
@@ -68,6 +69,18 @@ public final class RenderScene {
         return buildSeconds;
     }
 
+    /** The numbers of the solid objects that a point of the world lies in. Places all objects anew: for tools, not for pictures. */
+    public List<Integer> objectsAround(Vec3 point) {
+        List<Integer> around = new ArrayList<>();
+        PartTable table = new PartTable(scene);
+        for (int i = 0; i < scene.objects().size(); i++) {
+            if (holds(table.place(i, scene.objects().get(i)), point)) {
+                around.add(i);
+            }
+        }
+        return around;
+    }
+
     PartTable parts() {
         return parts;
     }
@@ -111,20 +124,25 @@ public final class RenderScene {
 
     /** The first part of every transparent solid that the camera is in, the largest solid first, as if entered from outside. */
     private int[] aroundCamera(Surface[] surfaces, boolean[] opaque) {
-        var eye = scene.camera().position();
-        Ray ray = new Ray(new Spans());
+        Vec3 eye = scene.camera().position();
         List<Integer> inside = new ArrayList<>();
         for (int part = 0; part < parts.size(); part++) {
             int object = parts.object(part);
             boolean isFirst = part == 0 || parts.object(part - 1) != object;
-            if (isFirst && !opaque[object] && surfaces[object] instanceof Volume volume && volume.bounds().contains(eye)) {
-                ray.start(eye.x(), eye.y(), eye.z(), 1, 0, 0);
-                if (volume.holdsOrigin(ray)) {
-                    inside.add(part);
-                }
+            if (isFirst && !opaque[object] && holds(surfaces[object], eye)) {
+                inside.add(part);
             }
         }
         inside.sort(Comparator.comparingDouble((Integer part) -> surfaces[parts.object(part)].bounds().volume()).reversed());
         return inside.stream().mapToInt(Integer::intValue).toArray();
+    }
+
+    private static boolean holds(Surface surface, Vec3 point) {
+        if (!(surface instanceof Volume volume) || !volume.bounds().contains(point)) {
+            return false;
+        }
+        Ray ray = new Ray(new Spans());
+        ray.start(point.x(), point.y(), point.z(), 1, 0, 0);
+        return volume.holdsOrigin(ray);
     }
 }

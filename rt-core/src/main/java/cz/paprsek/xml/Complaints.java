@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.io.PlainText;
 import cz.paprsek.scene.Similar;
 import java.util.List;
 import java.util.Map;
@@ -111,7 +112,7 @@ final class Complaints {
             String attributeType = grammar.attributes(type).get(name);
             if (attributeType != null && message.matches("(?s).*[^\\p{L}]" + name + "[^\\p{L}-].*") && message.contains(found.getValue(i))) {
                 problems.add(line, column, element + " " + name + " must be " + grammar.expected(attributeType)
-                        + ", but is \"" + PlainText.text(found.getValue(i)) + "\"");
+                        + ", but is \"" + PlainText.of(found.getValue(i), 60) + "\"");
             }
         }
     }

@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.io.PlainText;
 import java.util.ArrayList;
 import java.util.List;
 import javax.xml.validation.ValidatorHandler;
@@ -21,6 +22,8 @@ final class Elements extends DefaultHandler2 implements Locator {
     private final ValidatorHandler next;
     private final Problems problems;
     private final List<String> path = new ArrayList<>();
+    /** Line and column of every open element. */
+    private final int[] starts = new int[2 * SceneFiles.DEEPEST];
     private Attributes attributes = NO_ATTRIBUTES;
     private @Nullable Complaints complaints;
     private @Nullable Locator parser;
@@ -70,6 +73,8 @@ final class Elements extends DefaultHandler2 implements Locator {
         if (path.size() > SceneFiles.DEEPEST) {
             throw new SAXParseException("elements are nested deeper than " + SceneFiles.DEEPEST, null, null, line, column);
         }
+        starts[2 * path.size() - 2] = line;
+        starts[2 * path.size() - 1] = column;
         next.startElement(uri, localName, qName, found);
         attributes = NO_ATTRIBUTES;
         advance();
@@ -77,8 +82,9 @@ final class Elements extends DefaultHandler2 implements Locator {
 
     @Override
     public void endElement(String uri, String localName, String qName) throws SAXException {
-        line = nextLine;
-        column = nextColumn;
+        // What is found missing at the end of an element is told at its start.
+        line = starts[2 * path.size() - 2];
+        column = starts[2 * path.size() - 1];
         next.endElement(uri, localName, qName);
         path.remove(path.size() - 1);
         advance();
@@ -141,7 +147,7 @@ final class Elements extends DefaultHandler2 implements Locator {
         } else if (path.isEmpty()) {
             problems.add(at, where, "this is not a scene file: it should start with <scene xmlns=\"" + SceneFiles.NAMESPACE + "\">");
         } else {
-            problems.add(at, where, "this is not well-formed XML, within <" + inside + ">, or the file is cut off: " + PlainText.line(message));
+            problems.add(at, where, "this is not well-formed XML, within <" + inside + ">, or the file is cut off: " + PlainText.of(message, 240));
         }
     }
 

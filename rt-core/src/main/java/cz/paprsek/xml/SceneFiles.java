@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -70,12 +71,12 @@ public final class SceneFiles {
 
     /** Writes a scene; the file is replaced as a whole or not at all, and keeps its permissions. */
     public static void write(Scene scene, Path file) throws IOException {
-        AtomicFile.write(file, format(scene));
+        write(file, format(scene));
     }
 
     /** Writes a database; the file is replaced as a whole or not at all, and keeps its permissions. */
     public static void writeAll(List<Scene> scenes, Path file) throws IOException {
-        AtomicFile.write(file, formatAll(scenes));
+        write(file, formatAll(scenes));
     }
 
     /** The text of a scene file, always the same for the same scene. */
@@ -95,6 +96,10 @@ public final class SceneFiles {
         } catch (IOException e) {
             throw new IllegalStateException("the schema in the program's own jar cannot be read", e);
         }
+    }
+
+    private static void write(Path file, String text) throws IOException {
+        AtomicFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
     }
 
     private static Scene only(List<Scene> scenes, String file) throws SceneFileException {

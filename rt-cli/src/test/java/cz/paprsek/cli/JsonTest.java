@@ -6,21 +6,15 @@ import cz.paprsek.math.Vec3;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-class TextTest {
+class JsonTest {
     @Test
-    void whatATerminalWouldObeyIsWrittenAsACode() {
-        assertThat(Printable.line("p\u0159\u00edklad \ud83d\ude00")).isEqualTo("p\u0159\u00edklad \ud83d\ude00");
-        assertThat(Printable.line("a\u001b[31m\n\u202e\u2028\ud800")).isEqualTo("a\\u001b[31m\\u000a\\u202e\\u2028\\ud800");
-    }
-
-    @Test
-    void jsonIsEscapedToAscii() {
+    void textIsEscapedToAscii() {
         assertThat(new Json().with("\"a\\", "\u001b\u00e9\ud83d\ude00\n").toString())
                 .isEqualTo("{\"\\\"a\\\\\":\"\\u001b\\u00e9\\ud83d\\ude00\\u000a\"}");
     }
 
     @Test
-    void jsonHoldsNumbersAndLists() {
+    void numbersAndListsAreWrittenAsJsonHasThem() {
         assertThat(new Json().with("n", 0.1).with("i", Double.POSITIVE_INFINITY).with("l", 3).with("b", true)
                 .with("v", new Vec3(1, 2.5, -0.0)).withTexts("t", List.of("a", "b")).with("o", List.of(new Json())).toString())
                 .isEqualTo("{\"n\":0.1,\"i\":null,\"l\":3,\"b\":true,\"v\":[1,2.5,0],\"t\":[\"a\",\"b\"],\"o\":[{}]}");

@@ -7,12 +7,12 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The plain formats of measuring people: a line or three of text, then the bare numbers.
+ * The portable map formats.
  *
- * @source netpbm.sourceforge.net/doc/ppm.html, pgm.html, pfm.html
+ * @source Netpbm, ppm(5), pgm(5); Debevec, PFM
  */
-final class NetPbm {
-    private NetPbm() {}
+final class Netpbm {
+    private Netpbm() {}
 
     static void ppm(Image image, OutputStream out) throws IOException {
         header(out, "P6", image, "255");
@@ -28,10 +28,10 @@ final class NetPbm {
         }
     }
 
-    /** Linear light; most significant byte first, as the format wants it. */
+    /** Linear light, clamped to 0–1, in 65535 steps, high byte first: what POV-Ray writes with a file gamma of 1. */
     static void ppm16(Image image, OutputStream out) throws IOException {
         header(out, "P6", image, "65535");
-        ByteBuffer row = ByteBuffer.allocate(6 * image.width());
+        ByteBuffer row = ByteBuffer.allocate(6 * image.width()).order(ByteOrder.BIG_ENDIAN);
         for (int y = 0; y < image.height(); y++) {
             row.clear();
             for (int x = 0; x < image.width(); x++) {
@@ -45,14 +45,14 @@ final class NetPbm {
         header(out, "P5", image, "255");
         byte[] row = new byte[image.width()];
         for (int y = 0; y < image.height(); y++) {
-            for (int x = 0; x < row.length; x++) {
-                row[x] = (byte) Brightness.encoded(image, x, y);
+            for (int x = 0; x < image.width(); x++) {
+                row[x] = (byte) Brightness.of(image, x, y);
             }
             out.write(row);
         }
     }
 
-    /** Bottom row first; the negative scale in the header says least significant byte first. */
+    /** Linear light, unclamped, low byte first, the bottom row first. */
     static void pfm(Image image, OutputStream out) throws IOException {
         header(out, "PF", image, "-1.0");
         ByteBuffer row = ByteBuffer.allocate(12 * image.width()).order(ByteOrder.LITTLE_ENDIAN);
@@ -65,12 +65,11 @@ final class NetPbm {
         }
     }
 
-    private static void header(OutputStream out, String kind, Image image, String range) throws IOException {
-        out.write((kind + "\n" + image.width() + " " + image.height() + "\n" + range + "\n").getBytes(StandardCharsets.US_ASCII));
+    private static short step(float light) {
+        return (short) Math.round(Math.min(1f, Math.max(0f, light)) * 65535f);
     }
 
-    /** Light 0–1 as one of 65536 steps; clamped. Not a number gives 0. */
-    private static short step(float light) {
-        return (short) (light > 0 ? Math.round(Math.min(light, 1.0) * 65535) : 0);
+    private static void header(OutputStream out, String magic, Image image, String last) throws IOException {
+        out.write((magic + "\n" + image.width() + " " + image.height() + "\n" + last + "\n").getBytes(StandardCharsets.US_ASCII));
     }
 }

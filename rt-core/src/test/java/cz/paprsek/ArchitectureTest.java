@@ -1,0 +1,56 @@
+package cz.paprsek;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.library.Architectures;
+
+/** The table of rooms: which package may use which. */
+@AnalyzeClasses(packages = "cz.paprsek", importOptions = ImportOption.DoNotIncludeTests.class)
+class ArchitectureTest {
+    @ArchTest
+    static final ArchRule ROOMS = Architectures.layeredArchitecture().consideringOnlyDependenciesInLayers()
+            .layer("io").definedBy("cz.paprsek.io")
+            .layer("math").definedBy("cz.paprsek.math")
+            .layer("material").definedBy("cz.paprsek.material")
+            .layer("shape").definedBy("cz.paprsek.shape")
+            .layer("scene").definedBy("cz.paprsek.scene")
+            .layer("image").definedBy("cz.paprsek.image")
+            .layer("render").definedBy("cz.paprsek.render")
+            .layer("xml").definedBy("cz.paprsek.xml")
+            .whereLayer("io").mayOnlyBeAccessedByLayers("image", "xml")
+            .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "image", "render", "xml")
+            .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "render", "xml")
+            .whereLayer("scene").mayOnlyBeAccessedByLayers("render", "xml")
+            .whereLayer("image").mayOnlyBeAccessedByLayers("render")
+            .whereLayer("render").mayNotBeAccessedByAnyLayer()
+            .whereLayer("xml").mayNotBeAccessedByAnyLayer();
+
+    @ArchTest
+    static final ArchRule MATH_KNOWS_NOTHING = noClasses().that().resideInAPackage("cz.paprsek.math")
+            .should().dependOnClassesThat().resideInAnyPackage("cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.io");
+
+    @ArchTest
+    static final ArchRule NO_CYCLES = slices().matching("cz.paprsek.(*)..").should().beFreeOfCycles();
+
+    @ArchTest
+    static final ArchRule JAXB_ONLY_IN_XML = noClasses().that().resideOutsideOfPackage("cz.paprsek.xml")
+            .should().dependOnClassesThat().resideInAnyPackage("jakarta.xml..", "javax.xml..", "org.xml..");
+
+    @ArchTest
+    static final ArchRule PICTURES_ONLY_IN_IMAGE = noClasses().that().resideOutsideOfPackage("cz.paprsek.image")
+            .should().dependOnClassesThat().resideInAnyPackage("java.awt..", "javax.imageio..", "javafx..");
+
+    @ArchTest
+    static final ArchRule FILES_ONLY_AT_THE_BORDER = noClasses().that()
+            .resideInAnyPackage("cz.paprsek.math", "cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.render")
+            .should().dependOnClassesThat().resideInAnyPackage("java.nio..");
+
+    @ArchTest
+    static final ArchRule NO_STATE_IS_STATIC = fields().that().areStatic().should().beFinal();
+}

@@ -1,0 +1,70 @@
+package cz.paprsek;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.tools.DiagnosticCollector;
+import javax.tools.JavaFileObject;
+import javax.tools.SimpleJavaFileObject;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What the README shows works as it stands there. */
+class ReadmeTest {
+    static Stream<String> javaExamples() throws IOException {
+        return blocks("java");
+    }
+
+    static Stream<String> sceneExamples() throws IOException {
+        return blocks("xml");
+    }
+
+    private static Stream<String> blocks(String language) throws IOException {
+        Matcher matcher = Pattern.compile("```" + language + "\n(.*?)```", Pattern.DOTALL).matcher(Files.readString(Path.of("../README.md")));
+        List<String> found = matcher.results().map(result -> result.group(1)).toList();
+        assertThat(found).as("examples in %s", language).isNotEmpty();
+        return found.stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("javaExamples")
+    void everyProgramCompiles(String source, @TempDir Path folder) {
+        Matcher name = Pattern.compile("class (\\w+)").matcher(source);
+        assertThat(name.find()).isTrue();
+        DiagnosticCollector<JavaFileObject> complaints = new DiagnosticCollector<>();
+        JavaFileObject file = new SimpleJavaFileObject(URI.create("string:///" + name.group(1) + ".java"), JavaFileObject.Kind.SOURCE) {
+            @Override
+            public CharSequence getCharContent(boolean ignoreEncodingErrors) {
+                return source;
+            }
+        };
+        boolean compiled = ToolProvider.getSystemJavaCompiler().getTask(null, null, complaints,
+                List.of("-d", folder.toString(), "-proc:none"), null, List.of(file)).call();
+        assertThat(compiled).as(complaints.getDiagnostics().toString()).isTrue();
+    }
+
+    @ParameterizedTest
+    @MethodSource("sceneExamples")
+    void everySceneIsValid(String xml) throws Exception {
+        assertThat(SceneFiles.parse(xml).objects()).isNotEmpty();
+    }
+
+    @Test
+    void everyShippedSceneIsMentioned() throws IOException {
+        String readme = Files.readString(Path.of("../README.md"));
+        try (Stream<Path> files = Files.list(Path.of("../scenes"))) {
+            assertThat(files.map(file -> file.getFileName().toString())).allSatisfy(name -> assertThat(readme).contains(name));
+        }
+    }
+}

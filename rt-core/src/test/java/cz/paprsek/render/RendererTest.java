@@ -1,0 +1,220 @@
+package cz.paprsek.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.sun.management.ThreadMXBean;
+import cz.paprsek.image.Image;
+import cz.paprsek.render.RenderResult.Outcome;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.shape.Ray;
+import cz.paprsek.shape.Spans;
+import cz.paprsek.shape.Surface;
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.Random;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class RendererTest {
+    private static final Scene SCENE = Scenes.random(11, 40).withSettings(new RenderSettings(101, 67, 5, 1));
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 8})
+    void everyThreadCountGivesTheSameBytes(int threads) {
+        RenderScene scene = RenderScene.of(SCENE);
+        Image one = Renderer.render(scene, RenderOptions.of(SCENE).withThreads(1), RenderMonitor.NONE).image();
+        Image many = Renderer.render(scene, RenderOptions.of(SCENE).withThreads(threads), RenderMonitor.NONE).image();
+        assertThat(Scenes.difference(one, many, 0)).isZero();
+    }
+
+    @Test
+    void aRegionIsThatPartOfThePictureToTheBit() {
+        RenderScene scene = RenderScene.of(SCENE);
+        for (int samples = 1; samples <= 3; samples++) {
+            RenderOptions options = RenderOptions.of(SCENE.settings().withSamples(samples));
+            Image whole = Renderer.render(scene, options, RenderMonitor.NONE).image();
+            Image part = Renderer.render(scene, options.withRegion(new Tile(13, 21, 37, 29)), RenderMonitor.NONE).image();
+            Image crop = new Image(37, 29);
+            for (int y = 0; y < 29; y++) {
+                for (int x = 0; x < 37; x++) {
+                    crop.set(x, y, whole.red(13 + x, 21 + y), whole.green(13 + x, 21 + y), whole.blue(13 + x, 21 + y));
+                }
+            }
+            assertThat(Scenes.difference(part, crop, 0)).isZero();
+        }
+    }
+
+    @Test
+    void samplesAverageTheRaysOfALargerPicture() {
+        RenderScene scene = RenderScene.of(SCENE);
+        Image fine = Renderer.render(scene, RenderOptions.of(SCENE.settings().withSize(120, 90)), RenderMonitor.NONE).image();
+        Image averaged = Renderer.render(scene, RenderOptions.of(SCENE.settings().withSize(40, 30).withSamples(3)), RenderMonitor.NONE).image();
+        Image expected = new Image(40, 30);
+        for (int y = 0; y < 30; y++) {
+            for (int x = 0; x < 40; x++) {
+                double[] sum = new double[3];
+                for (int i = 0; i < 9; i++) {
+                    double[] pixel = Scenes.pixel(fine, 3 * x + i % 3, 3 * y + i / 3);
+                    Arrays.setAll(sum, c -> sum[c] + pixel[c] / 9);
+                }
+                expected.set(x, y, sum[0], sum[1], sum[2]);
+            }
+        }
+        assertThat(Scenes.difference(averaged, expected, 1e-5)).isLessThan(0.005);
+    }
+
+    @Test
+    void theHierarchyFindsWhatTryingEverySurfaceFinds() {
+        Random random = new Random(5);
+        for (long seed = 1; seed <= 8; seed++) {
+            Scene scene = Scenes.random(seed, 300);
+            RenderScene ready = RenderScene.of(scene);
+            PartTable table = new PartTable(scene);
+            Surface[] all = new Surface[scene.objects().size()];
+            Arrays.setAll(all, i -> table.place(i, scene.objects().get(i)));
+            Bvh.Stack stack = ready.bvh().newStack();
+            Spans spans = new Spans();
+            for (int i = 0; i < 4000; i++) {
+                double[] n = random.doubles(6, -5, 5).toArray();
+                double length = Math.sqrt(n[3] * n[3] + n[4] * n[4] + n[5] * n[5]);
+                Ray fast = new Ray(spans);
+                fast.start(n[0], n[1], n[2] + (i % 3), n[3] / length, n[4] / length, n[5] / length);
+                Ray slow = new Ray(spans);
+                slow.start(n[0], n[1], n[2] + (i % 3), n[3] / length, n[4] / length, n[5] / length);
+                ready.bvh().nearest(fast, ready.bvh().whole(), stack);
+                for (Surface surface : all) {
+                    surface.nearest(slow);
+                }
+                assertThat(fast.max).isEqualTo(slow.max);
+                assertThat(fast.part).isEqualTo(slow.part);
+                fast.start(n[0], n[1], n[2], n[3] / length, n[4] / length, n[5] / length, 5, length);
+                boolean blocked = false;
+                for (int k = 0; k < all.length; k++) {
+                    blocked |= isOpaque(table, k) && all[k].occludes(fast);
+                }
+                assertThat(ready.bvh().occluder(fast, ready.bvh().whole(), stack, spans) != null).isEqualTo(blocked);
+                spans.release(0);
+            }
+        }
+    }
+
+    private static boolean isOpaque(PartTable table, int object) {
+        for (int part = 0; part < table.size(); part++) {
+            if (table.object(part) == object && table.finish(part).transparency > 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    @Test
+    void raysInABlockFindWhatEachFindsAlone() {
+        RenderScene scene = RenderScene.of(SCENE);
+        Eye eye = new Eye(SCENE.camera(), 101, 67);
+        Tracer alone = new Tracer(scene, 5, 1, RenderMonitor.NONE);
+        Tracer together = new Tracer(scene, 5, 1, RenderMonitor.NONE);
+        for (int y = 0; y < 56; y += 8) {
+            for (int x = 0; x < 96; x += 8) {
+                Level[] block = together.trace(eye, x, y, 8, 8);
+                for (int i = 0; i < 64; i++) {
+                    Level one = alone.trace(eye, x + i % 8, y + i / 8, 1, 1)[0];
+                    assertThat(new double[] {block[i].red, block[i].green, block[i].blue}).containsExactly(one.red, one.green, one.blue);
+                }
+            }
+        }
+    }
+
+    @Test
+    void tracingAllocatesNothing() {
+        Tracer tracer = new Tracer(RenderScene.of(SCENE), 5, 1, RenderMonitor.NONE);
+        Eye eye = new Eye(SCENE.camera(), 101, 67);
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long id = Thread.currentThread().getId();
+        long least = Long.MAX_VALUE;
+        for (int round = 0; round < 5; round++) {
+            long before = threads.getThreadAllocatedBytes(id);
+            for (int y = 0; y < 56; y += 8) {
+                for (int x = 0; x < 96; x += 8) {
+                    tracer.trace(eye, x, y, 8, 8);
+                }
+            }
+            least = Math.min(least, threads.getThreadAllocatedBytes(id) - before);
+        }
+        long rays = (tracer.primary + tracer.reflected + tracer.refracted + tracer.shadows) / 5;
+        // The measurement itself costs some tens of bytes; a single object of 16 bytes in a thousand rays would show.
+        assertThat(least).as("bytes for %d rays", rays).isLessThan(200);
+        assertThat(rays).isGreaterThan(10_000);
+    }
+
+    @Test
+    void cancellingReturnsWhatIsDone() {
+        AtomicInteger tiles = new AtomicInteger();
+        RenderMonitor afterTwo = new RenderMonitor() {
+            @Override
+            public boolean cancelled() {
+                return tiles.get() >= 2;
+            }
+
+            @Override
+            public void finished(Tile tile, Image image, int done, int total) {
+                tiles.incrementAndGet();
+            }
+        };
+        RenderResult result = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(SCENE).withThreads(1), afterTwo);
+        assertThat(result.outcome()).isEqualTo(Outcome.CANCELLED);
+        assertThat(tiles.get()).isEqualTo(2);
+        Image whole = Renderer.render(SCENE);
+        assertThat(Scenes.pixel(result.image(), 40, 20)).as("in the second tile").isEqualTo(Scenes.pixel(whole, 40, 20));
+        assertThat(Scenes.pixel(result.image(), 90, 60)).as("in the last tile").isEqualTo(new double[3]);
+    }
+
+    @Test
+    void preparingASceneCanBeCancelled() {
+        RenderMonitor at = new RenderMonitor() {
+            @Override
+            public boolean cancelled() {
+                return true;
+            }
+        };
+        assertThatThrownBy(() -> RenderScene.of(SCENE, at)).isInstanceOf(CancellationException.class);
+        assertThat(Renderer.render(SCENE, RenderOptions.of(SCENE), at).outcome()).isEqualTo(Outcome.CANCELLED);
+    }
+
+    @Test
+    void aFaultNamesThePixel() {
+        RenderMonitor broken = new RenderMonitor() {
+            @Override
+            public void finished(Tile tile, Image image, int done, int total) {
+                throw new UnsupportedOperationException("no");
+            }
+        };
+        assertThatThrownBy(() -> Renderer.render(RenderScene.of(SCENE), RenderOptions.of(SCENE), broken))
+                .isInstanceOf(IllegalStateException.class).hasMessageContaining("pixel").hasMessageContaining("no");
+    }
+
+    @Test
+    void interruptingTheCallerCancels() throws InterruptedException {
+        RenderScene scene = RenderScene.of(SCENE);
+        Outcome[] outcome = new Outcome[1];
+        Thread caller = new Thread(() -> outcome[0] = Renderer.render(scene, RenderOptions.of(SCENE.settings().withSize(8000, 8000)),
+                RenderMonitor.NONE).outcome());
+        caller.start();
+        Thread.sleep(100);
+        caller.interrupt();
+        caller.join(10_000);
+        assertThat(outcome[0]).isEqualTo(Outcome.CANCELLED);
+    }
+
+    @Test
+    void statisticsCountEveryRay() {
+        RenderStats stats = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(SCENE), RenderMonitor.NONE).stats();
+        assertThat(stats.primary()).isEqualTo(101 * 67);
+        assertThat(stats.hits()).isBetween(1L, stats.primary() + stats.reflected() + stats.refracted());
+        assertThat(stats.rays()).isEqualTo(stats.primary() + stats.reflected() + stats.refracted() + stats.shadow());
+    }
+}

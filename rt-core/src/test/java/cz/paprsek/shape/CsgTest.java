@@ -1,0 +1,178 @@
+package cz.paprsek.shape;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.Csg.Operation;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class CsgTest {
+    private static final Block UNIT = new Block(Vec3.ZERO, Vec3.ONE);
+
+    @ParameterizedTest
+    @CsvSource({
+        "UNION, true, true, true", "UNION, true, false, true", "UNION, false, true, true", "UNION, false, false, false",
+        "DIFFERENCE, true, true, false", "DIFFERENCE, true, false, true", "DIFFERENCE, false, true, false", "DIFFERENCE, false, false, false",
+        "INTERSECTION, true, true, true", "INTERSECTION, true, false, false", "INTERSECTION, false, true, false",
+        "INTERSECTION, false, false, false"})
+    void insideFollowsTheTruthTable(Operation operation, boolean left, boolean right, boolean result) {
+        assertThat(operation.inside(left, right)).isEqualTo(result);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
+    void randomTreesAgreeWithMembershipOfPoints(long seed) {
+        Random random = new Random(seed);
+        Solid solid = random(random, 4);
+        Volume volume = solid.place(Affine.IDENTITY, new TestParts());
+        Spans spans = new Spans();
+        for (int i = 0; i < 2000; i++) {
+            Ray ray = ray(random);
+            spans.release(0);
+            volume.spans(ray, spans);
+            for (int k = 0; k < 20; k++) {
+                double t = random.nextDouble() * 12;
+                double value = Examples.inside(solid, new Vec3(ray.ox + t * ray.dx, ray.oy + t * ray.dy, ray.oz + t * ray.dz));
+                int before = 0;
+                while (before < spans.size() && spans.t(before) <= t) {
+                    before++;
+                }
+                if (Math.abs(value) > 1e-6) {
+                    assertThat(before % 2 != 0).as("inside at t = %s", t).isEqualTo(value < 0);
+                }
+            }
+        }
+    }
+
+    static Stream<Solid> nothings() {
+        Operand shifted = Operand.of(UNIT).at(0.25, 0, 0);
+        return Stream.of(
+                Csg.difference(UNIT, UNIT),
+                Csg.difference(new Sphere(1), new Sphere(1)),
+                Csg.difference(Operand.of(new Torus(1, 0.3)).rotated(10, 20, 30), Operand.of(new Torus(1, 0.3)).rotated(10, 20, 30)),
+                Csg.intersection(Operand.of(UNIT), Operand.of(UNIT).at(3, 0, 0)),
+                Csg.intersection(Operand.of(UNIT), Operand.of(UNIT).at(1, 0, 0)),
+                Csg.difference(Operand.of(Csg.intersection(Operand.of(UNIT), shifted)), Operand.of(UNIT)));
+    }
+
+    @ParameterizedTest
+    @org.junit.jupiter.params.provider.MethodSource("nothings")
+    void aBodyWithoutItselfIsNothing(Solid nothing) {
+        Volume volume = nothing.place(Affine.IDENTITY, new TestParts());
+        Random random = new Random(3);
+        for (int i = 0; i < 20_000; i++) {
+            assertThat(volume.occludes(ray(random))).isFalse();
+        }
+    }
+
+    @Test
+    void aHoleFlushWithBothFacesIsOpen() {
+        Csg plate = Csg.difference(Operand.of(UNIT), Operand.of(new Block(new Vec3(0.2, 0.2, 0), new Vec3(0.8, 0.8, 1))));
+        Csg turned = Csg.union(Operand.of(plate).rotated(17, 29, 41));
+        Affine map = Placement.NONE.withRotation(new Vec3(17, 29, 41)).toParent();
+        for (Volume volume : new Volume[] {plate.place(Affine.IDENTITY, new TestParts()), turned.place(Affine.IDENTITY, new TestParts())}) {
+            boolean isTurned = volume.bounds().minX() != 0;
+            Random random = new Random(5);
+            for (int i = 0; i < 20_000; i++) {
+                Vec3 in = new Vec3(0.25 + 0.5 * random.nextDouble(), 0.25 + 0.5 * random.nextDouble(), -2);
+                Vec3 out = new Vec3(in.x() + 0.01, in.y() - 0.01, 3);
+                Vec3 from = isTurned ? map.point(in) : in;
+                Vec3 d = (isTurned ? map.point(out) : out).minus(from).normalized();
+                Ray ray = new Ray(new Spans());
+                ray.start(from.x(), from.y(), from.z(), d.x(), d.y(), d.z());
+                assertThat(volume.occludes(ray)).as("no skin over the hole").isFalse();
+            }
+        }
+    }
+
+    @Test
+    void twoBlocksThatShareAFaceAreOneBody() {
+        Volume both = Csg.union(Operand.of(UNIT), Operand.of(UNIT).at(1, 0, 0)).place(Affine.IDENTITY, new TestParts());
+        Spans spans = new Spans();
+        Random random = new Random(5);
+        for (int i = 0; i < 20_000; i++) {
+            Ray ray = ray(random);
+            spans.release(0);
+            both.spans(ray, spans);
+            assertThat(spans.size()).as("no wall between them").isLessThanOrEqualTo(2);
+        }
+    }
+
+    @Test
+    void aDifferenceIsTheIntersectionWithTheComplement() {
+        // The complement of the half-space y ≤ 0 is the half-space turned over.
+        Volume cut = Csg.difference(new Sphere(1), new Plane()).place(Affine.IDENTITY, new TestParts());
+        Volume common = Csg.intersection(Operand.of(new Sphere(1)), Operand.of(new Plane()).rotated(180, 0, 0))
+                .place(Affine.IDENTITY, new TestParts());
+        Random random = new Random(9);
+        for (int i = 0; i < 20_000; i++) {
+            Ray first = ray(random);
+            Ray second = new Ray(new Spans());
+            second.start(first.ox, first.oy, first.oz, first.dx, first.dy, first.dz);
+            cut.nearest(first);
+            common.nearest(second);
+            assertThat(first.max).isEqualTo(second.max);
+        }
+    }
+
+    @Test
+    void aThousandOperandsAndThreeHundredLevelsWork() {
+        Operand[] many = new Operand[1000];
+        for (int i = 0; i < many.length; i++) {
+            many[i] = Operand.of(new Sphere(0.4)).at(i, 0, 0);
+        }
+        Ray ray = new Ray(new Spans());
+        ray.start(-5, 0, 0, 1, 0, 0);
+        Spans spans = new Spans();
+        Csg.union(many).place(Affine.IDENTITY, new TestParts()).spans(ray, spans);
+        assertThat(spans.size()).isEqualTo(2000);
+
+        Solid deep = new Sphere(1);
+        for (int i = 0; i < 300; i++) {
+            deep = Csg.union(deep, new Sphere(1));
+        }
+        spans.release(0);
+        deep.place(Affine.IDENTITY, new TestParts()).spans(ray, spans);
+        assertThat(spans.size()).isEqualTo(2);
+    }
+
+    private static Ray ray(Random random) {
+        Vec3 from = new Vec3(random.nextDouble() * 8 - 4, random.nextDouble() * 8 - 4, random.nextDouble() * 8 - 4);
+        Vec3 to = new Vec3(random.nextDouble() * 2 - 1, random.nextDouble() * 2 - 1, random.nextDouble() * 2 - 1);
+        Vec3 d = to.minus(from).normalized();
+        Ray ray = new Ray(new Spans());
+        ray.start(from.x(), from.y(), from.z(), d.x(), d.y(), d.z());
+        return ray;
+    }
+
+    private static Solid random(Random random, int levels) {
+        if (levels == 0 || random.nextInt(4) == 0) {
+            return switch (random.nextInt(6)) {
+                case 0 -> new Sphere(0.5 + random.nextDouble());
+                case 1 -> new Block(new Vec3(-0.7, -0.7, -0.7), new Vec3(0.3 + random.nextDouble(), 0.8, 0.9));
+                case 2 -> new Cylinder(0.3 + 0.5 * random.nextDouble(), 1.5);
+                case 3 -> new Cone(0.9, 0.4 * random.nextDouble(), 1.5);
+                case 4 -> new Torus(0.9, 0.3);
+                default -> new Plane();
+            };
+        }
+        Operand[] operands = new Operand[2 + random.nextInt(2)];
+        for (int i = 0; i < operands.length; i++) {
+            operands[i] = Operand.of(random(random, levels - 1))
+                    .at(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5)
+                    .rotated(random.nextInt(360), random.nextInt(360), random.nextInt(360))
+                    .scaled(0.6 + random.nextDouble(), 0.6 + random.nextDouble(), 0.6 + random.nextDouble());
+        }
+        return switch (random.nextInt(3)) {
+            case 0 -> Csg.union(operands);
+            case 1 -> Csg.difference(operands);
+            default -> Csg.intersection(operands);
+        };
+    }
+}

@@ -1,0 +1,161 @@
+package cz.paprsek.shape;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What every shape must keep, tried with a hundred thousand random rays each. */
+class ShapeContractTest {
+    private static final int RAYS = 25_000;
+    private static final List<Placement> PLACEMENTS = List.of(
+            Placement.NONE,
+            Placement.at(3, -2, 1).withRotation(new Vec3(20, 50, -70)),
+            Placement.at(-1, 0.5, 2).withRotation(new Vec3(-30, 10, 45)).withScale(new Vec3(0.4, 1.7, 1.1)),
+            Placement.at(0.2, 1, -3).withRotation(new Vec3(90, 0, 180)).withScale(new Vec3(-1.5, 0.8, 1.5)));
+
+    @Test
+    void everyPermittedShapeHasAnExample() {
+        Stream<Class<?>> permitted = Stream.concat(Stream.of(Solid.class.getPermittedSubclasses()),
+                Stream.of(Shape.class.getPermittedSubclasses()).filter(type -> type != Solid.class));
+        assertThat(permitted).containsExactlyInAnyOrderElementsOf(Examples.ALL.keySet());
+    }
+
+    static Stream<Arguments> placedShapes() {
+        return Examples.ALL.values().stream().flatMap(shape -> PLACEMENTS.stream().map(placement -> Arguments.of(shape, placement)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("placedShapes")
+    void hitsLieOnTheSurfaceWithinTheBoundsAndFaceOutwards(Shape shape, Placement placement) {
+        Scene scene = new Scene(shape, placement);
+        int hits = 0;
+        for (int i = 0; i < RAYS; i++) {
+            Ray ray = scene.randomRay();
+            boolean occluded = scene.surface.occludes(ray);
+            scene.surface.nearest(ray);
+            assertThat(ray.part >= 0).as("nearest agrees with occludes").isEqualTo(occluded);
+            if (ray.part < 0) {
+                continue;
+            }
+            hits++;
+            Hit hit = scene.parts.describe(ray);
+            Vec3 p = new Vec3(hit.px, hit.py, hit.pz);
+            Vec3 n = new Vec3(hit.nx, hit.ny, hit.nz);
+            assertThat(scene.surface.bounds().grown(1e-9).contains(p)).isTrue();
+            assertThat(n.length()).isCloseTo(1, within(1e-12));
+            scene.checkNormal(p, n);
+            scene.checkLeaving(ray, p, n);
+        }
+        assertThat(hits).isGreaterThan(RAYS / 20);
+    }
+
+    @ParameterizedTest
+    @MethodSource("placedShapes")
+    void boundariesArePairedSortedAndTheFirstIsTheNearest(Shape shape, Placement placement) {
+        Scene scene = new Scene(shape, placement);
+        if (!(scene.surface instanceof Volume volume)) {
+            return;
+        }
+        Solid solid = (Solid) shape;
+        Spans spans = new Spans();
+        for (int i = 0; i < RAYS; i++) {
+            Ray ray = scene.randomRay();
+            spans.release(0);
+            volume.spans(ray, spans);
+            assertThat(spans.size() % 2).isZero();
+            double first = Double.POSITIVE_INFINITY;
+            for (int k = 0; k < spans.size(); k++) {
+                assertThat(k == 0 || spans.t(k) >= spans.t(k - 1)).isTrue();
+                if (spans.t(k) > ray.min && first == Double.POSITIVE_INFINITY) {
+                    first = spans.t(k);
+                }
+                double end = Math.min(k + 1 < spans.size() ? spans.t(k + 1) : spans.t(k) + 2, spans.t(k) + 2);
+                if (spans.t(k) >= 0 && end - spans.t(k) > 1e-6) {
+                    Vec3 middle = scene.local(ray, (spans.t(k) + end) / 2);
+                    assertThat(Examples.inside(solid, middle) < 0).as("inside after boundary %d", k).isEqualTo(k % 2 == 0);
+                }
+            }
+            volume.nearest(ray);
+            assertThat(ray.max).isEqualTo(first);
+        }
+    }
+
+    /** One placed shape and a source of rays that mostly hit it. */
+    private static final class Scene {
+        private final Random random = new Random(7);
+        private final Spans spans = new Spans();
+        private final Shape shape;
+        private final Affine toWorld;
+        private final Affine toLocal;
+        private final Bounds target;
+        final TestParts parts = new TestParts();
+        final Surface surface;
+
+        Scene(Shape shape, Placement placement) {
+            this.shape = shape;
+            toWorld = placement.toParent();
+            toLocal = toWorld.inverse();
+            surface = shape.place(toWorld, parts);
+            target = surface.bounds().isFinite() ? surface.bounds() : Bounds.around(new Vec3(0, 0, 0), new Vec3(3, 3, 3));
+        }
+
+        Ray randomRay() {
+            Vec3 to = new Vec3(between(target.minX(), target.maxX()), between(target.minY(), target.maxY()), between(target.minZ(), target.maxZ()));
+            Vec3 from = new Vec3(between(-6, 6), between(-6, 6), between(-6, 6));
+            Vec3 d = to.minus(from).normalized();
+            Ray ray = new Ray(spans);
+            ray.start(from.x(), from.y(), from.z(), d.x(), d.y(), d.z());
+            return ray;
+        }
+
+        private double between(double low, double high) {
+            return low + (high - low) * random.nextDouble();
+        }
+
+        Vec3 local(Ray ray, double t) {
+            return toLocal.point(new Vec3(ray.ox + t * ray.dx, ray.oy + t * ray.dy, ray.oz + t * ray.dz));
+        }
+
+        void checkNormal(Vec3 p, Vec3 n) {
+            double step = 1e-5;
+            Vec3 out = toLocal.point(p.plus(n.times(step)));
+            Vec3 in = toLocal.point(p.minus(n.times(step)));
+            if (shape instanceof Solid solid) {
+                // At an edge both sides may be outside, or inside; the value between them must still change in the right direction.
+                assertThat(Examples.inside(solid, out)).isGreaterThan(Examples.inside(solid, in));
+                assertThat(Math.abs(Examples.inside(solid, toLocal.point(p)))).isLessThan(1e-9);
+            } else {
+                assertThat(Math.abs(toLocal.point(p).z())).isLessThan(1e-9);
+                assertThat(out.z()).isGreaterThan(in.z());
+            }
+        }
+
+        void checkLeaving(Ray arrived, Vec3 p, Vec3 n) {
+            double cosine = arrived.dx * n.x() + arrived.dy * n.y() + arrived.dz * n.z();
+            if (Math.abs(cosine) < 1e-3) {
+                return;
+            }
+            double size = arrived.max + Math.max(Math.abs(p.x()), Math.max(Math.abs(p.y()), Math.abs(p.z())));
+            Ray mirrored = new Ray(spans);
+            mirrored.start(p.x(), p.y(), p.z(), arrived.dx - 2 * cosine * n.x(), arrived.dy - 2 * cosine * n.y(),
+                    arrived.dz - 2 * cosine * n.z(), size, 1e-6);
+            Ray onwards = new Ray(spans);
+            onwards.start(p.x(), p.y(), p.z(), arrived.dx, arrived.dy, arrived.dz, size, 1e-6);
+            if (shape instanceof Sphere || shape instanceof Plane || shape instanceof Ellipsoid || !(shape instanceof Solid)) {
+                // A surface without edges: whatever starts on it does not meet it again at once.
+                assertThat(surface.occludes(mirrored)).as("acne").isFalse();
+                assertThat(surface.occludes(onwards)).as("acne on the other side").isFalse();
+            }
+        }
+    }
+}

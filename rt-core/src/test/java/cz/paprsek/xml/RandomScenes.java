@@ -1,0 +1,115 @@
+package cz.paprsek.xml;
+
+import cz.paprsek.material.Inherited;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Cone;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Examples;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Solid;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+
+/** Scenes with something of everything that a file can hold, numbers of all sizes included. */
+final class RandomScenes {
+    private final Random random;
+
+    private RandomScenes(long seed) {
+        random = new Random(seed);
+    }
+
+    static Scene of(long seed) {
+        return new RandomScenes(seed).scene();
+    }
+
+    private Scene scene() {
+        Map<String, Material> materials = new LinkedHashMap<>();
+        for (int i = 0; i < 4; i++) {
+            materials.put("material <" + i + "> & \"more\" ěščř 光", material());
+        }
+        List<String> names = new ArrayList<>(materials.keySet());
+        List<SceneObject> objects = new ArrayList<>();
+        int number = 0;
+        for (Shape shape : Examples.ALL.values()) {
+            MaterialSource source = shape instanceof Solid ? source(names) : boardOr(names);
+            objects.add(new SceneObject(number % 2 == 0 ? "" : "object " + number, shape, placement(), source));
+            number++;
+        }
+        objects.add(SceneObject.of(tree(3, names)));
+        return new Scene("Scene < & > \" '", random.nextBoolean() ? "" : "Two\nlines, <tags> & all", List.of("one", "two-2"),
+                new RenderSettings(1 + random.nextInt(3000), 1 + random.nextInt(3000), 1 + random.nextInt(20), 1 + random.nextInt(5)),
+                color(), color(), camera(), List.of(new Light("", vector(), color(), number()), new Light("key", vector(), Rgb.WHITE, 1)),
+                materials, objects);
+    }
+
+    private Camera camera() {
+        Camera.Aim aim = random.nextBoolean() ? new Camera.Direction(new Vec3(random.nextDouble(), 0.3, -1)) : new Camera.Target(vector());
+        return new Camera(new Vec3(-5000, 2, 3), aim, new Vec3(0.1, 1, 0), 1 + random.nextInt(150));
+    }
+
+    private Solid tree(int levels, List<String> names) {
+        Operand[] operands = new Operand[1 + random.nextInt(3)];
+        for (int i = 0; i < operands.length; i++) {
+            Solid solid = levels == 0 ? new Cone(number(), 1, number()) : tree(levels - 1, names);
+            operands[i] = new Operand(i == 0 ? "" : "part " + i, solid, placement(), source(names));
+        }
+        return new Csg(pick(Csg.Operation.UNION, Csg.Operation.DIFFERENCE, Csg.Operation.INTERSECTION), List.of(operands));
+    }
+
+    private Csg.Operation pick(Csg.Operation... from) {
+        return from[random.nextInt(from.length)];
+    }
+
+    private MaterialSource source(List<String> names) {
+        return switch (random.nextInt(3)) {
+            case 0 -> Inherited.INHERITED;
+            case 1 -> new MaterialName(names.get(random.nextInt(names.size())));
+            default -> material();
+        };
+    }
+
+    private MaterialSource boardOr(List<String> names) {
+        return random.nextBoolean() ? source(names) : material().withPattern(
+                new Pattern.Checkerboard(1 + random.nextInt(99), 1 + random.nextInt(99), color(), color()));
+    }
+
+    private Material material() {
+        Pattern pattern = random.nextBoolean() ? new Pattern.Plain(color()) : new Pattern.Checker(number(), vector(), color(), color());
+        return new Material(pattern, random.nextDouble(), random.nextDouble(), number(), random.nextDouble(), random.nextDouble(),
+                1 + random.nextDouble());
+    }
+
+    private Placement placement() {
+        return random.nextBoolean() ? Placement.NONE
+                : new Placement(vector(), random.nextBoolean() ? Vec3.ZERO : vector(), random.nextBoolean() ? new Vec3(2, 2, 2) : vector());
+    }
+
+    private Rgb color() {
+        return random.nextBoolean() ? new Rgb(random.nextInt(256), random.nextInt(256), random.nextInt(256))
+                : Rgb.ofLinear(random.nextDouble(), random.nextDouble(), random.nextDouble());
+    }
+
+    private Vec3 vector() {
+        return new Vec3(number() - 1, -number(), number());
+    }
+
+    /** Above 0, from very small to thousands. */
+    private double number() {
+        return (0.1 + random.nextDouble()) * Math.pow(10, random.nextInt(12) - 8);
+    }
+}
