@@ -1,82 +1,103 @@
 package cz.paprsek.cli;
 
-import cz.paprsek.io.PlainText;
-import java.io.PrintWriter;
+import cz.paprsek.image.ImageFormat;
+import cz.paprsek.render.Tile;
+import cz.paprsek.scene.Similar;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
 import picocli.AutoComplete;
 import picocli.CommandLine;
-import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
+import picocli.CommandLine.UnmatchedArgumentException;
 
-/** All commands, with their streams: what {@link Main} runs, and tests too. */
-@Command(
-        name = "rt-cli",
-        description = "Renders scenes of spheres, blocks, CSG and glass, and tells what is in them.",
-        synopsisSubcommandLabel = "COMMAND",
-        mixinStandardHelpOptions = true,
-        versionProvider = Cli.Version.class,
-        footerHeading = "%nExamples:%n",
-        footer = {
-            "  rt-cli render scenes/showcase.xml -o showcase.png",
-            "  rt-cli render 'scenes/*.xml' -o pictures/ --size 1920x1080",
-            "  rt-cli validate scenes/*.xml",
-            "",
-            "Exit codes: 0 done, 1 rendering failed, 2 wrong usage, 3 bad scene file, 130 interrupted."},
-        subcommands = {RenderCommand.class, ValidateCommand.class, InfoCommand.class, SchemaCommand.class,
-            AutoComplete.GenerateCompletion.class, CommandLine.HelpCommand.class})
-final class Cli implements Runnable {
-    private final PrintWriter out;
-    private final PrintWriter err;
-    private final Interruption interruption;
-    @Spec private CommandSpec spec;
+/** The commands put together: what there is, and how a mistake is answered. */
+final class Cli {
+    private final Terminal terminal;
+    private final Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
 
-    Cli(PrintWriter out, PrintWriter err, Interruption interruption) {
-        this.out = out;
-        this.err = err;
-        this.interruption = interruption;
+    Cli(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        commands.put("render", () -> new RenderCommand(terminal, stop));
+        commands.put("validate", () -> new ValidateCommand(terminal, stop));
+        commands.put("info", () -> new InfoCommand(terminal, stop));
+        commands.put("schema", () -> new SchemaCommand(terminal, stop));
+        commands.put("generate-completion", AutoComplete.GenerateCompletion::new);
     }
 
-    /** Runs one command line and returns its exit code. */
+    /** Runs the command that the arguments say; returns its {@linkplain ExitCode exit code}. */
     int run(String... args) {
-        return new CommandLine(this)
-                .setOut(out)
-                .setErr(err)
-                .setUsageHelpAutoWidth(true)
-                .setCaseInsensitiveEnumValuesAllowed(true)
-                .setExecutionExceptionHandler((e, command, parsed) -> {
-                    err.println(PlainText.of(String.valueOf(e.getMessage() == null ? e.toString() : e.getMessage()), 500));
-                    return ExitCode.FAILED;
-                })
-                .setParameterExceptionHandler(Cli::wrongUsage)
-                .execute(args);
+        int code = commandLine(args).execute(args);
+        terminal.out().flush();
+        terminal.err().flush();
+        return code;
     }
 
-    Interruption interruption() {
-        return interruption;
+    /** A plain call of one command does without the others: looking at their annotations would take half the time of a small render. */
+    private CommandLine commandLine(String... args) {
+        CommandLine root = new CommandLine(new RootCommand());
+        boolean one = args.length > 0 && commands.containsKey(args[0]) && !args[0].equals("generate-completion");
+        commands.forEach((name, command) -> {
+            if (!one || name.equals(args[0])) {
+                root.addSubcommand(name, command.get());
+            }
+        });
+        root.registerConverter(Size.class, Size::parse);
+        root.registerConverter(Tile.class, Region::parse);
+        root.registerConverter(ImageFormat.class, Formats::parse);
+        root.setOut(terminal.out());
+        root.setErr(terminal.err());
+        root.setUsageHelpWidth(100);
+        root.setParameterExceptionHandler((mistake, given) -> wrongUsage(mistake.getCommandLine(), sentence(mistake)));
+        root.setExecutionExceptionHandler(this::failed);
+        root.getCommandSpec().addOption(
+                OptionSpec.builder("-V", "--version").versionHelp(true).description("Prints the version and exits.").build());
+        describe(root);
+        root.getSubcommands().values().forEach(Cli::describe);
+        return root;
     }
 
-    @Override
-    public void run() {
-        throw new ParameterException(spec.commandLine(), "A command is missing: render, validate, info or schema.");
-    }
-
-    private static int wrongUsage(ParameterException e, String[] args) {
-        CommandLine command = e.getCommandLine();
-        PrintWriter err = command.getErr();
-        err.println(PlainText.of(String.valueOf(e.getMessage()), 500));
-        CommandLine.UnmatchedArgumentException.printSuggestions(e, err);
-        err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
-        return ExitCode.USAGE;
-    }
-
-    /** The version that the jar carries. */
-    static final class Version implements CommandLine.IVersionProvider {
-        @Override
-        public String[] getVersion() {
-            String version = Cli.class.getPackage().getImplementationVersion();
-            return List.of("rt-cli " + (version == null ? "(not packaged)" : version)).toArray(String[]::new);
+    private static void describe(CommandLine command) {
+        CommandSpec spec = command.getCommandSpec();
+        if (spec.findOption("--help") == null) {
+            spec.addOption(OptionSpec.builder("-h", "--help").usageHelp(true).description("Prints this help and exits.").build());
         }
+        spec.usageMessage().exitCodeListHeading("%nExit codes:%n").exitCodeList(ExitCode.explained())
+                .commandListHeading("%nCommands:%n").abbreviateSynopsis(true).sortOptions(false);
+    }
+
+    private int failed(Exception failure, CommandLine command, CommandLine.ParseResult parsed) {
+        if (failure instanceof WrongUsage) {
+            return wrongUsage(command, String.valueOf(failure.getMessage()));
+        }
+        terminal.message("rt-cli: this is a fault of the program, please report it:");
+        failure.printStackTrace(terminal.err());
+        return ExitCode.FAILED;
+    }
+
+    private int wrongUsage(CommandLine command, String sentence) {
+        terminal.message("rt-cli: " + sentence);
+        terminal.message("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
+        return ExitCode.WRONG_USAGE;
+    }
+
+    private static String sentence(ParameterException mistake) {
+        if (mistake instanceof UnmatchedArgumentException unmatched && !unmatched.getUnmatched().isEmpty()) {
+            CommandSpec spec = mistake.getCommandLine().getCommandSpec();
+            String word = unmatched.getUnmatched().get(0);
+            List<String> known = new ArrayList<>(spec.subcommands().keySet());
+            boolean isOption = word.startsWith("-");
+            if (isOption) {
+                known = new ArrayList<>(spec.optionsMap().keySet());
+                word = word.split("=", 2)[0];
+            }
+            return (isOption ? "unknown option \"" : known.isEmpty() ? "unexpected \"" : "there is no command \"") + word + "\""
+                    + Similar.suggestion(word, known);
+        }
+        return String.valueOf(mistake.getMessage()).replace("\n", " ");
     }
 }

@@ -1,12 +1,27 @@
 package cz.paprsek.cli;
 
-/** What the process answers to the shell. */
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** How a command ended, as a number for scripts. Of several, the greatest counts. */
 final class ExitCode {
     static final int DONE = 0;
     static final int FAILED = 1;
-    static final int USAGE = 2;
+    static final int WRONG_USAGE = 2;
     static final int BAD_SCENE = 3;
+    /** 128 and the number of the signal, as shells have it. */
     static final int INTERRUPTED = 130;
 
     private ExitCode() {}
+
+    /** The codes explained, for the help. */
+    static Map<String, String> explained() {
+        Map<String, String> codes = new LinkedHashMap<>();
+        codes.put(" 0", "done");
+        codes.put(" 1", "rendering or writing failed");
+        codes.put(" 2", "wrong usage");
+        codes.put(" 3", "a scene file is missing or not valid");
+        codes.put("130", "interrupted");
+        return codes;
+    }
 }

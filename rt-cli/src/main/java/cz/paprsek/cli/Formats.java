@@ -1,21 +1,23 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.scene.Similar;
 import java.util.Arrays;
 import java.util.Iterator;
-import picocli.CommandLine.ITypeConverter;
+import java.util.List;
 import picocli.CommandLine.TypeConversionException;
 
-/** The names of picture formats as option values. */
-final class Formats implements ITypeConverter<ImageFormat>, Iterable<String> {
-    @Override
-    public ImageFormat convert(String value) {
-        return ImageFormat.of(value).orElseThrow(
-                () -> new TypeConversionException("there is no format \"" + value + "\"; use one of " + ImageFormat.all()));
+/** The picture formats by the names a user gives them; lists them for the help and for shells that complete words. */
+final class Formats implements Iterable<String> {
+    private static final List<String> NAMES = Arrays.stream(ImageFormat.values()).map(ImageFormat::extension).toList();
+
+    static ImageFormat parse(String name) {
+        return ImageFormat.of(name).orElseThrow(() -> new TypeConversionException(
+                "expected one of " + String.join(", ", NAMES) + ", but found '" + name + "'" + Similar.suggestion(name, NAMES)));
     }
 
     @Override
     public Iterator<String> iterator() {
-        return Arrays.stream(ImageFormat.values()).map(ImageFormat::extension).iterator();
+        return NAMES.iterator();
     }
 }

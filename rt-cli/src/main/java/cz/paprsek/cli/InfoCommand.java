@@ -1,61 +1,58 @@
 package cz.paprsek.cli;
 
-import cz.paprsek.io.PlainText;
-import cz.paprsek.xml.SceneFileException;
-import cz.paprsek.xml.SceneFiles;
-import java.io.IOException;
-import java.io.PrintWriter;
+import cz.paprsek.scene.Scene;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
-/** {@code rt-cli info}. */
+/** Says what is in scene files. */
 @Command(
         name = "info",
-        mixinStandardHelpOptions = true,
-        description = "Tells what is in scene files: objects by kind, bounds, lights, camera, render settings.")
+        description = "Says what is in scene files and databases: picture, camera, lights, materials, objects by kind, and the space they take.",
+        footer = {"", "Examples:", "  rt-cli info showcase.xml", "  rt-cli info 'scenes/*.xml' --json"})
 final class InfoCommand implements Callable<Integer> {
-    @Spec private CommandSpec spec;
+    private final Terminal terminal;
+    private final Stop stop;
 
-    @Parameters(paramLabel = "SCENE", arity = "1..*", description = "Scene files, or patterns such as 'scenes/*.xml'.")
+    @Parameters(paramLabel = "SCENE", arity = "1..*",
+            description = "Scene files. Patterns with * ? [] {} and ** are expanded, also when quoted.")
     private List<String> scenes;
 
-    @Option(names = "--json", description = "Print one JSON object per scene.")
+    @Option(names = "--json", description = "Prints a JSON object for every scene, one a line, instead of plain text.")
     private boolean json;
+
+    InfoCommand(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        this.stop = stop;
+    }
 
     @Override
     public Integer call() {
         int worst = ExitCode.DONE;
-        PrintWriter out = spec.commandLine().getOut();
-        PrintWriter err = spec.commandLine().getErr();
-        try {
-            for (Path file : SceneArguments.expand(scenes)) {
-                try {
-                    Map<String, Object> facts = SceneFacts.of(file, SceneFiles.read(file));
-                    if (json) {
-                        out.println(Json.of(facts));
-                    } else {
-                        facts.forEach((name, value) -> out.printf("%-12s %s%n", name, PlainText.of(SceneFacts.text(value), 2000)));
-                        out.println();
-                    }
-                } catch (SceneFileException e) {
-                    e.problems().forEach(problem -> err.println(problem));
-                    worst = ExitCode.BAD_SCENE;
-                } catch (IOException e) {
-                    err.println(PlainText.of(String.valueOf(e.getMessage()), 500));
-                    worst = ExitCode.BAD_SCENE;
-                }
+        for (Path file : SceneArguments.files(scenes)) {
+            SceneReading reading = SceneReading.of(file);
+            if (stop.requested()) {
+                return ExitCode.INTERRUPTED;
             }
-        } catch (IOException e) {
-            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+            reading.sentences().forEach(terminal::message);
+            for (int i = 0; i < reading.scenes().size(); i++) {
+                show(file, reading.label(i), reading.scenes().get(i));
+            }
+            worst = Math.max(worst, reading.isValid() ? ExitCode.DONE : ExitCode.BAD_SCENE);
         }
         return worst;
+    }
+
+    private void show(Path file, String label, Scene scene) {
+        SceneSummary summary = SceneSummary.of(scene);
+        if (json) {
+            terminal.result(SummaryAsJson.of(file.toString(), summary).toString());
+        } else {
+            terminal.result(label);
+            SummaryAsText.lines(summary).forEach(terminal::result);
+        }
     }
 }

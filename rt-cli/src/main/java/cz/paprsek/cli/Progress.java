@@ -2,58 +2,56 @@ package cz.paprsek.cli;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
-import java.io.PrintWriter;
-import me.tongfei.progressbar.ProgressBar;
-import me.tongfei.progressbar.ProgressBarBuilder;
-import me.tongfei.progressbar.ProgressBarStyle;
-import org.jspecify.annotations.Nullable;
 
-/** Tells how far a render is, on standard error: a bar on a terminal, a line now and then elsewhere. */
-final class Progress implements RenderMonitor, AutoCloseable {
-    private static final long LINE_EVERY_NANOS = 5_000_000_000L;
+/** Shows how far a render is, and passes on the user's wish to stop. */
+abstract class Progress implements RenderMonitor, AutoCloseable {
+    private final Stop stop;
+    private final long total;
+    private long pixels;
 
-    private final String name;
-    private final PrintWriter err;
-    private final boolean bar;
-    private final boolean quiet;
-    private final Interruption interruption;
-    private @Nullable ProgressBar terminal;
-    private long nextLine = System.nanoTime() + LINE_EVERY_NANOS;
-    private final long begin = System.nanoTime();
+    Progress(RenderOptions options, Stop stop) {
+        this.stop = stop;
+        this.total = (long) options.region().width() * options.region().height();
+    }
 
-    Progress(String name, PrintWriter err, boolean quiet, Interruption interruption) {
-        this.name = name;
-        this.err = err;
-        this.quiet = quiet;
-        this.bar = !quiet && Terminal.showsErrors();
-        this.interruption = interruption;
+    /** Begins to show the progress of a render. */
+    @FunctionalInterface
+    interface Maker {
+        /** Shows nothing. */
+        Maker SILENT = (scene, options, stop) -> new Progress(options, stop) {
+            @Override
+            void show(long done, long total) {}
+        };
+
+        Progress start(String scene, RenderOptions options, Stop stop);
+    }
+
+    /** A bar where somebody watches, else a line now and then. */
+    static Maker maker(Terminal terminal) {
+        return terminal.interactive()
+                ? (scene, options, stop) -> new ProgressBar(terminal, scene, options, stop)
+                : (scene, options, stop) -> new ProgressInLines(terminal, scene, options, stop);
+    }
+
+    /** Shows that so many of the picture's pixels are done; called by one thread at a time. */
+    abstract void show(long done, long total);
+
+    @Override
+    public final boolean cancelled() {
+        return stop.requested();
     }
 
     @Override
-    public boolean cancelled() {
-        return interruption.isRequested();
-    }
-
-    @Override
-    public synchronized void finished(Tile tile, Image image, int done, int total) {
-        if (bar) {
-            if (terminal == null) {
-                terminal = new ProgressBarBuilder().setTaskName(name).setInitialMax(total).setStyle(ProgressBarStyle.ASCII)
-                        .setUpdateIntervalMillis(100).setUnit(" tiles", 1).showSpeed().build();
-            }
-            terminal.step();
-        } else if (!quiet && System.nanoTime() > nextLine && done < total) {
-            double elapsed = (System.nanoTime() - begin) / 1e9;
-            err.printf("%s: %d %%, %.0f s left%n", name, 100L * done / total, elapsed * (total - done) / done);
-            nextLine = System.nanoTime() + LINE_EVERY_NANOS;
+    public final void finished(Tile tile, Image image, int done, int tiles) {
+        synchronized (this) {
+            pixels += (long) tile.width() * tile.height();
+            show(pixels, total);
         }
     }
 
+    /** Stops showing; the render is over. */
     @Override
-    public synchronized void close() {
-        if (terminal != null) {
-            terminal.close();
-        }
-    }
+    public void close() {}
 }

@@ -1,143 +1,118 @@
 package cz.paprsek.cli;
 
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
-import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Numbers;
-import cz.paprsek.render.RenderScene;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Csg.Operation;
 import cz.paprsek.shape.Operand;
-import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Surface;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
-import java.util.TreeSet;
 
-/** What is allowed in a scene but hardly meant, a sentence each. */
+/** What is allowed in a scene, but hardly what its author meant. */
 final class SceneWarnings {
+    /** Sums of decimals such as 0.1 + 0.7 + 0.2 may come out a little above 1. */
+    private static final double SLACK = 1e-9;
+
     private final Scene scene;
     private final List<String> warnings = new ArrayList<>();
-    private final Set<String> used = new HashSet<>();
 
     private SceneWarnings(Scene scene) {
         this.scene = scene;
     }
 
+    /** All that is suspicious about a scene, a sentence each. */
     static List<String> of(Scene scene) {
-        SceneWarnings found = new SceneWarnings(scene);
-        scene.materials().forEach((name, material) -> found.checkEnergy("material \"" + name + "\"", material));
+        SceneWarnings check = new SceneWarnings(scene);
+        List<SceneParts.Part> parts = SceneParts.of(scene);
+        check.light();
+        check.materials(parts);
+        parts.forEach(check::operands);
         for (int i = 0; i < scene.objects().size(); i++) {
-            SceneObject object = scene.objects().get(i);
-            found.visit(found.title(i), object.shape(), object.material());
+            check.object(scene.objects().get(i), SceneParts.of(scene, i));
         }
-        scene.materials().keySet().stream().filter(name -> !found.used.contains(name))
-                .forEach(name -> found.warnings.add("material \"" + name + "\" is not used by any object"));
-        found.checkPlaces();
-        if (scene.lights().isEmpty() && scene.ambient().equals(Rgb.BLACK)) {
-            found.warnings.add("there is no light and no ambient light: everything but the background will be black");
-        }
-        return found.warnings;
+        return check.warnings;
     }
 
-    private void visit(String title, Shape shape, MaterialSource material) {
-        if (material instanceof MaterialName name) {
-            used.add(name.name());
-        } else if (material instanceof Material own) {
-            checkEnergy(title, own);
+    private void light() {
+        boolean isLit = scene.lights().stream().anyMatch(light -> light.intensity() > 0 && !light.color().equals(Rgb.BLACK));
+        if (scene.objects().isEmpty()) {
+            warnings.add("there are no objects; the picture will be the background alone");
+        } else if (!isLit && scene.ambient().equals(Rgb.BLACK)) {
+            warnings.add("there is no light and no ambient light; every surface will be black");
         }
-        if (shape instanceof Csg csg) {
-            checkOperands(title, csg);
-            checkIndices(title, csg, material);
-            for (int i = 0; i < csg.operands().size(); i++) {
-                Operand operand = csg.operands().get(i);
-                visit(operandTitle(title, operand, i), operand.solid(), operand.material());
+    }
+
+    private void materials(List<SceneParts.Part> parts) {
+        Set<String> used = new HashSet<>();
+        scene.materials().forEach((name, material) -> energy("material \"" + name + "\"", material));
+        for (SceneParts.Part part : parts) {
+            if (part.source() instanceof MaterialName reference) {
+                used.add(reference.name());
+            } else if (part.source() instanceof Material own) {
+                energy("material of " + part.label(), own);
             }
         }
+        scene.materials().keySet().stream().filter(name -> !used.contains(name))
+                .forEach(name -> warnings.add("material \"" + name + "\" is not used"));
     }
 
-    private void checkEnergy(String title, Material material) {
+    private void energy(String what, Material material) {
         double sum = material.diffusion() + material.reflection() + material.transparency();
-        if (sum > 1 + 1e-9) {
-            warnings.add(title + ": diffusion + reflection + transparency is " + Numbers.text(Math.round(sum * 1e6) / 1e6)
-                    + ", more than the light that falls on it");
+        if (sum > 1 + SLACK) {
+            warnings.add(what + ": diffusion, reflection and transparency add up to " + Numbers.text(Math.rint(sum * 1e6) / 1e6)
+                    + "; above 1 a surface gives back more light than it gets");
         }
     }
 
-    private void checkOperands(String title, Csg csg) {
-        Bounds first = bounds(csg.operands().get(0));
+    private void operands(SceneParts.Part part) {
+        if (!(part.shape() instanceof Csg csg) || csg.operation() == Operation.UNION) {
+            return;
+        }
+        Bounds left = bounds(csg.operands().get(0));
         for (int i = 1; i < csg.operands().size(); i++) {
-            boolean apart = first.intersection(bounds(csg.operands().get(i))).isEmpty();
-            if (apart && csg.operation() == Operation.DIFFERENCE) {
-                warnings.add(operandTitle(title, csg.operands().get(i), i) + " removes nothing: it does not reach the first operand");
-            } else if (apart && csg.operation() == Operation.INTERSECTION) {
-                warnings.add(title + " is empty: " + operandTitle("", csg.operands().get(i), i).trim() + " does not reach the first operand");
+            Operand operand = csg.operands().get(i);
+            if (left.intersection(bounds(operand)).isEmpty()) {
+                String label = SceneParts.kind(operand.solid()) + (operand.name().isEmpty() ? " #" + (i + 1) : " \"" + operand.name() + "\"")
+                        + " in " + part.label();
+                warnings.add(csg.operation() == Operation.DIFFERENCE
+                        ? label + " removes nothing: it does not meet the first operand"
+                        : label + " does not meet the operands before it; nothing is left of the intersection");
             }
+            left = csg.operation() == Operation.DIFFERENCE ? left : left.intersection(bounds(operand));
         }
-    }
-
-    /** One body is one medium: light that enters by one surface and leaves by another meets only one of two indices. */
-    private void checkIndices(String title, Csg csg, MaterialSource own) {
-        Set<Double> indices = new TreeSet<>();
-        collectIndices(csg, resolve(own, Material.DEFAULT), indices);
-        if (indices.size() > 1) {
-            warnings.add(title + ": its transparent surfaces have different refractive indices; a body takes that of the surface where light enters");
-        }
-    }
-
-    private void collectIndices(Csg csg, Material inherited, Set<Double> indices) {
-        for (Operand operand : csg.operands()) {
-            Material material = resolve(operand.material(), inherited);
-            if (operand.solid() instanceof Csg nested) {
-                collectIndices(nested, material, indices);
-            } else if (material.transparency() > 0) {
-                indices.add(material.refractiveIndex());
-            }
-        }
-    }
-
-    private void checkPlaces() {
-        RenderScene ready = RenderScene.of(scene);
-        for (int object : ready.objectsAround(scene.camera().position())) {
-            warnings.add("the camera is inside " + title(object));
-        }
-        for (Light light : scene.lights()) {
-            for (int object : ready.objectsAround(light.position())) {
-                if (resolve(scene.objects().get(object).material(), Material.DEFAULT).transparency() == 0) {
-                    String name = light.name().isEmpty() ? "the light at " + Numbers.text(light.position()) : "light \"" + light.name() + "\"";
-                    warnings.add(name + " is inside " + title(object) + ", which is opaque: no light gets out");
-                }
-            }
-        }
-    }
-
-    private Material resolve(MaterialSource source, Material inherited) {
-        return source == Inherited.INHERITED ? inherited
-                : source instanceof MaterialName name ? scene.materials().getOrDefault(name.name(), inherited) : (Material) source;
-    }
-
-    private String title(int object) {
-        return title(scene.objects().get(object).name(), scene.objects().get(object).shape(), object);
-    }
-
-    private static String operandTitle(String parent, Operand operand, int number) {
-        return parent + " / " + title(operand.name(), operand.solid(), number);
-    }
-
-    private static String title(String name, Shape shape, int number) {
-        String kind = (shape instanceof Csg csg ? csg.operation().name() : shape.getClass().getSimpleName()).toLowerCase(Locale.ROOT);
-        return name.isEmpty() ? kind + " number " + (number + 1) : kind + " \"" + name + "\"";
     }
 
     private static Bounds bounds(Operand operand) {
-        return operand.solid().bounds().transformed(operand.placement().toParent());
+        return Solids.place(operand.solid(), operand.placement()).bounds();
+    }
+
+    private void object(SceneObject object, List<SceneParts.Part> parts) {
+        String label = parts.get(0).label();
+        List<Material> made = parts.stream().filter(part -> !(part.shape() instanceof Csg)).map(SceneParts.Part::material).toList();
+        boolean isOpaque = made.stream().allMatch(material -> material.transparency() == 0);
+        long indices = made.stream().filter(material -> material.transparency() > 0).mapToDouble(Material::refractiveIndex).distinct().count();
+        if (indices > 1) {
+            warnings.add(label + " is transparent, but its operands have different refractive indices; one body has one index");
+        }
+        Surface placed = Solids.place(object.shape(), object.placement());
+        if (Solids.holds(placed, scene.camera().position())) {
+            warnings.add("the camera is inside " + label + (isOpaque ? ", which is opaque; it will see nothing else" : ""));
+        }
+        for (int i = 0; i < scene.lights().size(); i++) {
+            Light light = scene.lights().get(i);
+            if (isOpaque && Solids.holds(placed, light.position())) {
+                warnings.add((light.name().isEmpty() ? "light #" + (i + 1) : "light \"" + light.name() + "\"") + " is inside " + label
+                        + ", which is opaque; it lights nothing outside");
+            }
+        }
     }
 }

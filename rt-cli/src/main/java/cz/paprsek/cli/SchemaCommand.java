@@ -5,32 +5,41 @@ import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
-/** {@code rt-cli schema}. */
+/** Prints the schema of scene files. */
 @Command(
         name = "schema",
-        mixinStandardHelpOptions = true,
-        description = "Prints the schema of scene files, for editors that complete and check XML.")
+        description = "Prints the XML schema (XSD) of scene files, for editors that complete and check XML.",
+        footer = {"", "Example:", "  rt-cli schema -o scene.xsd"})
 final class SchemaCommand implements Callable<Integer> {
-    @Spec private CommandSpec spec;
+    private final Terminal terminal;
+    private final Stop stop;
 
-    @Option(names = {"-o", "--output"}, paramLabel = "FILE", description = "Write it to this file instead.")
-    private @Nullable Path output;
+    @Option(names = {"-o", "--output"}, paramLabel = "FILE", description = "Writes to this file instead of standard output.")
+    private Optional<Path> output;
+
+    SchemaCommand(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        this.stop = stop;
+    }
 
     @Override
-    public Integer call() throws IOException {
-        if (output == null) {
-            spec.commandLine().getOut().print(SceneFiles.schema());
-            spec.commandLine().getOut().flush();
-        } else {
-            AtomicFile.write(output, out -> out.write(SceneFiles.schema().getBytes(StandardCharsets.UTF_8)));
+    public Integer call() {
+        byte[] text = SceneFiles.schema().getBytes(StandardCharsets.UTF_8);
+        try {
+            if (output.isPresent()) {
+                stop.guard(() -> AtomicFile.write(output.get(), out -> out.write(text)));
+            } else {
+                terminal.bytes().write(text);
+            }
+            return ExitCode.DONE;
+        } catch (IOException e) {
+            terminal.message(Failures.sentence(output.map(Path::toString).orElse("standard output"), e));
+            return ExitCode.FAILED;
         }
-        return ExitCode.DONE;
     }
 }

@@ -1,24 +1,71 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.io.PlainText;
+import java.io.Console;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Whether somebody is watching. */
-final class Terminal {
-    private static final Path STANDARD_ERROR = Path.of("/proc/self/fd/2");
+/**
+ * Where a command writes. What passes through {@link #result} and {@link #message} is made fit for a
+ * terminal.
+ *
+ * @param out results
+ * @param err messages and progress
+ * @param bytes standard output once more, for what is not lines of text
+ * @param interactive whether somebody watches the messages on a terminal
+ */
+record Terminal(PrintWriter out, PrintWriter err, OutputStream bytes, boolean interactive) {
 
-    private Terminal() {}
+    /** The process's own streams. */
+    static Terminal system() {
+        // Known from JDK 19 on; before, it is the default.
+        Charset charset = Charset.forName(System.getProperty("stdout.encoding", Charset.defaultCharset().name()));
+        return new Terminal(new PrintWriter(System.out, true, charset), new PrintWriter(System.err, true, charset),
+                new FileOutputStream(FileDescriptor.out), messagesAreWatched());
+    }
 
-    /** Whether standard error leads to a terminal. Java tells this of input and output together only; where the system tells more, that counts. */
-    @SuppressWarnings("SystemConsoleNull") // from JDK 22 on the answer is always yes, which costs a bar among other output, no more
-    static boolean showsErrors() {
-        try {
-            return Files.isSymbolicLink(STANDARD_ERROR)
-                    ? Files.readSymbolicLink(STANDARD_ERROR).toString().matches("/dev/(tty|pts/|console).*")
-                    : System.console() != null;
-        } catch (IOException e) {
+    /** Prints a line of results. */
+    void result(String line) {
+        out.println(PlainText.of(line, Integer.MAX_VALUE));
+        out.flush();
+    }
+
+    /** Prints a line for the user. */
+    void message(String line) {
+        err.println(PlainText.of(line, Integer.MAX_VALUE));
+        err.flush();
+    }
+
+    /** Standard error by itself where the system can tell; otherwise, what Java knows about all streams together. */
+    private static boolean messagesAreWatched() {
+        if ("dumb".equals(System.getenv("TERM"))) {
             return false;
+        }
+        try {
+            String device = Files.readSymbolicLink(Path.of("/proc/self/fd/2")).toString();
+            return device.startsWith("/dev/pts/") || device.startsWith("/dev/tty") || device.equals("/dev/console");
+        } catch (IOException | UnsupportedOperationException noSuchLinks) {
+            return consoleIsTerminal();
+        }
+    }
+
+    /** From JDK 22 on there may be a console without a terminal, and a method that tells; before, there is neither. */
+    @SuppressWarnings("SystemConsoleNull")
+    private static boolean consoleIsTerminal() {
+        Console console = System.console();
+        if (console == null) {
+            return false;
+        }
+        try {
+            return (Boolean) Console.class.getMethod("isTerminal").invoke(console);
+        } catch (ReflectiveOperationException before22) {
+            return true;
         }
     }
 }

@@ -1,55 +1,85 @@
 package cz.paprsek.cli;
 
-import cz.paprsek.io.PlainText;
-import cz.paprsek.xml.SceneFileException;
-import cz.paprsek.xml.SceneFiles;
-import java.io.IOException;
-import java.io.PrintWriter;
+import cz.paprsek.xml.Problem;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
-/** {@code rt-cli validate}. */
+/** Checks scene files. */
 @Command(
         name = "validate",
-        mixinStandardHelpOptions = true,
-        description = "Tells every problem of scene files, with line and column, and warns of what is allowed but hardly meant.",
-        footer = {"", "Problems go to standard error and make the exit code 3; warnings go to standard output and do not."})
+        description = {
+            "Checks scene files and databases.",
+            "Every problem goes to standard error as FILE:LINE:COLUMN: what was expected and what was found.",
+            "Warnings go to standard output and do not change the exit code: materials that give back more light than they get, a camera "
+                    + "inside a solid, a light inside an opaque body, an operand that removes nothing, unused materials, glass of several "
+                    + "refractive indices, darkness."
+        },
+        footer = {"", "Examples:", "  rt-cli validate my.xml", "  rt-cli validate 'scenes/**.xml' --json"})
 final class ValidateCommand implements Callable<Integer> {
-    @Spec private CommandSpec spec;
+    private final Terminal terminal;
+    private final Stop stop;
 
-    @Parameters(paramLabel = "SCENE", arity = "1..*", description = "Scene files, or patterns such as 'scenes/*.xml'.")
+    @Parameters(paramLabel = "SCENE", arity = "1..*",
+            description = "Scene files. Patterns with * ? [] {} and ** are expanded, also when quoted.")
     private List<String> scenes;
+
+    @Option(names = "--json", description = "Prints a JSON object for every file, one a line, instead of plain text.")
+    private boolean json;
+
+    @Option(names = {"-q", "--quiet"}, description = "Prints problems only, and what --json asks for.")
+    private boolean quiet;
+
+    ValidateCommand(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        this.stop = stop;
+    }
 
     @Override
     public Integer call() {
-        PrintWriter out = spec.commandLine().getOut();
-        PrintWriter err = spec.commandLine().getErr();
         int worst = ExitCode.DONE;
-        try {
-            for (Path file : SceneArguments.expand(scenes)) {
-                try {
-                    List<String> warnings = SceneWarnings.of(SceneFiles.read(file));
-                    warnings.forEach(warning -> out.println(file + ": warning: " + PlainText.of(warning, 500)));
-                    if (warnings.isEmpty()) {
-                        out.println(file + ": ok");
-                    }
-                } catch (SceneFileException e) {
-                    e.problems().forEach(problem -> err.println(problem));
-                    worst = ExitCode.BAD_SCENE;
-                } catch (IOException e) {
-                    err.println(PlainText.of(String.valueOf(e.getMessage()), 500));
-                    worst = ExitCode.BAD_SCENE;
-                }
+        for (Path file : SceneArguments.files(scenes)) {
+            SceneReading reading = SceneReading.of(file);
+            if (stop.requested()) {
+                return ExitCode.INTERRUPTED;
             }
-        } catch (IOException e) {
-            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+            List<String> warnings = warnings(reading);
+            reading.sentences().forEach(terminal::message);
+            if (json) {
+                terminal.result(json(reading, warnings));
+            } else if (!quiet && reading.isValid()) {
+                warnings.forEach(terminal::result);
+                terminal.result(file + ": valid" + (warnings.isEmpty() ? "" : ", " + warnings.size()
+                        + (warnings.size() == 1 ? " warning" : " warnings")));
+            }
+            worst = Math.max(worst, reading.isValid() ? ExitCode.DONE : ExitCode.BAD_SCENE);
         }
         return worst;
+    }
+
+    private static List<String> warnings(SceneReading reading) {
+        List<String> warnings = new ArrayList<>();
+        for (int i = 0; i < reading.scenes().size(); i++) {
+            String label = reading.label(i);
+            SceneWarnings.of(reading.scenes().get(i)).forEach(sentence -> warnings.add(label + ": warning: " + sentence));
+        }
+        return warnings;
+    }
+
+    private static String json(SceneReading reading, List<String> warnings) {
+        return new Json()
+                .with("file", reading.file().toString())
+                .with("valid", reading.isValid())
+                .with("problems", reading.problems().stream().map(ValidateCommand::json).toList())
+                .withTexts("warnings", warnings)
+                .toString();
+    }
+
+    private static Json json(Problem problem) {
+        return new Json().with("line", problem.line()).with("column", problem.column()).with("message", problem.message());
     }
 }

@@ -11,6 +11,8 @@ import java.nio.charset.StandardCharsets;
  * @source ITU-R BT.709 for the weights of the channels
  */
 final class Brightness {
+    private static final long UNIT = 100_000_000;
+
     private Brightness() {}
 
     /** Brightness 0–255: luminance, sRGB-encoded. */
@@ -22,9 +24,23 @@ final class Brightness {
         write(image, out, (x, y) -> Integer.toString(of(image, x, y)));
     }
 
-    /** Luminance in linear light, unclamped. */
+    /** Luminance in linear light, unclamped, to eight decimals: about what a float near 1 holds. */
     static void linear(Image image, OutputStream out) throws IOException {
-        write(image, out, (x, y) -> Numbers.text(luminance(image, x, y)));
+        write(image, out, (x, y) -> decimal(luminance(image, x, y)));
+    }
+
+    /** {@code 0.25}, never {@code 2.5e-1}: not all that reads columns of numbers reads exponents. */
+    private static String decimal(double value) {
+        if (!(Math.abs(value) < 1e7)) {
+            return Numbers.text(value);
+        }
+        long units = Math.round(Math.abs(value) * UNIT);
+        String digits = Long.toString(UNIT + units % UNIT);
+        int end = digits.length();
+        while (digits.charAt(end - 1) == '0') {
+            end--;
+        }
+        return (value < 0 && units > 0 ? "-" : "") + units / UNIT + (end > 1 ? "." + digits.substring(1, end) : "");
     }
 
     private static double luminance(Image image, int x, int y) {

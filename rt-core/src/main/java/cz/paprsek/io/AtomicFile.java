@@ -3,6 +3,7 @@ package cz.paprsek.io;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.channels.Channels;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -22,34 +23,53 @@ public final class AtomicFile {
     }
 
     /**
-     * Replaces or creates a file; an old file's permissions are kept.
+     * Replaces or creates a file; an old file's permissions are kept. A device or pipe is written to directly.
      *
-     * @throws IOException with one line that names the file, if it cannot be written; what was there before is still there
+     * @throws IOException with one line that names the file, if it cannot be written, or the thread is interrupted meanwhile; what was
+     *     there before is still there
      */
     public static void write(Path file, Content content) throws IOException {
-        if (Files.isDirectory(file)) {
+        boolean exists = Files.exists(file);
+        if (exists && Files.isDirectory(file)) {
             throw new IOException(file + ": this is a directory, not a file");
         }
-        // A link is followed: the file it leads to is replaced, not the link.
-        Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
+        if (exists && !Files.isWritable(file)) {
+            // A move would replace it all the same: it asks the folder's permissions only.
+            throw new IOException(file + ": cannot be written, permission denied");
+        }
+        if (exists && !Files.isRegularFile(file)) {
+            fill(file, content, StandardOpenOption.WRITE);
+            return;
+        }
+        try {
+            // A link is followed: the file it leads to is replaced, not the link.
+            replace(exists ? file.toRealPath() : file.toAbsolutePath(), content);
+        } catch (NoSuchFileException e) {
+            throw new IOException(file + ": cannot be written, there is no such folder", e);
+        } catch (AccessDeniedException e) {
+            throw new IOException(file + ": cannot be written, permission denied", e);
+        }
+    }
+
+    private static void replace(Path target, Content content) throws IOException {
         Path fresh = target.resolveSibling(target.getFileName() + "." + Long.toHexString(System.nanoTime()) + ".tmp");
         try {
             // Not createTempFile, whose files are readable by their owner alone, whatever the old file was.
-            try (OutputStream out = new BufferedOutputStream(
-                    Files.newOutputStream(fresh, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), 1 << 16)) {
-                content.writeTo(out);
-            }
+            fill(fresh, content, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
             PosixFileAttributeView old = Files.exists(target) ? Files.getFileAttributeView(target, PosixFileAttributeView.class) : null;
             if (old != null) {
                 Files.setPosixFilePermissions(fresh, old.readAttributes().permissions());
             }
             Files.move(fresh, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        } catch (NoSuchFileException e) {
-            throw new IOException(file + ": cannot be written, there is no such folder", e);
-        } catch (AccessDeniedException e) {
-            throw new IOException(file + ": cannot be written, permission denied", e);
         } finally {
             Files.deleteIfExists(fresh);
+        }
+    }
+
+    private static void fill(Path file, Content content, StandardOpenOption... how) throws IOException {
+        // Not newOutputStream: an interrupt of the thread closes a channel, and that is how a write is stopped half-way.
+        try (OutputStream out = new BufferedOutputStream(Channels.newOutputStream(Files.newByteChannel(file, how)), 1 << 16)) {
+            content.writeTo(out);
         }
     }
 }

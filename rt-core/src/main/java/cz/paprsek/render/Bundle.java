@@ -20,12 +20,12 @@ final class Bundle {
     private double near;
     private double far;
 
-    /** Starts an empty bundle from a point; t ends at {@code end}. */
-    void start(double x, double y, double z, double atMost) {
+    /** Starts an empty bundle from a point; its lines have no end. */
+    void start(double x, double y, double z) {
         ox = x;
         oy = y;
         oz = z;
-        end = atMost;
+        end = Double.POSITIVE_INFINITY;
         lowX = Double.POSITIVE_INFINITY;
         lowY = Double.POSITIVE_INFINITY;
         lowZ = Double.POSITIVE_INFINITY;
@@ -36,12 +36,30 @@ final class Bundle {
 
     /** Widens the bundle to hold a direction. */
     void add(double dx, double dy, double dz) {
-        lowX = Math.min(lowX, dx);
-        lowY = Math.min(lowY, dy);
-        lowZ = Math.min(lowZ, dz);
-        highX = Math.max(highX, dx);
-        highY = Math.max(highY, dy);
-        highZ = Math.max(highZ, dz);
+        // Not Math.min: a comparison that mostly goes one way costs next to nothing, and this is done for every hit and light.
+        if (dx < lowX) {
+            lowX = dx;
+        }
+        if (dy < lowY) {
+            lowY = dy;
+        }
+        if (dz < lowZ) {
+            lowZ = dz;
+        }
+        if (dx > highX) {
+            highX = dx;
+        }
+        if (dy > highY) {
+            highY = dy;
+        }
+        if (dz > highZ) {
+            highZ = dz;
+        }
+    }
+
+    /** Cuts all lines at t = {@code atMost}. */
+    void end(double atMost) {
+        end = atMost;
     }
 
     /** A t before which no line meets the box whose six numbers start at b; infinite if none does at all. */

@@ -58,6 +58,11 @@ final class Bvh {
         return whole;
     }
 
+    /** Whether a search of these subtrees can find nothing at all. */
+    boolean isClear(Entries entries) {
+        return entries.size == 0 && endless.length == 0;
+    }
+
     /** The scratch that one worker needs to search the tree. */
     Stack newStack() {
         return new Stack(depth + 2 + Entries.MOST);
@@ -110,7 +115,9 @@ final class Bvh {
             for (int side = 0; side < 2; side++) {
                 double near = bundle.enter(boxes, 12 * node + 6 * side);
                 if (near < Double.POSITIVE_INFINITY) {
-                    entries.add(child[2 * node + side], 12 * node + 6 * side, near);
+                    // A leaf is not worth a test of its box for every ray: the bundle is narrow, and has met it.
+                    int subtree = child[2 * node + side];
+                    entries.add(subtree, subtree < 0 ? Entries.ANYWHERE : 12 * node + 6 * side, near);
                 }
             }
         }
@@ -120,6 +127,12 @@ final class Bvh {
     void nearest(Ray ray, Entries entries, Stack stack) {
         for (Surface surface : endless) {
             surface.nearest(ray);
+        }
+        if (entries.areLeaves()) {
+            for (int i = 0; i < entries.size; i++) {
+                nearest(ray, entries.node[i], stack);
+            }
+            return;
         }
         Probe probe = stack.probe;
         probe.set(ray);
@@ -143,11 +156,7 @@ final class Bvh {
                 node = child[first];
             }
             if (node < 0) {
-                stack.visits++;
-                int start = ~node / LEAF;
-                for (int i = start + ~node % LEAF; i >= start; i--) {
-                    surfaces[i].nearest(ray);
-                }
+                nearest(ray, node, stack);
                 probe.end(ray.max);
             }
         }
@@ -164,6 +173,15 @@ final class Bvh {
             if (blocks(endless[i], endlessOpaque[i], ray, through)) {
                 return endless[i];
             }
+        }
+        if (entries.areLeaves()) {
+            for (int i = 0; i < entries.size; i++) {
+                Surface found = occluder(ray, entries.node[i], stack, through);
+                if (found != null) {
+                    return found;
+                }
+            }
+            return null;
         }
         Probe probe = stack.probe;
         probe.set(ray);
@@ -182,13 +200,29 @@ final class Bvh {
                 node = child[left ? 2 * node : 2 * node + 1];
             }
             if (node < 0) {
-                stack.visits++;
-                int start = ~node / LEAF;
-                for (int i = start + ~node % LEAF; i >= start; i--) {
-                    if (blocks(surfaces[i], opaque[i], ray, through)) {
-                        return surfaces[i];
-                    }
+                Surface found = occluder(ray, node, stack, through);
+                if (found != null) {
+                    return found;
                 }
+            }
+        }
+        return null;
+    }
+
+    private void nearest(Ray ray, int leaf, Stack stack) {
+        stack.visits++;
+        int start = ~leaf / LEAF;
+        for (int i = start + ~leaf % LEAF; i >= start; i--) {
+            surfaces[i].nearest(ray);
+        }
+    }
+
+    private @Nullable Surface occluder(Ray ray, int leaf, Stack stack, Spans through) {
+        stack.visits++;
+        int start = ~leaf / LEAF;
+        for (int i = start + ~leaf % LEAF; i >= start; i--) {
+            if (blocks(surfaces[i], opaque[i], ray, through)) {
+                return surfaces[i];
             }
         }
         return null;

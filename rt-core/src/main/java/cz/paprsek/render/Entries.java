@@ -12,12 +12,20 @@ final class Entries {
     final int[] box = new int[MOST + 1];
     private final double[] near = new double[MOST + 1];
     int size;
+    private int leaves;
 
     void clear() {
         size = 0;
+        leaves = 0;
+    }
+
+    /** Whether no entry has anything below it to search. */
+    boolean areLeaves() {
+        return leaves == size;
     }
 
     void add(int subtree, int itsBox, double enter) {
+        leaves += subtree < 0 ? 1 : 0;
         int at = size++;
         for (; at > 0 && near[at - 1] > enter; at--) {
             copy(at - 1, at);
@@ -28,6 +36,7 @@ final class Entries {
     }
 
     void remove(int at) {
+        leaves -= node[at] < 0 ? 1 : 0;
         size--;
         for (int i = at; i < size; i++) {
             copy(i + 1, i);

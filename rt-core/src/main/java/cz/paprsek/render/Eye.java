@@ -38,7 +38,7 @@ final class Eye {
 
     /** Makes a bundle of all rays through a block of pixels. */
     void bundle(Bundle bundle, int left, int top, int columns, int rows) {
-        bundle.start(position.x(), position.y(), position.z(), Double.POSITIVE_INFINITY);
+        bundle.start(position.x(), position.y(), position.z());
         for (int corner = 0; corner < 4; corner++) {
             int x = left + (corner & 1) * columns;
             int y = top + (corner >> 1) * rows;

@@ -29,8 +29,11 @@ final class Media {
             object = new int[other.object.length];
             index = new double[other.index.length];
         }
-        System.arraycopy(other.object, 0, object, 0, size);
-        System.arraycopy(other.index, 0, index, 0, size);
+        // Nearly always none, one or two: a loop is done before System.arraycopy has begun.
+        for (int i = 0; i < size; i++) {
+            object[i] = other.object[i];
+            index[i] = other.index[i];
+        }
     }
 
     /** Enters a solid. If the ray is in it already, it left unnoticed, through an edge thinner than the offset of rays. */

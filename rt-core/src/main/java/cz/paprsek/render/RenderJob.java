@@ -113,6 +113,7 @@ final class RenderJob implements RenderMonitor {
     private void renderBlock(int x, int y, int width, int height, Tracer tracer) {
         Level[] rays = tracer.trace(eye, options.region().x() + x, options.region().y() + y, width, height);
         int perPixel = options.settings().samples() * options.settings().samples();
+        double share = 1.0 / perPixel;
         for (int i = 0; i < width * height; i++) {
             double red = 0;
             double green = 0;
@@ -122,7 +123,7 @@ final class RenderJob implements RenderMonitor {
                 green += rays[j].green;
                 blue += rays[j].blue;
             }
-            image.set(x + i % width, y + i / width, red / perPixel, green / perPixel, blue / perPixel);
+            image.set(x + i % width, y + i / width, red * share, green * share, blue * share);
         }
     }
 }

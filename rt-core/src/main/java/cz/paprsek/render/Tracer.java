@@ -102,15 +102,29 @@ final class Tracer {
         return first;
     }
 
-    /** Bundles the lines from a lamp to all hits. */
+    /**
+     * Bundles the lines from a lamp to all hits, as far as shadow rays look: not the last bit before a hit, which keeps the surfaces that
+     * were hit out of the bundle.
+     */
     private void gather(Lamp lamp, Level[] first, int rays) {
-        bundle.start(lamp.x(), lamp.y(), lamp.z(), 1);
+        double nearest = Double.POSITIVE_INFINITY;
+        double farthest = 0;
+        bundle.start(lamp.x(), lamp.y(), lamp.z());
         for (int i = 0; i < rays; i++) {
-            if (first[i].ray.part >= 0) {
+            Ray ray = first[i].ray;
+            if (ray.part >= 0) {
                 Hit hit = first[i].hit;
-                bundle.add(hit.px - lamp.x(), hit.py - lamp.y(), hit.pz - lamp.z());
+                double dx = hit.px - lamp.x();
+                double dy = hit.py - lamp.y();
+                double dz = hit.pz - lamp.z();
+                bundle.add(dx, dy, dz);
+                double reach = Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
+                nearest = ray.max < nearest ? ray.max : nearest;
+                farthest = reach > farthest ? reach : farthest;
             }
         }
+        // A shadow ray begins at OFFSET · size, and its size is at least the distance from the eye. Half of that leaves room for rounding.
+        bundle.end(1 - Ray.OFFSET / 2 * Math.min(1, nearest / farthest));
     }
 
     private Level[] levels(int size) {
@@ -207,8 +221,12 @@ final class Tracer {
         if (!(facing > 0)) {
             return;
         }
-        shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.OFFSET * size);
-        double visibility = visibility(light, between);
+        double visibility = 1;
+        shadows++;
+        if (!bvh.isClear(between)) {
+            shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.OFFSET * size);
+            visibility = visibility(light, between);
+        }
         if (visibility > 0) {
             double diffuse = finish.diffusion * facing;
             double highlight = finish.highlight(mirrorX * lx + mirrorY * ly + mirrorZ * lz);
@@ -220,7 +238,6 @@ final class Tracer {
 
     /** The share of a light that comes along the shadow ray: the product of the transparencies of all surfaces in between. */
     private double visibility(int light, Entries between) {
-        shadows++;
         Surface last = lastOccluder[light];
         if (last != null && last.occludes(shadow)) {
             return 0;

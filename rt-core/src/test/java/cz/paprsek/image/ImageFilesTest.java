@@ -91,6 +91,18 @@ class ImageFilesTest {
                 line -> assertThat(line).startsWith("0 1 0.2126"));
     }
 
+    @Test
+    void rawBrightnessIsInPlainDecimals() throws IOException {
+        Image odd = new Image(6, 1);
+        double[] light = {0, 1e-9, 2e-8, 1 - 1e-9, 0.25, 40.5};
+        for (int x = 0; x < light.length; x++) {
+            odd.set(x, 0, light[x], light[x], light[x]);
+        }
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ImageFiles.write(odd, out, ImageFormat.RAW);
+        assertThat(out.toString(StandardCharsets.US_ASCII)).isEqualTo("0 0 0.00000002 1 0.25 40.5\n");
+    }
+
     @ParameterizedTest
     @EnumSource
     void everyFormatIsKnownByItsEnding(ImageFormat format) throws IOException {

@@ -1,0 +1,67 @@
+package cz.paprsek.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class InfoCommandTest {
+    @TempDir
+    Path folder;
+
+    private Path file;
+
+    @BeforeEach
+    void writeAScene() throws IOException {
+        file = Scenes.scene(folder.resolve("a.xml"), "<point-light name=\"key\" position=\"2 3 4\" intensity=\"0.5\"/>"
+                + "<material name=\"red\" color=\"255 0 0\"/><plane/><sphere radius=\"1\" position=\"0 1 0\" material=\"red\"/>"
+                + "<difference><block min=\"-3 0 0\" max=\"-2 1 1\"/><sphere radius=\"0.5\"/></difference>");
+    }
+
+    @Test
+    void aSceneIsDescribedForPeople() {
+        Run run = Run.cli("info", file);
+        assertThat(run.code()).isZero();
+        assertThat(run.out().lines().map(String::strip).map(line -> line.replaceAll(" +", " "))).containsExactly(
+                file.toString(),
+                "name ball",
+                "picture 16x8, max-depth 5, 1 ray a pixel",
+                "camera position 0 1 5, direction 0 0 -1, up 0 1 0, fovy 45",
+                "background 0 0 0",
+                "ambient 0 0 0",
+                "lights 1",
+                "key position 2 3 4, color 255 255 255, intensity 0.5",
+                "materials 1",
+                "red color 255 0 0, diffusion 0.8, specular 0, shininess 30, reflection 0, transparency 0, refractive-index 1",
+                "objects 3, with 2 operands",
+                "block 0 and 1 operand",
+                "difference 1",
+                "plane 1",
+                "sphere 1 and 1 operand",
+                "bounds -3 0 -1 to 1 2 1, and 1 without bounds");
+    }
+
+    @Test
+    void aSceneIsDescribedForScripts() {
+        assertThat(Run.cli("info", file, "--json").out())
+                .startsWith("{\"file\":\"")
+                .contains("\"render\":{\"width\":16,\"height\":8,\"max-depth\":5,\"samples\":1}")
+                .contains("\"lights\":[{\"name\":\"key\",\"position\":[2,3,4],\"color\":[255,255,255],\"intensity\":0.5}]")
+                .contains("\"objects\":3,\"kinds\":{\"block\":{\"objects\":0,\"operands\":1},")
+                .endsWith("\"unbounded\":1,\"bounds\":{\"min\":[-3,0,-1],\"max\":[1,2,1]}}\n")
+                .hasLineCount(1);
+    }
+
+    @Test
+    void theSchemaIsPrintedOrWritten() {
+        assertThat(Run.cli("schema").text()).isEqualTo(SceneFiles.schema());
+        Path xsd = folder.resolve("scene.xsd");
+        assertThat(Run.cli("schema", "-o", xsd).code()).isZero();
+        assertThat(xsd).hasContent(SceneFiles.schema());
+        assertThat(Run.cli("schema", "-o", folder).err()).contains("this is a directory");
+    }
+}

@@ -1,0 +1,107 @@
+package cz.paprsek.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class ValidateCommandTest {
+    private static final String LIGHT = "<point-light name=\"lamp\" position=\"2 3 4\"/>";
+
+    @TempDir
+    Path folder;
+
+    private static List<String> warnings(String content) throws Exception {
+        return SceneWarnings.of(SceneFiles.parse("<scene xmlns=\"urn:paprsek:scene:1\"><camera position=\"0 1 5\" direction=\"0 0 -1\"/>"
+                + content + "</scene>"));
+    }
+
+    static Stream<Arguments> suspiciousScenes() {
+        return Stream.of(
+                Arguments.of(LIGHT + "<sphere name=\"x\" radius=\"1\"><material diffusion=\"0.9\" reflection=\"0.3\"/></sphere>",
+                        "material of sphere \"x\": diffusion, reflection and transparency add up to 1.2"),
+                Arguments.of(LIGHT + "<material name=\"m\" reflection=\"0.9\"/><sphere radius=\"1\" material=\"m\"/>",
+                        "material \"m\": diffusion, reflection and transparency add up to 1.7"),
+                Arguments.of(LIGHT + "<sphere radius=\"1\" position=\"0 1 4.5\"/>",
+                        "the camera is inside sphere #1, which is opaque"),
+                Arguments.of(LIGHT + "<plane position=\"0 2 0\"/>", "the camera is inside plane #1, which is opaque"),
+                Arguments.of(LIGHT + "<difference><sphere radius=\"5.2\"/><sphere radius=\"1\"/></difference>",
+                        "the camera is inside difference #1, which is opaque"),
+                Arguments.of(LIGHT + "<block min=\"1 1 1\" max=\"9 9 9\"/>", "light \"lamp\" is inside block #1, which is opaque"),
+                Arguments.of(LIGHT + "<difference name=\"d\"><sphere radius=\"1\"/><torus major-radius=\"1\" minor-radius=\"0.2\" "
+                        + "position=\"3 0 0\"/></difference>", "torus #2 in difference \"d\" removes nothing"),
+                Arguments.of(LIGHT + "<intersection><sphere radius=\"1\"/><sphere name=\"far\" radius=\"1\" position=\"3 0 0\"/></intersection>",
+                        "sphere \"far\" in intersection #1 does not meet"),
+                Arguments.of(LIGHT + "<material name=\"m\"/><sphere radius=\"1\"/>", "material \"m\" is not used"),
+                Arguments.of(LIGHT + "<union><sphere radius=\"1\"><material transparency=\"0.8\" diffusion=\"0\" refractive-index=\"1.5\"/>"
+                        + "</sphere><sphere radius=\"2\"><material transparency=\"0.8\" diffusion=\"0\" refractive-index=\"1.3\"/></sphere></union>",
+                        "union #1 is transparent, but its operands have different refractive indices"),
+                Arguments.of("<sphere radius=\"1\"/>", "there is no light and no ambient light"),
+                Arguments.of("<point-light position=\"0 0 0\" intensity=\"0\"/><disc radius=\"1\"/>", "there is no light"),
+                Arguments.of(LIGHT, "there are no objects"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("suspiciousScenes")
+    void whatIsHardlyMeantIsWarnedOfOnce(String content, String warning) throws Exception {
+        assertThat(warnings(content)).singleElement().asString().startsWith(warning);
+    }
+
+    @Test
+    void aSoundSceneGetsNoWarning() throws Exception {
+        assertThat(warnings(LIGHT + "<ambient color=\"9 9 9\"/><material name=\"glass\" diffusion=\"0.1\" reflection=\"0.2\" transparency=\"0.7\" "
+                + "refractive-index=\"1.5\"/><sphere radius=\"1\" position=\"2 3 4\" material=\"glass\"/>"
+                + "<difference material=\"glass\"><block min=\"0 0 0\" max=\"1 1 1\"/><plane position=\"0 0.5 0\"/></difference>")).isEmpty();
+    }
+
+    @Test
+    void problemsGoToStandardErrorAndWarningsToStandardOutput() throws IOException {
+        Path dark = Scenes.scene(folder.resolve("dark.xml"), "<sphere radius=\"1\" position=\"0 1 0\"/>");
+        Path broken = Scenes.broken(folder.resolve("broken.xml"));
+        Run run = Run.cli("validate", dark, broken);
+        assertThat(run.code()).isEqualTo(3);
+        assertThat(run.out()).startsWith(dark + ": warning: there is no light").endsWith(dark + ": valid, 1 warning\n");
+        assertThat(run.err().lines()).hasSizeGreaterThan(1).allMatch(line -> line.startsWith(broken + ":"));
+        assertThat(Run.cli("validate", dark).code()).isZero();
+        assertThat(Run.cli("validate", dark, "--quiet").out()).isEmpty();
+        assertThat(Run.cli("validate", broken, "--json").out()).contains("\"valid\":false,\"problems\":[{\"line\":2,\"column\":");
+    }
+
+    @Test
+    void aMissingFileIsABadScene() {
+        Run run = Run.cli("validate", folder.resolve("none.xml"));
+        assertThat(run.code()).isEqualTo(3);
+        assertThat(run.err()).isEqualTo(folder.resolve("none.xml") + ": no such file\n");
+    }
+
+    @Test
+    void theScenesOfADatabaseAreNamed() throws IOException {
+        String camera = "<camera position=\"0 1 5\" direction=\"0 0 -1\"/></scene>";
+        Path file = Files.writeString(folder.resolve("db.xml"), "<database xmlns=\"urn:paprsek:scene:1\"><scene name=\"one\">" + camera
+                + "<scene name=\"two\">" + camera + "</database>");
+        assertThat(Run.cli("validate", file).out()).contains(file + ": scene \"two\": warning: there are no objects");
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void fileNamesThatATerminalWouldObeyAreShownAsCodes() throws IOException {
+        Path file = Scenes.ball(folder.resolve("a\u001b[31mb.xml"));
+        assertThat(Run.cli("validate", file).out()).contains("a\\u001b[31mb.xml: valid");
+        assertThat(Run.cli("info", file).out()).contains("a\\u001b[31mb.xml");
+        assertThat(Run.cli("info", file, "--json").out()).contains("a\\u001b[31mb.xml");
+        Run rendering = Run.cli("render", file, "-o", folder + "/");
+        assertThat(rendering.out() + rendering.err()).contains("a\\u001b[31mb.png").doesNotContain("\u001b");
+        assertThat(Run.cli("render", "\u001b[31m.xml", "-o", "\u001b.gif").err()).doesNotContain("\u001b");
+    }
+}

@@ -1,0 +1,95 @@
+package cz.paprsek.io;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.concurrent.CompletableFuture;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+class AtomicFileTest {
+    @TempDir
+    Path folder;
+
+    private Path old() throws IOException {
+        return Files.writeString(folder.resolve("picture.bin"), "old");
+    }
+
+    @Test
+    void aFailingWriteLeavesTheOldFileWhole() throws IOException {
+        Path file = old();
+        assertThatThrownBy(() -> AtomicFile.write(file, out -> {
+            out.write(new byte[200_000]);
+            throw new IOException("disk full");
+        })).isInstanceOf(IOException.class).hasMessage("disk full");
+        assertThat(file).hasContent("old");
+        assertThat(folder.toFile().list()).containsExactly("picture.bin");
+    }
+
+    @Test
+    void anInterruptedWriteLeavesNothingNew() {
+        Path file = folder.resolve("picture.bin");
+        try {
+            assertThatThrownBy(() -> AtomicFile.write(file, out -> {
+                out.write(new byte[200_000]);
+                Thread.currentThread().interrupt();
+                out.write(new byte[200_000]);
+            })).isInstanceOf(IOException.class);
+        } finally {
+            assertThat(Thread.interrupted()).isTrue();
+        }
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void aDirectoryIsNotReplaced() {
+        assertThatThrownBy(() -> AtomicFile.write(folder, out -> out.write(1)))
+                .isInstanceOf(IOException.class).hasMessageContaining("this is a directory");
+    }
+
+    @Test
+    void aMissingFolderIsNamed() {
+        assertThatThrownBy(() -> AtomicFile.write(folder.resolve("no/a.png"), out -> out.write(1)))
+                .isInstanceOf(IOException.class).hasMessageContaining("there is no such folder");
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void anExistingFileKeepsItsPermissionsAndItsLink() throws IOException {
+        Path file = old();
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-rw-r--"));
+        Path link = Files.createSymbolicLink(folder.resolve("link"), file.getFileName());
+        AtomicFile.write(link, out -> out.write('n'));
+        assertThat(link).isSymbolicLink();
+        assertThat(file).hasContent("n");
+        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file))).isEqualTo("rw-rw-r--");
+    }
+
+    /** A pipe of our own, for a device would be gone if this failed. */
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    @Timeout(20)
+    void aPipeOrDeviceIsWrittenToAndStaysOne() throws Exception {
+        Path pipe = folder.resolve("pipe");
+        assumeTrue(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0);
+        CompletableFuture<byte[]> read = CompletableFuture.supplyAsync(() -> {
+            try {
+                return Files.readAllBytes(pipe);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        });
+        AtomicFile.write(pipe, out -> out.write('n'));
+        assertThat(Files.isRegularFile(pipe)).isFalse();
+        assertThat(read.get()).containsExactly('n');
+    }
+}
