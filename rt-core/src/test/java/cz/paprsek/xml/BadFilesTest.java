@@ -220,7 +220,7 @@ class BadFilesTest {
     @Test
     void deepNestingIsRefusedQuickly() {
         assertTimeoutPreemptively(Duration.ofSeconds(5), () ->
-                assertThat(problems(scene("<union>".repeat(200_000)))).containsExactly("3:3494: elements must not be nested deeper than 500"));
+                assertThat(problems(scene("<union>".repeat(200_000)))).containsExactly("3:1744: elements must not be nested deeper than 250"));
     }
 
     @Test
