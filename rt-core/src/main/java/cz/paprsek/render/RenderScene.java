@@ -69,18 +69,6 @@ public final class RenderScene {
         return buildSeconds;
     }
 
-    /** The numbers of the solid objects that a point of the world lies in. Places all objects anew: for tools, not for pictures. */
-    public List<Integer> objectsAround(Vec3 point) {
-        List<Integer> around = new ArrayList<>();
-        PartTable table = new PartTable(scene);
-        for (int i = 0; i < scene.objects().size(); i++) {
-            if (holds(table.place(i, scene.objects().get(i)), point)) {
-                around.add(i);
-            }
-        }
-        return around;
-    }
-
     PartTable parts() {
         return parts;
     }
