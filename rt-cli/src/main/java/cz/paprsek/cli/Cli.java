@@ -4,10 +4,7 @@ import cz.paprsek.image.ImageFormat;
 import cz.paprsek.render.Tile;
 import cz.paprsek.scene.Similar;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.function.Supplier;
 import picocli.AutoComplete;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
@@ -18,34 +15,29 @@ import picocli.CommandLine.UnmatchedArgumentException;
 /** The commands put together: what there is, and how a mistake is answered. */
 final class Cli {
     private final Terminal terminal;
-    private final Map<String, Supplier<Object>> commands = new LinkedHashMap<>();
+    private final Stop stop;
 
     Cli(Terminal terminal, Stop stop) {
         this.terminal = terminal;
-        commands.put("render", () -> new RenderCommand(terminal, stop));
-        commands.put("validate", () -> new ValidateCommand(terminal, stop));
-        commands.put("info", () -> new InfoCommand(terminal, stop));
-        commands.put("schema", () -> new SchemaCommand(terminal, stop));
-        commands.put("generate-completion", AutoComplete.GenerateCompletion::new);
+        this.stop = stop;
     }
 
     /** Runs the command that the arguments say; returns its {@linkplain ExitCode exit code}. */
     int run(String... args) {
-        int code = commandLine(args).execute(args);
+        int code = commandLine().execute(args);
         terminal.out().flush();
         terminal.err().flush();
         return code;
     }
 
-    /** A plain call of one command does without the others: looking at their annotations would take half the time of a small render. */
-    private CommandLine commandLine(String... args) {
-        CommandLine root = new CommandLine(new RootCommand());
-        boolean one = args.length > 0 && commands.containsKey(args[0]) && !args[0].equals("generate-completion");
-        commands.forEach((name, command) -> {
-            if (!one || name.equals(args[0])) {
-                root.addSubcommand(name, command.get());
-            }
-        });
+    private CommandLine commandLine() {
+        CommandLine root = new CommandLine(new RootCommand())
+                .addSubcommand("render", new RenderCommand(terminal, stop))
+                .addSubcommand("validate", new ValidateCommand(terminal, stop))
+                .addSubcommand("info", new InfoCommand(terminal, stop))
+                .addSubcommand("schema", new SchemaCommand(terminal, stop))
+                .addSubcommand("generate-completion", new AutoComplete.GenerateCompletion())
+                .addSubcommand("help", new CommandLine.HelpCommand());
         root.registerConverter(Size.class, Size::parse);
         root.registerConverter(Tile.class, Region::parse);
         root.registerConverter(ImageFormat.class, Formats::parse);

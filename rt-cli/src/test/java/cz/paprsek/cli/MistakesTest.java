@@ -37,7 +37,7 @@ class MistakesTest {
     void callWithoutCommandSaysWhatThereIs() {
         Run run = Run.cli();
         assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err()).contains("say what to do: render, validate, info, schema, generate-completion");
+        assertThat(run.err()).contains("say what to do: render, validate, info, schema, generate-completion, help");
     }
 
     @ParameterizedTest
@@ -46,6 +46,7 @@ class MistakesTest {
         Run run = Run.cli(command, "--help");
         assertThat(run.code()).isZero();
         assertThat(run.out()).contains("Usage: rt-cli " + command, "Exit codes:", "Example", "-h, --help").doesNotContain("\u00d7");
+        assertThat(Run.cli("help", command).out()).isEqualTo(run.out());
         assertThat(run.out().lines()).allMatch(line -> line.length() <= 100);
     }
 
