@@ -10,7 +10,7 @@ public final class Numbers {
     /** The shortest decimal that parses to the same double: {@code 2}, {@code 0.1}, {@code 1e-7}; the same on every JDK. */
     public static String text(double value) {
         if (value == Math.rint(value) && Math.abs(value) < 1e7) {
-            return value == 0 && 1 / value < 0 ? "-0" : Long.toString((long) value);
+            return Long.toString((long) value);
         }
         String text = shortest(value);
         int exponent = text.indexOf('E');

@@ -5,7 +5,6 @@ import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
-import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
@@ -94,17 +93,17 @@ final class SceneWriter {
     }
 
     private void camera(Camera camera) {
-        xml.open("camera").attribute("position", Numbers.text(camera.position()));
+        xml.open("camera").attribute("position", XmlText.text(camera.position()));
         if (camera.aim() instanceof Camera.Target target) {
-            xml.attribute("target", Numbers.text(target.point()));
+            xml.attribute("target", XmlText.text(target.point()));
         } else {
-            xml.attribute("direction", Numbers.text(((Camera.Direction) camera.aim()).vector()));
+            xml.attribute("direction", XmlText.text(((Camera.Direction) camera.aim()).vector()));
         }
         xml.vector("up", camera.up(), Vec3.Y).number("fovy", camera.fovy(), Camera.DEFAULT.fovy()).close("camera");
     }
 
     private void lamp(Light light) {
-        xml.open("point-light").attribute("name", light.name()).attribute("position", Numbers.text(light.position()));
+        xml.open("point-light").attribute("name", light.name()).attribute("position", XmlText.text(light.position()));
         if (!light.color().equals(Rgb.WHITE)) {
             xml.attribute("color", text(light.color()));
         }
@@ -156,7 +155,7 @@ final class SceneWriter {
         Vec3 scale = placement.scale();
         if (!scale.equals(Vec3.ONE)) {
             boolean uniform = scale.x() == scale.y() && scale.x() == scale.z();
-            xml.attribute("scale", uniform ? Numbers.text(scale.x()) : Numbers.text(scale));
+            xml.attribute("scale", uniform ? XmlText.text(scale.x()) : XmlText.text(scale));
         }
         if (material instanceof MaterialName reference) {
             xml.attribute("material", reference.name());
@@ -177,12 +176,12 @@ final class SceneWriter {
         if (shape instanceof Sphere sphere) {
             xml.number("radius", sphere.radius());
         } else if (shape instanceof Block block) {
-            xml.attribute("min", Numbers.text(block.min())).attribute("max", Numbers.text(block.max()));
+            xml.attribute("min", XmlText.text(block.min())).attribute("max", XmlText.text(block.max()));
         } else if (shape instanceof Ellipsoid ellipsoid) {
-            xml.attribute("semi-axes", Numbers.text(ellipsoid.semiAxes()));
+            xml.attribute("semi-axes", XmlText.text(ellipsoid.semiAxes()));
         } else if (shape instanceof Rectangle rectangle) {
-            xml.attribute("min", Numbers.text(rectangle.minX()) + " " + Numbers.text(rectangle.minY()))
-                    .attribute("max", Numbers.text(rectangle.maxX()) + " " + Numbers.text(rectangle.maxY()));
+            xml.attribute("min", XmlText.text(rectangle.minX()) + " " + XmlText.text(rectangle.minY()))
+                    .attribute("max", XmlText.text(rectangle.maxX()) + " " + XmlText.text(rectangle.maxY()));
         } else if (shape instanceof Disc disc) {
             xml.number("radius", disc.radius());
         } else if (shape instanceof Cylinder cylinder) {
@@ -197,6 +196,6 @@ final class SceneWriter {
     }
 
     private static String text(Rgb color) {
-        return Numbers.text(color.red()) + " " + Numbers.text(color.green()) + " " + Numbers.text(color.blue());
+        return XmlText.text(color.red()) + " " + XmlText.text(color.green()) + " " + XmlText.text(color.blue());
     }
 }

@@ -31,7 +31,7 @@ final class XmlText {
     }
 
     XmlText number(String name, double value) {
-        return attribute(name, Numbers.text(value));
+        return attribute(name, text(value));
     }
 
     XmlText number(String name, double value, double standard) {
@@ -40,7 +40,7 @@ final class XmlText {
     }
 
     XmlText vector(String name, Vec3 value, Vec3 standard) {
-        return value.equals(standard) ? this : attribute(name, Numbers.text(value));
+        return value.equals(standard) ? this : attribute(name, text(value));
     }
 
     XmlText close(String element) {
@@ -60,6 +60,15 @@ final class XmlText {
         indent().append('<').append(name).append('>');
         escape(content);
         text.append("</").append(name).append(">\n");
+    }
+
+    /** The shortest text that reads back as the same number, −0 included, which people are shown as 0. */
+    static String text(double value) {
+        return value == 0 && 1 / value < 0 ? "-0" : Numbers.text(value);
+    }
+
+    static String text(Vec3 v) {
+        return text(v.x()) + " " + text(v.y()) + " " + text(v.z());
     }
 
     @Override
