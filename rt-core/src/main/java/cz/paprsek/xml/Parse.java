@@ -80,6 +80,8 @@ final class Parse extends XMLFilterImpl {
         factory.setFeature("http://xml.org/sax/features/external-parameter-entities", false);
         SAXParser parser = factory.newSAXParser();
         speakEnglish(parser);
+        // The limit of elements nested is ours, and told in our words; that of the parser differs from JDK to JDK.
+        parser.setProperty("http://www.oracle.com/xml/jaxp/properties/maxElementDepth", "0");
         return parser;
     }
 
