@@ -15,7 +15,7 @@ final class BvhBuilder {
     private static final int BINS = 16;
     private static final int FORK = 4096;
     /** The cost of visiting a node in units of testing a surface. */
-    private static final double NODE_COST = 1;
+    private static final double NODE_COST = 1.5;
     /** Below this depth a split always halves, which bounds the depth of the tree whatever the scene. */
     private static final int STEEP = 48;
 

@@ -179,7 +179,7 @@ final class Tracer {
         double mirrorX = ray.dx + 2 * c * hit.nx;
         double mirrorY = ray.dy + 2 * c * hit.ny;
         double mirrorZ = ray.dz + 2 * c * hit.nz;
-        double size = ray.max + Math.max(Math.abs(hit.px), Math.max(Math.abs(hit.py), Math.abs(hit.pz)));
+        double size = ray.max + Math.abs(hit.px) + Math.abs(hit.py) + Math.abs(hit.pz);
 
         level.light(ambient[0] * level.colorRed, ambient[1] * level.colorGreen, ambient[2] * level.colorBlue);
         if (finish.isLit()) {

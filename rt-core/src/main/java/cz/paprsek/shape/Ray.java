@@ -46,7 +46,7 @@ public final class Ray {
 
     /** Starts a ray from the eye: nothing hit yet, and nothing too near or too far. */
     public void start(double x, double y, double z, double directionX, double directionY, double directionZ) {
-        double size = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        double size = Math.abs(x) + Math.abs(y) + Math.abs(z);
         start(x, y, z, directionX, directionY, directionZ, size, Double.POSITIVE_INFINITY);
         min = 0;
     }
@@ -54,7 +54,7 @@ public final class Ray {
     /**
      * Starts a ray from a surface: nothing hit yet.
      *
-     * @param size the largest number that led to the origin, coordinates and distance travelled
+     * @param size the numbers that led to the origin, coordinates and distance travelled, added up
      * @param end where the ray ends; exclusive
      */
     public void start(double x, double y, double z, double directionX, double directionY, double directionZ, double size, double end) {
