@@ -15,10 +15,6 @@ final class Media {
         return size == 0 ? VACUUM : index[size - 1];
     }
 
-    int size() {
-        return size;
-    }
-
     void clear() {
         size = 0;
     }

@@ -7,13 +7,9 @@ import cz.paprsek.shape.Hit;
 
 /** A pattern ready to be asked for its colour at a point: two colours in linear light, and which of them lies where. */
 abstract class Paint {
-    private final Rgb even;
-    private final Rgb odd;
     private final double[] linear;
 
     private Paint(Rgb even, Rgb odd) {
-        this.even = even;
-        this.odd = odd;
         this.linear = new double[] {
             even.linearRed(), even.linearGreen(), even.linearBlue(), odd.linearRed(), odd.linearGreen(), odd.linearBlue()
         };
@@ -39,11 +35,6 @@ abstract class Paint {
         level.colorRed = linear[i];
         level.colorGreen = linear[i + 1];
         level.colorBlue = linear[i + 2];
-    }
-
-    @Override
-    public String toString() {
-        return even + "/" + odd;
     }
 
     private static final class Plain extends Paint {
