@@ -28,10 +28,14 @@ final class Level {
         blue = b;
     }
 
+    void add(double r, double g, double b) {
+        red += r;
+        green += g;
+        blue += b;
+    }
+
     /** Adds another level's light times a weight. */
     void add(double weight, Level other) {
-        red += weight * other.red;
-        green += weight * other.green;
-        blue += weight * other.blue;
+        add(weight * other.red, weight * other.green, weight * other.blue);
     }
 }

@@ -19,6 +19,7 @@ final class Tracer {
 
     private final RenderScene scene;
     private final RenderMonitor monitor;
+    private final @Nullable Witness witness;
     private final Spans spans = new Spans();
     private final Ray shadow = new Ray(spans);
     private final Bvh bvh;
@@ -47,8 +48,13 @@ final class Tracer {
     boolean cancelled;
 
     Tracer(RenderScene scene, int maxDepth, int samplesPerSide, RenderMonitor monitor) {
+        this(scene, maxDepth, samplesPerSide, monitor, null);
+    }
+
+    Tracer(RenderScene scene, int maxDepth, int samplesPerSide, RenderMonitor monitor, @Nullable Witness witness) {
         this.scene = scene;
         this.monitor = monitor;
+        this.witness = witness;
         this.bvh = scene.bvh();
         this.parts = scene.parts();
         this.lamps = scene.lamps();
@@ -163,6 +169,9 @@ final class Tracer {
         Ray ray = level.ray;
         if (ray.part < 0) {
             level.light(background[0], background[1], background[2]);
+            if (witness != null) {
+                witness.miss(level);
+            }
             return;
         }
         Hit hit = level.hit;
@@ -182,6 +191,9 @@ final class Tracer {
         double size = ray.max + Math.abs(hit.px) + Math.abs(hit.py) + Math.abs(hit.pz);
 
         level.light(ambient[0] * level.colorRed, ambient[1] * level.colorGreen, ambient[2] * level.colorBlue);
+        if (witness != null) {
+            witness.meet(level, leaving, c);
+        }
         if (finish.isLit()) {
             for (int i = 0; i < lamps.length; i++) {
                 illuminate(i, between[i], level, finish, mirrorX, mirrorY, mirrorZ, size);
@@ -189,6 +201,9 @@ final class Tracer {
         }
         if (depth + 1 < levels.length && (finish.reflection > 0 || finish.transparency > 0)) {
             spawn(level, levels[depth + 1], depth + 1, finish, leaving, c, mirrorX, mirrorY, mirrorZ, size);
+        }
+        if (witness != null) {
+            witness.end(level);
         }
     }
 
@@ -219,6 +234,9 @@ final class Tracer {
         lz *= k;
         double facing = hit.nx * lx + hit.ny * ly + hit.nz * lz;
         if (!(facing > 0)) {
+            if (witness != null) {
+                witness.seek(light, lx, ly, lz, distance, facing, 0);
+            }
             return;
         }
         double visibility = 1;
@@ -227,12 +245,19 @@ final class Tracer {
             shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.OFFSET * size);
             visibility = visibility(light, between);
         }
+        if (witness != null) {
+            witness.seek(light, lx, ly, lz, distance, facing, visibility);
+        }
         if (visibility > 0) {
             double diffuse = finish.diffusion * facing;
             double highlight = finish.highlight(mirrorX * lx + mirrorY * ly + mirrorZ * lz);
-            level.red += visibility * lamp.red() * (diffuse * level.colorRed + highlight);
-            level.green += visibility * lamp.green() * (diffuse * level.colorGreen + highlight);
-            level.blue += visibility * lamp.blue() * (diffuse * level.colorBlue + highlight);
+            double red = visibility * lamp.red() * (diffuse * level.colorRed + highlight);
+            double green = visibility * lamp.green() * (diffuse * level.colorGreen + highlight);
+            double blue = visibility * lamp.blue() * (diffuse * level.colorBlue + highlight);
+            level.add(red, green, blue);
+            if (witness != null) {
+                witness.illuminate(diffuse, highlight, red, green, blue);
+            }
         }
     }
 
@@ -289,8 +314,13 @@ final class Tracer {
         double root = c;
         boolean refracts = finish.transparency > 0;
         if (refracts) {
-            e = level.media.refractiveIndex() / indexBeyond(level, next.media, finish, leaving);
+            double from = level.media.refractiveIndex();
+            double to = indexBeyond(level, next.media, finish, leaving);
+            e = from / to;
             double t = 1 + e * e * (c * c - 1);
+            if (witness != null) {
+                witness.refract(from, to, t);
+            }
             refracts = t >= 0;
             if (refracts) {
                 root = Math.sqrt(t);
@@ -302,6 +332,9 @@ final class Tracer {
             next.ray.start(hit.px, hit.py, hit.pz, mirrorX, mirrorY, mirrorZ, size, Double.POSITIVE_INFINITY);
             next.media.set(level.media);
             reflected++;
+            if (witness != null) {
+                witness.follow(false, reflection);
+            }
             trace(depth);
             level.add(reflection, next);
         }
@@ -311,6 +344,9 @@ final class Tracer {
                     size, Double.POSITIVE_INFINITY);
             indexBeyond(level, next.media, finish, leaving);
             refracted++;
+            if (witness != null) {
+                witness.follow(true, finish.transparency);
+            }
             trace(depth);
             level.add(finish.transparency, next);
         }
