@@ -18,13 +18,18 @@ final class Eye {
     private final double perRow;
 
     Eye(Camera camera, int width, int height) {
+        this(camera, width, height, 1);
+    }
+
+    /** An eye for a coarse picture, whose pixels are squares of step × step pixels of the one that is width × height in size. */
+    Eye(Camera camera, int width, int height, int step) {
         double h = 2 * Angles.tan(camera.fovy() / 2);
         this.position = camera.position();
         this.forward = camera.forward();
         this.right = camera.right().times(h * width / height);
         this.up = camera.trueUp().times(h);
-        this.perColumn = 1.0 / width;
-        this.perRow = 1.0 / height;
+        this.perColumn = (double) step / width;
+        this.perRow = (double) step / height;
     }
 
     /** Starts the ray through a point of the picture; the centre of pixel (column j, row i) is (j + ½, i + ½). */

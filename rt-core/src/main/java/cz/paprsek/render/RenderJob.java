@@ -25,13 +25,13 @@ final class RenderJob implements RenderMonitor {
     private volatile boolean stopped;
     private RenderStats total = RenderStats.NONE;
 
-    RenderJob(RenderScene scene, RenderOptions options, RenderMonitor monitor) {
+    RenderJob(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor) {
         this.scene = scene;
+        this.eye = eye;
         this.options = options;
         this.monitor = monitor;
         Tile region = options.region();
         image = new Image(region.width(), region.height());
-        eye = new Eye(scene.scene().camera(), options.settings().width(), options.settings().height());
         block = Math.max(1, TOGETHER / options.settings().samples());
         columns = (region.width() + SIDE - 1) / SIDE;
         tiles = columns * ((region.height() + SIDE - 1) / SIDE);
@@ -93,6 +93,7 @@ final class RenderJob implements RenderMonitor {
     private void render(Tile tile, Tracer tracer) {
         int x = tile.x();
         int y = tile.y();
+        long raysBefore = tracer.rays();
         try {
             for (y = tile.y(); y < tile.y() + tile.height(); y += block) {
                 for (x = tile.x(); x < tile.x() + tile.width(); x += block) {
@@ -102,6 +103,7 @@ final class RenderJob implements RenderMonitor {
                     }
                 }
             }
+            monitor.traced(tracer.rays() - raysBefore);
             monitor.finished(tile, image, done.incrementAndGet(), tiles);
         } catch (RuntimeException | StackOverflowError e) {
             stopped = true;

@@ -2,7 +2,7 @@ package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
 
-/** What a render asks and tells its caller while it runs, from any of its threads. Both methods must return quickly. */
+/** What a render asks and tells its caller while it runs, from any of its threads. The methods must return quickly. */
 public interface RenderMonitor {
     /** Never cancels, and listens to nothing. */
     RenderMonitor NONE = new RenderMonitor() {};
@@ -11,6 +11,13 @@ public interface RenderMonitor {
     default boolean cancelled() {
         return false;
     }
+
+    /**
+     * Rays have been traced, for the tile that is told to be finished next.
+     *
+     * @param rays of all kinds
+     */
+    default void traced(long rays) {}
 
     /**
      * A tile of the picture is complete.

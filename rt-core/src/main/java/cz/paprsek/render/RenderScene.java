@@ -20,6 +20,9 @@ public final class RenderScene {
 
     private final Scene scene;
     private final PartTable parts;
+    /** The placed shape of each object, and whether no light gets through it. */
+    private final Surface[] surfaces;
+    private final boolean[] opaque;
     private final Bvh bvh;
     private final Lamp[] lamps;
     private final int[] aroundCamera;
@@ -30,8 +33,8 @@ public final class RenderScene {
         this.scene = scene;
         this.parts = new PartTable(scene);
         this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
-        Surface[] surfaces = new Surface[scene.objects().size()];
-        boolean[] opaque = new boolean[surfaces.length];
+        this.surfaces = new Surface[scene.objects().size()];
+        this.opaque = new boolean[surfaces.length];
         for (int i = 0; i < surfaces.length; i++) {
             if (i % BATCH == 0 && monitor.cancelled()) {
                 throw new CancellationException("the preparation of the scene was cancelled");
@@ -40,8 +43,21 @@ public final class RenderScene {
             surfaces[i] = parts.place(i, scene.objects().get(i));
             opaque[i] = isOpaque(first, parts.size());
         }
-        this.aroundCamera = aroundCamera(surfaces, opaque);
+        this.aroundCamera = aroundCamera();
         this.bvh = Bvh.of(surfaces, opaque, monitor);
+        this.buildSeconds = (System.nanoTime() - begin) / 1e9;
+    }
+
+    /** Takes over the bodies of another prepared scene, which has the same. */
+    private RenderScene(Scene scene, RenderScene other) {
+        long begin = System.nanoTime();
+        this.scene = scene;
+        this.parts = other.parts;
+        this.surfaces = other.surfaces;
+        this.opaque = other.opaque;
+        this.bvh = other.bvh;
+        this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
+        this.aroundCamera = aroundCamera();
         this.buildSeconds = (System.nanoTime() - begin) / 1e9;
     }
 
@@ -57,6 +73,18 @@ public final class RenderScene {
      */
     public static RenderScene of(Scene scene, RenderMonitor monitor) {
         return new RenderScene(scene, monitor);
+    }
+
+    /**
+     * Prepares a scene that was made from this one by a change. If camera, lights, background or ambient light are all that changed, that
+     * takes no time.
+     *
+     * @throws CancellationException if the monitor cancels before the scene is ready
+     */
+    public RenderScene changedTo(Scene changed, RenderMonitor monitor) {
+        // The lists of two scenes that share their objects are one list; comparing what is in them would take as long as preparing them.
+        boolean sameBodies = changed.objects() == scene.objects() && changed.materials().equals(scene.materials());
+        return sameBodies ? new RenderScene(changed, this) : of(changed, monitor);
     }
 
     /** The scene this was made of. */
@@ -111,7 +139,7 @@ public final class RenderScene {
     }
 
     /** The first part of every transparent solid that the camera is in, the largest solid first, as if entered from outside. */
-    private int[] aroundCamera(Surface[] surfaces, boolean[] opaque) {
+    private int[] aroundCamera() {
         Vec3 eye = scene.camera().position();
         List<Integer> inside = new ArrayList<>();
         for (int part = 0; part < parts.size(); part++) {

@@ -22,8 +22,14 @@ public final class Renderer {
      * @throws IllegalStateException naming the pixel, if the monitor throws or the program has a fault
      */
     public static RenderResult render(RenderScene scene, RenderOptions options, RenderMonitor monitor) {
+        Eye eye = new Eye(scene.scene().camera(), options.settings().width(), options.settings().height());
+        return render(scene, options, eye, monitor);
+    }
+
+    /** Renders a prepared scene as an eye sees it. */
+    static RenderResult render(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor) {
         long begin = System.nanoTime();
-        RenderJob job = new RenderJob(scene, options, monitor);
+        RenderJob job = new RenderJob(scene, options, eye, monitor);
         List<Thread> workers = new ArrayList<>();
         for (int i = 0; i < Math.min(options.threads(), job.tiles()); i++) {
             Thread worker = new Thread(job::work, "paprsek-render-" + i);

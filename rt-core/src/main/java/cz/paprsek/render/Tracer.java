@@ -156,6 +156,11 @@ final class Tracer {
         shade(level, depth, anywhere);
     }
 
+    /** Rays of all kinds traced so far. */
+    long rays() {
+        return primary + reflected + refracted + shadows;
+    }
+
     /** Finds what the level's ray hits, and where. */
     private void find(Level level, Entries among) {
         bvh.nearest(level.ray, among, stack);

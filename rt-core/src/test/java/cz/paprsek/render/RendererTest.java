@@ -16,6 +16,7 @@ import java.util.Arrays;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -208,6 +209,18 @@ class RendererTest {
         caller.interrupt();
         caller.join(10_000);
         assertThat(outcome[0]).isEqualTo(Outcome.CANCELLED);
+    }
+
+    @Test
+    void theRaysToldOfWhileItRunsAddUpToTheStatistics() {
+        AtomicLong told = new AtomicLong();
+        RenderMonitor counting = new RenderMonitor() {
+            @Override
+            public void traced(long rays) {
+                told.addAndGet(rays);
+            }
+        };
+        assertThat(Renderer.render(SCENE, RenderOptions.of(SCENE), counting).stats().rays()).isEqualTo(told.get());
     }
 
     @Test

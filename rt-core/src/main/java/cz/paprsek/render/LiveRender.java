@@ -1,0 +1,159 @@
+package cz.paprsek.render;
+
+import cz.paprsek.image.Image;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Keeps a picture of a changing scene: coarse at once, then finer and finer until it is the picture that {@link Renderer} makes, to the last
+ * bit. Works on threads of its own; every method returns at once.
+ *
+ * <p>A new scene stops the refining of the old one. Only the first pass of a scene is always finished, or nothing would be seen as long as a
+ * hand keeps moving; it is as coarse as it must be to take some {@value #FIRST_PASS_MILLIS} ms.
+ */
+public final class LiveRender implements AutoCloseable {
+    private static final int COARSEST = 16;
+    private static final double FIRST_PASS_MILLIS = 20;
+    /** How much faster, or slower, a first pass must promise to be for its step to change: otherwise it would change to and fro. */
+    private static final double SLACK = 1.5;
+
+    private final int threads;
+    private @Nullable Request waiting;
+    private boolean idle = true;
+    private volatile boolean outdated;
+    private volatile boolean stopped;
+    private volatile boolean closed;
+    private @Nullable RenderScene ready;
+    private int firstStep = 8;
+
+    private record Request(Scene scene, RenderSettings settings, LiveListener listener) {}
+
+    /** @param threads how many workers trace a pass */
+    public LiveRender(int threads) {
+        this.threads = threads;
+        Thread thread = new Thread(this::run, "paprsek-live");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /**
+     * Starts anew with another scene, size or listener. Of several calls in short order, those overtaken by the next are left out.
+     *
+     * @param settings of the final picture
+     * @param listener is told of this picture only
+     */
+    public synchronized void show(Scene scene, RenderSettings settings, LiveListener listener) {
+        waiting = new Request(scene, settings, listener);
+        outdated = true;
+        notifyAll();
+    }
+
+    /** Stops rendering, also in a first pass, until there is something else to show. */
+    public synchronized void stop() {
+        waiting = null;
+        stopped = true;
+    }
+
+    /** Whether there is nothing left to do. */
+    public synchronized boolean isIdle() {
+        return idle && waiting == null;
+    }
+
+    /** Stops rendering for ever. */
+    @Override
+    public synchronized void close() {
+        closed = true;
+        notifyAll();
+    }
+
+    private void run() {
+        for (Request request = take(); request != null; request = take()) {
+            try {
+                refine(request);
+            } catch (CancellationException cancelled) {
+                // As was wished: there is something else to show, or nothing any more.
+            } catch (RuntimeException | Error fault) {
+                request.listener().failed(fault);
+            }
+        }
+    }
+
+    private synchronized @Nullable Request take() {
+        idle = true;
+        while (waiting == null && !closed) {
+            try {
+                wait();
+            } catch (InterruptedException e) {
+                closed = true;
+            }
+        }
+        Request taken = closed ? null : waiting;
+        idle = false;
+        waiting = null;
+        outdated = false;
+        stopped = false;
+        return taken;
+    }
+
+    private void refine(Request request) {
+        RenderMonitor unlessStopped = new RenderMonitor() {
+            @Override
+            public boolean cancelled() {
+                return stopped || closed;
+            }
+        };
+        RenderScene scene = ready == null ? RenderScene.of(request.scene(), unlessStopped) : ready.changedTo(request.scene(), unlessStopped);
+        ready = scene;
+        LivePass pass = LivePass.at(scene, request.settings(), firstStep);
+        RenderResult result = render(pass, unlessStopped);
+        request.listener().painted(pass, result.image(), new Tile(0, 0, result.image().width(), result.image().height()));
+        request.listener().completed(pass, result);
+        adapt(result);
+        while (!pass.isLast()) {
+            pass = pass.next();
+            request.listener().completed(pass, render(pass, new Refinement(pass, request.listener())));
+        }
+    }
+
+    private RenderResult render(LivePass pass, RenderMonitor monitor) {
+        RenderResult result = Renderer.render(pass.scene(), pass.options(threads), pass.eye(), monitor);
+        if (result.outcome() == RenderResult.Outcome.CANCELLED) {
+            throw new CancellationException("the pass was cancelled");
+        }
+        return result;
+    }
+
+    /** Chooses how coarse the next first pass is, by how long this one took. */
+    private void adapt(RenderResult result) {
+        double millis = result.stats().traceSeconds() * 1e3;
+        if (millis > FIRST_PASS_MILLIS * SLACK) {
+            firstStep = Math.min(COARSEST, firstStep * 2);
+        } else if (millis * 4 < FIRST_PASS_MILLIS / SLACK) {
+            firstStep = Math.max(1, firstStep / 2);
+        }
+    }
+
+    /** Passes tiles on until the scene is no longer the newest. */
+    private final class Refinement implements RenderMonitor {
+        private final LivePass pass;
+        private final LiveListener listener;
+
+        Refinement(LivePass pass, LiveListener listener) {
+            this.pass = pass;
+            this.listener = listener;
+        }
+
+        @Override
+        public boolean cancelled() {
+            return outdated || stopped || closed;
+        }
+
+        @Override
+        public void finished(Tile tile, Image image, int done, int total) {
+            listener.painted(pass, image, tile);
+        }
+    }
+}

@@ -1,0 +1,149 @@
+package cz.paprsek.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.image.Image;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class LiveRenderTest {
+    private static final Scene SCENE = Scenes.random(11, 40);
+    private static final RenderSettings SMALL = new RenderSettings(101, 67, 5, 1);
+    /** More than any machine renders while a test runs. */
+    private static final RenderSettings ENDLESS = new RenderSettings(6000, 6000, 5, 16);
+
+    private final LiveRender live = new LiveRender(2);
+
+    @AfterEach
+    void close() {
+        live.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3})
+    void theLastPictureIsThatOfTheRendererToTheBit(int samples) throws Exception {
+        RenderSettings settings = SMALL.withSamples(samples);
+        Watcher watcher = new Watcher();
+        live.show(SCENE, settings, watcher);
+        Image last = get(watcher.last);
+        assertThat(Scenes.difference(last, Renderer.render(SCENE.withSettings(settings)), 0)).isZero();
+    }
+
+    @Test
+    void theFirstPassComesAsAWholeAndEveryFurtherOneIsFiner() throws Exception {
+        Watcher watcher = new Watcher();
+        live.show(SCENE, SMALL.withSamples(2), watcher);
+        get(watcher.last);
+        assertThat(watcher.steps).containsExactly(8, 4, 2, 1, 1);
+        assertThat(watcher.tilesOfFirst).isEqualTo(1);
+    }
+
+    @Test
+    void aCoarsePassIsTheSameViewWithLargerPixels() throws Exception {
+        Watcher watcher = new Watcher();
+        live.show(SCENE, SMALL.withSize(96, 64), watcher);
+        Image first = get(watcher.first);
+        assertThat(Scenes.difference(first, Renderer.render(SCENE.withSettings(SMALL.withSize(12, 8))), 0)).isZero();
+    }
+
+    @Test
+    void aNewSceneStopsTheRefiningOfTheOldOne() throws Exception {
+        Watcher old = new Watcher();
+        live.show(SCENE, ENDLESS, old);
+        get(old.first);
+        Watcher next = new Watcher();
+        live.show(SCENE.withLights(List.of()), SMALL, next);
+        assertThat(Scenes.difference(get(next.last), Renderer.render(SCENE.withLights(List.of()).withSettings(SMALL)), 0)).isZero();
+        assertThat(old.last).isNotDone();
+    }
+
+    @Test
+    void changesThatNeverPauseAreStillSeen() throws Exception {
+        Watcher[] watchers = new Watcher[30];
+        for (int i = 0; i < watchers.length; i++) {
+            watchers[i] = new Watcher();
+            Camera moved = SCENE.camera().withPosition(new Vec3(0.01 * i, 0, 5));
+            live.show(SCENE.withCamera(moved), SMALL.withSize(640, 480), watchers[i]);
+            if (i % 3 == 2) {
+                get(watchers[i - 2].first.applyToEither(watchers[i - 1].first, image -> image).applyToEither(watchers[i].first, image -> image));
+            }
+        }
+        get(watchers[watchers.length - 1].last);
+    }
+
+    @Test
+    void stoppingEndsAFirstPassToo() throws Exception {
+        Scene huge = SCENE.withSettings(ENDLESS.withSize(32_000, 20_000));
+        Watcher stopped = new Watcher();
+        live.show(huge, huge.settings(), stopped);
+        live.stop();
+        Watcher next = new Watcher();
+        live.show(SCENE, SMALL, next);
+        get(next.last);
+        assertThat(stopped.last).isNotDone();
+    }
+
+    @Test
+    void aFaultIsToldAndTheNextSceneIsRendered() throws Exception {
+        CompletableFuture<Throwable> failed = new CompletableFuture<>();
+        live.show(SCENE, SMALL, new LiveListener() {
+            @Override
+            public void painted(LivePass pass, Image image, Tile tile) {
+                throw new UnsupportedOperationException("no");
+            }
+
+            @Override
+            public void failed(Throwable fault) {
+                failed.complete(fault);
+            }
+        });
+        assertThat(get(failed)).hasMessageContaining("no");
+        Watcher next = new Watcher();
+        live.show(SCENE, SMALL, next);
+        get(next.last);
+    }
+
+    private static <T> T get(CompletableFuture<T> future) throws InterruptedException, ExecutionException, TimeoutException {
+        return future.get(60, TimeUnit.SECONDS);
+    }
+
+    /** Remembers the first and the last picture. */
+    private static final class Watcher implements LiveListener {
+        final CompletableFuture<Image> first = new CompletableFuture<>();
+        final CompletableFuture<Image> last = new CompletableFuture<>();
+        final List<Integer> steps = new ArrayList<>();
+        int tilesOfFirst;
+
+        @Override
+        public void painted(LivePass pass, Image image, Tile tile) {
+            tilesOfFirst += first.isDone() ? 0 : 1;
+        }
+
+        @Override
+        public void completed(LivePass pass, RenderResult result) {
+            steps.add(pass.step());
+            first.complete(result.image());
+            if (pass.isLast()) {
+                last.complete(result.image());
+            }
+        }
+
+        @Override
+        public void failed(Throwable fault) {
+            first.completeExceptionally(fault);
+            last.completeExceptionally(fault);
+        }
+    }
+}

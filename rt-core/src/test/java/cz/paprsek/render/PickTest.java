@@ -1,0 +1,50 @@
+package cz.paprsek.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Sphere;
+import java.util.List;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.Test;
+
+class PickTest {
+    private static final Csg BITTEN = Csg.difference(new Sphere(1), new Block(new Vec3(-0.1, -0.1, 0), new Vec3(0.1, 0.1, 2)));
+    /** The camera stands at z = 5 and looks along −z; the picture is 33 × 25. */
+    private static final Scene SCENE = Scenes.empty().plus(
+            SceneObject.of(new Sphere(1)).at(-2, 0, 0),
+            SceneObject.of(Csg.union(Operand.of(new Sphere(0.1)).at(0, 9, 0), Operand.of(BITTEN))));
+
+    private static Pick at(double x, double y) {
+        return Pick.at(RenderScene.of(SCENE), SCENE.settings(), x, y).orElseThrow();
+    }
+
+    @Test
+    void thePrimitiveThatIsSeenIsFoundInNestedOperations() {
+        Pick bottomOfTheHole = at(16.5, 12.5);
+        assertThat(bottomOfTheHole.object()).isEqualTo(1);
+        assertThat(bottomOfTheHole.operands()).isEqualTo(List.of(1, 1));
+        assertThat(bottomOfTheHole.distance()).isCloseTo(5, Offset.offset(1e-12));
+        Pick besideTheHole = at(18.5, 12.5);
+        assertThat(besideTheHole.operands()).isEqualTo(List.of(1, 0));
+    }
+
+    @Test
+    void aPlainObjectHasNoOperands() {
+        double column = 16.5 - 2 / (5 * 2 * Math.tan(Math.PI / 8)) * 25;
+        Pick pick = at(column, 12.5);
+        assertThat(pick.object()).isZero();
+        assertThat(pick.operands()).isEmpty();
+        assertThat(pick.point().minus(new Vec3(-2, 0, 0)).length()).isCloseTo(1, Offset.offset(1e-12));
+    }
+
+    @Test
+    void nothingIsFoundWhereTheBackgroundIsSeen() {
+        assertThat(Pick.at(RenderScene.of(SCENE), SCENE.settings(), 0.5, 0.5)).isEmpty();
+    }
+}
