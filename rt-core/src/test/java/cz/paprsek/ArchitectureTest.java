@@ -23,13 +23,15 @@ class ArchitectureTest {
             .layer("image").definedBy("cz.paprsek.image")
             .layer("render").definedBy("cz.paprsek.render")
             .layer("xml").definedBy("cz.paprsek.xml")
-            .whereLayer("io").mayOnlyBeAccessedByLayers("image", "xml")
-            .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "image", "render", "xml")
-            .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "render", "xml")
-            .whereLayer("scene").mayOnlyBeAccessedByLayers("render", "xml")
-            .whereLayer("image").mayOnlyBeAccessedByLayers("render")
+            .layer("pov").definedBy("cz.paprsek.pov")
+            .whereLayer("io").mayOnlyBeAccessedByLayers("image", "xml", "pov")
+            .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "image", "render", "xml", "pov")
+            .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "render", "xml", "pov")
+            .whereLayer("scene").mayOnlyBeAccessedByLayers("render", "xml", "pov")
+            .whereLayer("image").mayOnlyBeAccessedByLayers("render", "pov")
             .whereLayer("render").mayNotBeAccessedByAnyLayer()
-            .whereLayer("xml").mayNotBeAccessedByAnyLayer();
+            .whereLayer("xml").mayNotBeAccessedByAnyLayer()
+            .whereLayer("pov").mayNotBeAccessedByAnyLayer();
 
     @ArchTest
     static final ArchRule MATH_KNOWS_NOTHING = noClasses().that().resideInAPackage("cz.paprsek.math")

@@ -3,9 +3,10 @@ package cz.paprsek.image;
 import cz.paprsek.io.AtomicFile;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Writes pictures to files, each as a whole or not at all. */
+/** Writes pictures to files, each as a whole or not at all, and reads them. */
 public final class ImageFiles {
     private ImageFiles() {}
 
@@ -34,5 +35,32 @@ public final class ImageFiles {
             case RAW -> Brightness.linear(image, out);
         }
         out.flush();
+    }
+
+    /** Reads a picture into linear light; see {@link #readStored}. */
+    public static Image read(Path file) throws IOException {
+        return readStored(file).image();
+    }
+
+    /**
+     * Reads a picture of any kind that is written here, and others that the platform knows. What it is, is told by its first bytes; text by
+     * the ending of its name. Eight bits are taken as sRGB, 16 bits of PPM as linear light, of PNG as the file says.
+     *
+     * @throws IOException naming the file and what is wrong with it
+     */
+    public static StoredImage readStored(Path file) throws IOException {
+        byte[] bytes = Files.readAllBytes(file);
+        try {
+            ImageFormat ending = ImageFormat.ofFile(file.toString()).orElse(ImageFormat.PNG);
+            if (ending == ImageFormat.TXT) {
+                return BrightnessReader.encoded(bytes);
+            }
+            if (ending == ImageFormat.RAW) {
+                return BrightnessReader.linear(bytes);
+            }
+            return NetpbmReader.canRead(bytes) ? NetpbmReader.read(bytes) : BitmapReader.read(bytes);
+        } catch (IOException | IllegalArgumentException unreadable) {
+            throw new IOException(file + ": " + unreadable.getMessage(), unreadable);
+        }
     }
 }

@@ -2,6 +2,8 @@ package cz.paprsek.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.offset;
+import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.material.Rgb;
 import java.awt.image.BufferedImage;
@@ -13,10 +15,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Base64;
+import java.util.List;
+import java.util.Random;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -138,4 +144,104 @@ class ImageFilesTest {
         }
         return all;
     }
+
+    @ParameterizedTest
+    @EnumSource(ImageFormat.class)
+    void everyFormatReadsBackAsPreciselyAsItTellsLight(ImageFormat format, @TempDir Path folder) throws IOException {
+        Path file = folder.resolve("a." + format.extension());
+        Image image = new Image(17, 11);
+        for (int i = 0; i < 17 * 11; i++) {
+            image.set(i % 17, i / 17, i / 187.0, format == ImageFormat.JPG ? i / 187.0 : 1 - i / 200.0, format == ImageFormat.JPG ? i / 187.0 : i * i / 4e4);
+        }
+        ImageFiles.write(image, file);
+        StoredImage back = ImageFiles.readStored(file);
+        double step = switch (back.precision()) {
+            case EIGHT_BIT -> 0.0046 * (format == ImageFormat.JPG ? 3 : 1);
+            case SIXTEEN_BIT -> 0.51 / 65535;
+            case FLOAT -> 1e-7;
+        };
+        assertThat(back.isGrey()).isEqualTo(List.of(ImageFormat.PGM, ImageFormat.TXT, ImageFormat.RAW).contains(format));
+        for (int y = 0; y < 11; y++) {
+            for (int x = 0; x < 17; x++) {
+                double luminance = 0.2126 * image.red(x, y) + 0.7152 * image.green(x, y) + 0.0722 * image.blue(x, y);
+                assertThat((double) back.image().red(x, y)).isCloseTo(back.isGrey() ? luminance : image.red(x, y), within(step));
+                assertThat((double) back.image().green(x, y)).isCloseTo(back.isGrey() ? luminance : image.green(x, y), within(step));
+                assertThat((double) back.image().blue(x, y)).isCloseTo(back.isGrey() ? luminance : image.blue(x, y), within(step));
+            }
+        }
+    }
+
+    @Test
+    void sixteenBitPngOfLinearLightIsReadAsItSays(@TempDir Path folder) throws IOException {
+        // 2 × 1 pixels, written by POV-Ray 3.7 with a file gamma of 1: 0.25, 0.5, 1 and 0, 0.125, 0.75.
+        Path file = Files.write(folder.resolve("a.png"), Base64.getDecoder().decode(LINEAR_PNG));
+        StoredImage read = ImageFiles.readStored(file);
+        assertThat(read.precision()).isEqualTo(StoredImage.Precision.SIXTEEN_BIT);
+        assertThat(new float[] {read.image().red(0, 0), read.image().green(0, 0), read.image().blue(0, 0)})
+                .containsExactly(new float[] {0.25f, 0.5f, 1}, offset(1e-5f));
+        assertThat(new float[] {read.image().red(1, 0), read.image().green(1, 0), read.image().blue(1, 0)})
+                .containsExactly(new float[] {0, 0.125f, 0.75f}, offset(1e-5f));
+    }
+
+    @Test
+    void portableMapsOfOthersAreRead(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("a.ppm");
+        Files.write(file, "P6 # made by hand\n1\n#\n 1 15\n\17\0\7".getBytes(StandardCharsets.ISO_8859_1));
+        assertThat(ImageFiles.read(file).red(0, 0)).isEqualTo(1);
+        assertThat((double) ImageFiles.read(file).blue(0, 0)).isCloseTo(Rgb.linear(119), within(1e-6));
+        ByteBuffer big = ByteBuffer.allocate(8);
+        Files.write(file, concat("Pf\n1 2\n1.0\n".getBytes(StandardCharsets.US_ASCII), big.putFloat(2.5f).putFloat(-1).array()));
+        assertThat(ImageFiles.read(file).green(0, 0)).as("the top row comes last").isEqualTo(-1);
+        assertThat(ImageFiles.read(file).blue(0, 1)).isEqualTo(2.5f);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "a.ppm | P6 2 2 255 abc         | the picture is cut off: it should have 12 bytes after its head, but has 3",
+        "a.ppm | P6 2 x 255 abc         | should have a number where it has \"x\"",
+        "a.ppm | P6 2 0 255 abc         | the picture's height must be a whole number from 1 to 65536",
+        "a.ppm | P6 65536 65536 255 abc | cut off",
+        "a.ppm | P6 65                  | the picture's head is cut off",
+        "a.png | hello                  | not a picture of a kind that can be read",
+        "a.png | ''                     | not a picture of a kind that can be read",
+        "a.txt | 1 2 x                  | row 1 should have numbers 0-255, but has \"x\"",
+        "a.txt | 1 2 256                | but has \"256\"",
+        "a.lum | ''                     | the picture is empty",
+    })
+    void whatIsNotAPictureIsRefusedInOneLine(String name, String content, String sentence, @TempDir Path folder) throws IOException {
+        Path file = Files.writeString(folder.resolve(name), content);
+        assertThatThrownBy(() -> ImageFiles.read(file)).isInstanceOf(IOException.class)
+                .hasMessageStartingWith(file + ": ").hasMessageContaining(sentence).hasMessageNotContaining("\n");
+    }
+
+    @Test
+    void damagedPngIsRefusedOrReadButNeverAnythingElse(@TempDir Path folder) throws IOException {
+        byte[] good = Base64.getDecoder().decode(LINEAR_PNG);
+        Random random = new Random(4);
+        Path file = folder.resolve("a.png");
+        for (int i = 0; i < 300; i++) {
+            byte[] bad = Arrays.copyOf(good, i % 3 == 0 ? random.nextInt(good.length) : good.length);
+            for (int k = 0; k < 3 && bad.length > 0; k++) {
+                bad[random.nextInt(bad.length)] = (byte) random.nextInt();
+            }
+            Files.write(file, bad);
+            try {
+                assertThat(ImageFiles.read(file).width()).isPositive();
+            } catch (IOException refused) {
+                assertThat(refused).hasMessageStartingWith(file + ": ");
+            }
+        }
+    }
+
+    private static byte[] concat(byte[] a, byte[] b) {
+        byte[] both = Arrays.copyOf(a, a.length + b.length);
+        System.arraycopy(b, 0, both, a.length, b.length);
+        return both;
+    }
+
+    private static final String LINEAR_PNG = 
+            "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABEAIAAAAr0DSeAAAABGdBTUEAAYagMeiWXwAAAANzQklUEBAQWKO9JwAAAAlvRkZzAAAAAAAAAAAA2i"
+            + "q2zgAAAAd0SU1FB+oLGRMQDQvZyIUAAAAkdEVYdFNvZnR3YXJlAFBPVi1SYXkgMy43LjAuMTAudW5vZmZpY2lhbHF05FkAAABWdEVYdENvbW1l"
+            + "bnQAUmVuZGVyIERhdGU6IDIwMjYtMTEtMjUgMTk6MTY6MTNaClBsYXRmb3JtOiB4ODZfNjQtcGMtbGludXgtZ251CkNvbXBpbGVyOiBnKysKxn"
+            + "GFsAAAABVJREFUCJljcGBoYPj/n4FBgWH/fwAZ+wSd3NPGewAAAABJRU5ErkJggg==";
 }

@@ -1,0 +1,88 @@
+package cz.paprsek.cli;
+
+import cz.paprsek.pov.PovFiles;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Similar;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Writes a scene in another form. */
+@Command(
+        name = "convert",
+        description = {
+            "Writes a scene in another form; what form, is told by the ending of the new file:",
+            ".pov is for POV-Ray 3.7, which computes the same picture from it. What it cannot show exactly is told in a warning.",
+            ".xml is our own, in standard order and layout, for tidying up a file written by hand."
+        },
+        footer = {"", "Examples:", "  rt-cli convert showcase.xml showcase.pov", "  rt-cli convert mine.xml tidy.xml"})
+final class ConvertCommand implements Callable<Integer> {
+    private static final List<String> ENDINGS = List.of("pov", "xml");
+
+    private final Terminal terminal;
+    private final Stop stop;
+
+    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file.")
+    private Path scene;
+
+    @Parameters(index = "1", paramLabel = "FILE", description = "The file to write, ending in .pov or .xml.")
+    private Path target;
+
+    @Option(names = {"-q", "--quiet"}, description = "Prints errors only, no warnings.")
+    private boolean quiet;
+
+    ConvertCommand(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        this.stop = stop;
+    }
+
+    @Override
+    public Integer call() {
+        String name = target.toString();
+        String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+        if (!ENDINGS.contains(ending)) {
+            throw new WrongUsage("cannot tell what form '" + name + "' is to have: let it end in .pov or .xml"
+                    + Similar.suggestion(ending, ENDINGS));
+        }
+        SceneReading reading = SceneReading.of(scene);
+        reading.sentences().forEach(terminal::message);
+        if (!reading.isValid()) {
+            return ExitCode.BAD_SCENE;
+        }
+        if (reading.scenes().size() != 1) {
+            throw new WrongUsage(scene + " is a database of " + reading.scenes().size() + " scenes; give a file of one");
+        }
+        return write(reading.scenes().get(0), ending.equals("pov"));
+    }
+
+    private int write(Scene content, boolean isPov) {
+        List<String> warnings = new ArrayList<>();
+        try {
+            if (Files.exists(target) && Files.isSameFile(scene, target)) {
+                throw new WrongUsage("the new file would overwrite the scene " + scene + " itself");
+            }
+            stop.guard(() -> {
+                if (isPov) {
+                    warnings.addAll(PovFiles.write(content, target));
+                } else {
+                    SceneFiles.write(content, target);
+                }
+            });
+        } catch (IOException e) {
+            terminal.message(Failures.sentence(target.toString(), e));
+            return ExitCode.FAILED;
+        }
+        if (!quiet) {
+            warnings.forEach(warning -> terminal.message(scene + ": warning: " + warning));
+        }
+        return ExitCode.DONE;
+    }
+}

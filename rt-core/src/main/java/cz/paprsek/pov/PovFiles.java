@@ -1,0 +1,44 @@
+package cz.paprsek.pov;
+
+import cz.paprsek.io.AtomicFile;
+import cz.paprsek.scene.Scene;
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.OutputStreamWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Writes scenes as POV-Ray 3.7 reads them, such that it computes the same light at every pixel. POV-Ray's own tolerances are absolute, so
+ * scenes should be about 1 to 100 units large. The picture's size is not in the file: it is an argument of {@code povray}.
+ */
+public final class PovFiles {
+    private PovFiles() {}
+
+    /**
+     * Writes a scene.
+     *
+     * @return a sentence for everything that POV-Ray will not show exactly as we do; empty if all is exact
+     */
+    public static List<String> write(Scene scene, Appendable out) throws IOException {
+        new PovWriter(scene, out).write();
+        return PovWarnings.of(scene);
+    }
+
+    /**
+     * Writes a scene to a file, whole or not at all.
+     *
+     * @return as {@link #write(Scene, Appendable)}
+     */
+    public static List<String> write(Scene scene, Path file) throws IOException {
+        List<String> warnings = new ArrayList<>();
+        AtomicFile.write(file, out -> {
+            BufferedWriter text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+            warnings.addAll(write(scene, text));
+            text.flush();
+        });
+        return warnings;
+    }
+}

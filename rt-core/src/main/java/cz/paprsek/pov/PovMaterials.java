@@ -1,0 +1,88 @@
+package cz.paprsek.pov;
+
+import static cz.paprsek.math.Numbers.text;
+import static cz.paprsek.pov.PovText.vector;
+
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Disc;
+import cz.paprsek.shape.Rectangle;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Solid;
+import java.util.List;
+
+/**
+ * Materials in POV-Ray's words. POV-Ray weakens diffuse and ambient light by what shines through; ours is a plain sum, so both are
+ * written the stronger.
+ */
+final class PovMaterials {
+    /** 1 − 2⁻²⁰: the most that is written as shining through, so that diffuse light is not multiplied by 0. No step of 16 bits. */
+    private static final double MOST = 1 - 0x1p-20;
+    /** As high as a checkerboard's cells are made, in scene units, the board in their middle. */
+    private static final double HIGH = 1e6;
+
+    private PovMaterials() {}
+
+    /** A linear colour times a factor. */
+    static String rgb(Rgb color, double factor) {
+        return "rgb " + vector(factor * color.linearRed(), factor * color.linearGreen(), factor * color.linearBlue());
+    }
+
+    /** A material of anything but a checkerboard. */
+    static String texture(Material material) {
+        return texture(material, pattern(material.pattern(), transmit(material)));
+    }
+
+    /** A material as it lies on a shape. */
+    static String texture(Material material, Shape shape) {
+        return material.pattern() instanceof Pattern.Checkerboard board
+                ? texture(material, board(board, shape, transmit(material)))
+                : texture(material);
+    }
+
+    /** What is inside of an object: nothing special, unless light shines through. */
+    static String interior(Scene scene, SceneObject object) {
+        List<Material> materials = object.shape() instanceof Solid ? PovWarnings.transparent(scene, object) : List.of();
+        return materials.isEmpty() ? "" : "interior { ior " + text(materials.get(0).refractiveIndex()) + " }";
+    }
+
+    private static String texture(Material material, String pigment) {
+        double weakened = 1 - transmit(material);
+        return "texture { pigment { " + pigment + " } finish { ambient " + text(1 / weakened) + " diffuse " + text(material.diffusion() / weakened)
+                + (material.specular() > 0 ? " phong " + text(material.specular()) + " phong_size " + text(material.shininess()) : "")
+                + (material.reflection() > 0 ? " reflection " + text(material.reflection()) : "") + " } }";
+    }
+
+    private static double transmit(Material material) {
+        return Math.min(material.transparency(), MOST);
+    }
+
+    private static String pattern(Pattern pattern, double transmit) {
+        if (pattern instanceof Pattern.Checker checker) {
+            return checker(checker.even(), checker.odd(), transmit) + " scale " + text(checker.size())
+                    + (checker.origin().equals(Vec3.ZERO) ? "" : " translate " + vector(checker.origin()));
+        }
+        return color(((Pattern.Plain) pattern).color(), transmit);
+    }
+
+    private static String board(Pattern.Checkerboard board, Shape shape, double transmit) {
+        Rectangle area = shape instanceof Disc disc
+                ? new Rectangle(-disc.radius(), -disc.radius(), disc.radius(), disc.radius())
+                : (Rectangle) shape;
+        return checker(board.even(), board.odd(), transmit)
+                + " scale " + vector((area.maxX() - area.minX()) / board.columns(), (area.maxY() - area.minY()) / board.rows(), HIGH)
+                + " translate " + vector(area.minX(), area.minY(), -HIGH / 2);
+    }
+
+    private static String checker(Rgb even, Rgb odd, double transmit) {
+        return "checker " + color(even, transmit) + " " + color(odd, transmit);
+    }
+
+    private static String color(Rgb color, double transmit) {
+        return rgb(color, 1) + (transmit > 0 ? " transmit " + text(transmit) : "");
+    }
+}

@@ -1,0 +1,66 @@
+package cz.paprsek.pov;
+
+import static cz.paprsek.math.Numbers.text;
+import static cz.paprsek.pov.PovText.vector;
+
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Cone;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Cylinder;
+import cz.paprsek.shape.Disc;
+import cz.paprsek.shape.Ellipsoid;
+import cz.paprsek.shape.Plane;
+import cz.paprsek.shape.Rectangle;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.Torus;
+
+/** The shapes in POV-Ray's words. */
+final class PovShapes {
+    private static final String ORIGIN = "<0, 0, 0>";
+
+    private PovShapes() {}
+
+    /** One primitive in its own space, with what modifies it. */
+    static String primitive(Shape shape, String modifiers) {
+        return geometry(shape) + (modifiers.isEmpty() ? "" : " " + modifiers) + " }";
+    }
+
+    private static String geometry(Shape shape) {
+        if (shape instanceof Sphere s) {
+            return "sphere { " + ORIGIN + ", " + text(s.radius());
+        } else if (shape instanceof Block b) {
+            return "box { " + vector(b.min()) + ", " + vector(b.max());
+        } else if (shape instanceof Ellipsoid e) {
+            return "sphere { " + ORIGIN + ", 1 scale " + vector(e.semiAxes());
+        } else if (shape instanceof Plane) {
+            return "plane { y, 0";
+        } else if (shape instanceof Cylinder c) {
+            return "cylinder { " + ORIGIN + ", " + vector(0, c.height(), 0) + ", " + text(c.radius());
+        } else if (shape instanceof Cone c) {
+            return "cone { " + ORIGIN + ", " + text(c.radius()) + ", " + vector(0, c.height(), 0) + ", " + text(c.topRadius());
+        } else if (shape instanceof Torus t) {
+            // The default solver is fast, and loses thin rings and crossings close together.
+            return "torus { " + text(t.majorRadius()) + ", " + text(t.minorRadius()) + " sturm";
+        } else if (shape instanceof Rectangle r) {
+            String first = vector(r.minX(), r.minY(), 0);
+            return "polygon { 5, " + first + ", " + vector(r.maxX(), r.minY(), 0) + ", " + vector(r.maxX(), r.maxY(), 0) + ", "
+                    + vector(r.minX(), r.maxY(), 0) + ", " + first;
+        } else if (shape instanceof Disc d) {
+            return "disc { " + ORIGIN + ", z, " + text(d.radius());
+        }
+        throw new IllegalStateException("no words for " + shape.getClass().getSimpleName());
+    }
+
+    /** A union in POV-Ray keeps the walls inside; ours is its merge. A single operand is itself, whatever is done. */
+    static String keyword(Csg csg) {
+        if (csg.operands().size() == 1) {
+            return "object";
+        }
+        return switch (csg.operation()) {
+            case UNION -> "merge";
+            case DIFFERENCE -> "difference";
+            case INTERSECTION -> "intersection";
+        };
+    }
+}

@@ -1,0 +1,115 @@
+package cz.paprsek.pov;
+
+import static cz.paprsek.math.Numbers.text;
+
+import cz.paprsek.material.Inherited;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.MaterialSource;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Solid;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/** What POV-Ray will not show exactly as we do, in sentences. */
+final class PovWarnings {
+    /** Scenes that POV-Ray's absolute tolerances of 1e-3 and 1e-4 suit, scene units. */
+    private static final double SMALLEST = 0.5;
+    private static final double LARGEST = 1e5;
+
+    private final Scene scene;
+    private final Set<String> sentences = new LinkedHashSet<>();
+
+    private PovWarnings(Scene scene) {
+        this.scene = scene;
+    }
+
+    static List<String> of(Scene scene) {
+        PovWarnings warnings = new PovWarnings(scene);
+        warnings.check();
+        return List.copyOf(warnings.sentences);
+    }
+
+    /** The different materials of an object that light shines through, in the order of its parts. */
+    static List<Material> transparent(Scene scene, SceneObject object) {
+        Set<Material> found = new LinkedHashSet<>();
+        collect(scene, object.shape(), own(scene, object.material(), Material.DEFAULT), found);
+        found.removeIf(material -> material.transparency() == 0);
+        return List.copyOf(found);
+    }
+
+    private static void collect(Scene scene, Shape shape, Material material, Set<Material> found) {
+        if (shape instanceof Csg csg) {
+            for (Operand operand : csg.operands()) {
+                collect(scene, operand.solid(), own(scene, operand.material(), material), found);
+            }
+        } else {
+            found.add(material);
+        }
+    }
+
+    private static Material own(Scene scene, MaterialSource source, Material inherited) {
+        if (source == Inherited.INHERITED) {
+            return inherited;
+        }
+        return source instanceof MaterialName reference ? scene.materials().getOrDefault(reference.name(), Material.DEFAULT) : (Material) source;
+    }
+
+    private void check() {
+        int samples = scene.settings().samples();
+        if (samples > 1) {
+            sentences.add("POV-Ray does not sample pixels on a grid; for the same picture render it " + samples
+                    + " times as wide and high, and average");
+        }
+        checkSize();
+        for (int i = 0; i < scene.objects().size(); i++) {
+            SceneObject object = scene.objects().get(i);
+            check(object.name().isEmpty() ? "object " + (i + 1) : "\"" + object.name() + "\"", object);
+        }
+    }
+
+    private void checkSize() {
+        Bounds all = Bounds.of(scene.camera().position(), scene.camera().position());
+        for (SceneObject object : scene.objects()) {
+            Bounds bounds = object.shape().bounds().transformed(object.placement().toParent());
+            all = bounds.isFinite() ? all.union(bounds) : all;
+        }
+        double size = Math.max(all.maxX() - all.minX(), Math.max(all.maxY() - all.minY(), all.maxZ() - all.minZ()));
+        if (size < SMALLEST || size > LARGEST) {
+            sentences.add("the scene is " + rounded(size) + " units large; POV-Ray loses what is nearer than 0.001 and what is too far:"
+                    + " scale it to about 1 to 100");
+        }
+    }
+
+    private void check(String name, SceneObject object) {
+        List<Material> materials = transparent(scene, object);
+        List<Double> indices = new ArrayList<>(materials.stream().map(Material::refractiveIndex).distinct().toList());
+        boolean solid = object.shape() instanceof Solid;
+        if (solid && indices.size() > 1) {
+            sentences.add(name + " has surfaces of several refractive indices; POV-Ray knows one inside only and is told "
+                    + text(indices.get(0)));
+        }
+        for (Material material : materials) {
+            double both = material.reflection() + material.transparency();
+            if (solid && material.refractiveIndex() != 1 && Math.abs(both - 1) > 1e-9) {
+                sentences.add(name + ": where light is totally reflected POV-Ray gives back all of it, we give back reflection + transparency = "
+                        + rounded(both));
+            }
+            if (!solid || material.refractiveIndex() == 1) {
+                sentences.add(name + ": POV-Ray does not count rays that go straight through as a level of max-depth");
+            }
+        }
+    }
+
+    /** For people: without the digits that come of adding. */
+    private static String rounded(double value) {
+        return text(Math.rint(value * 1e6) / 1e6);
+    }
+}

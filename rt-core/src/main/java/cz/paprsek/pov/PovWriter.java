@@ -1,0 +1,130 @@
+package cz.paprsek.pov;
+
+import static cz.paprsek.pov.PovText.vector;
+
+import cz.paprsek.material.Inherited;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.math.Angles;
+import cz.paprsek.math.Numbers;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Shape;
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Writes one scene from top to bottom. Colours are linear; named materials become declarations. */
+final class PovWriter {
+    private final Scene scene;
+    private final PovText text;
+    /** The identifiers of the named materials. */
+    private final Map<String, String> identifiers = new HashMap<>();
+
+    PovWriter(Scene scene, Appendable out) {
+        this.scene = scene;
+        this.text = new PovText(out);
+    }
+
+    void write() throws IOException {
+        head();
+        camera();
+        for (Light light : scene.lights()) {
+            text.comment(light.name());
+            text.line("light_source { " + vector(light.position()) + ", " + PovMaterials.rgb(light.color(), light.intensity()) + " }");
+        }
+        for (Map.Entry<String, Material> named : scene.materials().entrySet()) {
+            declare(named.getKey(), named.getValue());
+        }
+        for (SceneObject object : scene.objects()) {
+            text.comment(object.name());
+            MaterialSource material = object.material() == Inherited.INHERITED ? Material.DEFAULT : object.material();
+            solid(object.shape(), List.of(texture(material, object.shape()), PovMaterials.interior(scene, object), placement(object.placement())));
+        }
+    }
+
+    private void head() throws IOException {
+        RenderSettings settings = scene.settings();
+        text.comment(scene.name());
+        text.comment("povray +Iscene.pov +W" + settings.width() + " +H" + settings.height() + " -A +FN16 File_Gamma=1.0 +Oscene.png"
+                + " writes 16-bit linear light, one ray a pixel.");
+        text.line("#version 3.7;");
+        text.line("global_settings { assumed_gamma 1 max_trace_level " + settings.maxDepth() + " adc_bailout 0 ambient_light "
+                + PovMaterials.rgb(scene.ambient(), 1) + " }");
+        text.line("background { " + PovMaterials.rgb(scene.background(), 1) + " }");
+    }
+
+    /** The lengths of {@code up} and {@code right} are the size of the picture at distance 1; POV-Ray's {@code angle} would be horizontal. */
+    private void camera() throws IOException {
+        Camera camera = scene.camera();
+        double height = 2 * Angles.tan(camera.fovy() / 2);
+        text.line("camera { perspective location " + vector(camera.position()) + " direction " + vector(camera.forward())
+                + " up " + vector(camera.trueUp().times(height))
+                + " right image_width/image_height*" + vector(camera.right().times(height)) + " }");
+    }
+
+    private void declare(String name, Material material) throws IOException {
+        if (material.pattern() instanceof Pattern.Checkerboard) {
+            // How large its squares are depends on the figure it lies on.
+            return;
+        }
+        String identifier = "Material_" + (identifiers.size() + 1) + name.codePoints()
+                .filter(c -> c < 128 && Character.isLetterOrDigit(c)).limit(40)
+                .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append).insert(0, '_');
+        identifiers.put(name, identifier);
+        text.line("#declare " + identifier + " = " + PovMaterials.texture(material));
+    }
+
+    /** @return an empty text for a material taken from above */
+    private String texture(MaterialSource source, Shape shape) {
+        if (source == Inherited.INHERITED) {
+            return "";
+        }
+        if (source instanceof MaterialName reference) {
+            String identifier = identifiers.get(reference.name());
+            return identifier == null
+                    ? PovMaterials.texture(scene.materials().getOrDefault(reference.name(), Material.DEFAULT), shape)
+                    : "texture { " + identifier + " }";
+        }
+        return PovMaterials.texture((Material) source, shape);
+    }
+
+    /** Writes a shape and what modifies it, first things first: a texture is carried along by the placements after it. */
+    private void solid(Shape shape, List<String> modifiers) throws IOException {
+        if (!(shape instanceof Csg csg)) {
+            text.line(PovShapes.primitive(shape, PovText.joined(modifiers)));
+            return;
+        }
+        text.open(PovShapes.keyword(csg));
+        for (Operand operand : csg.operands()) {
+            text.comment(operand.name());
+            boolean isAlone = csg.operands().size() == 1 && operand.material() != Inherited.INHERITED;
+            solid(operand.solid(), List.of(texture(operand.material(), operand.solid()), placement(operand.placement())));
+            if (isAlone) {
+                // What follows would be laid over the operand's own texture, not under it.
+                text.close(PovText.joined(modifiers.subList(1, modifiers.size())));
+                return;
+            }
+        }
+        text.close(PovText.joined(modifiers));
+    }
+
+    /** POV-Ray's turns are counter-clockwise for us: its hand and its z axis are both the other way round. */
+    private static String placement(Placement placement) {
+        Vec3 scale = placement.scale();
+        return PovText.joined(List.of(
+                scale.equals(Vec3.ONE) ? "" : "scale " + (scale.x() == scale.y() && scale.x() == scale.z() ? Numbers.text(scale.x()) : vector(scale)),
+                placement.rotation().equals(Vec3.ZERO) ? "" : "rotate " + vector(placement.rotation()),
+                placement.position().equals(Vec3.ZERO) ? "" : "translate " + vector(placement.position())));
+    }
+}
