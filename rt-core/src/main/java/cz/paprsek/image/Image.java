@@ -44,12 +44,12 @@ public final class Image {
         return linear[index(x, y) + 2];
     }
 
-    /** Sets a pixel's linear light. */
+    /** Sets a pixel's linear light; the most that a pixel holds is {@link Float#MAX_VALUE}. */
     public void set(int x, int y, double red, double green, double blue) {
         int i = index(x, y);
-        linear[i] = (float) red;
-        linear[i + 1] = (float) green;
-        linear[i + 2] = (float) blue;
+        linear[i] = clamped(red);
+        linear[i + 1] = clamped(green);
+        linear[i + 2] = clamped(blue);
     }
 
     /** The pixel as sRGB, 0xFFRRGGBB. */
@@ -74,6 +74,10 @@ public final class Image {
         BufferedImage copy = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         System.arraycopy(toArgb(), 0, ((DataBufferInt) copy.getRaster().getDataBuffer()).getData(), 0, width * height);
         return copy;
+    }
+
+    private static float clamped(double light) {
+        return (float) Math.min(light, Float.MAX_VALUE);
     }
 
     private int index(int x, int y) {

@@ -28,7 +28,8 @@ public sealed interface Pattern {
      */
     record Checker(double size, Vec3 origin, Rgb even, Rgb odd) implements Pattern {
         public Checker {
-            Require.positive("checker size", size);
+            Require.size("checker size", size);
+            Require.place("checker origin", origin);
         }
     }
 }

@@ -46,16 +46,34 @@ public record Affine(
     }
 
     /**
-     * The map that undoes this one.
+     * The map that undoes this one. Its columns are first scaled, by powers of two so that no digit changes, to about length 1: a shape may be
+     * drawn out along one of its axes by any factor, and turned after that.
      *
-     * @throws IllegalArgumentException if this map flattens space, or its determinant cannot be represented
+     * @throws IllegalArgumentException if this map flattens space
      */
     public Affine inverse() {
+        double sx = powerOfTwoNear(xx, yx, zx);
+        double sy = powerOfTwoNear(xy, yy, zy);
+        double sz = powerOfTwoNear(xz, yz, zz);
+        return IDENTITY.withColumnsOver(sx, sy, sz).after(withColumnsOver(sx, sy, sz).adjugateOverDeterminant());
+    }
+
+    private Affine withColumnsOver(double sx, double sy, double sz) {
+        return new Affine(xx / sx, xy / sy, xz / sz, xt, yx / sx, yy / sy, yz / sz, yt, zx / sx, zy / sy, zz / sz, zt);
+    }
+
+    /** A power of two not far from the length of a vector; 1 for the vector 0. */
+    private static double powerOfTwoNear(double x, double y, double z) {
+        double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        return largest == 0 ? 1 : Math.scalb(1.0, Math.getExponent(largest));
+    }
+
+    private Affine adjugateOverDeterminant() {
         double a = yy * zz - yz * zy;
         double b = yz * zx - yx * zz;
         double c = yx * zy - yy * zx;
         double k = 1 / (xx * a + xy * b + xz * c);
-        Require.that(Double.isFinite(k) && k != 0, "a placement must not flatten space, but its determinant is " + 1 / k);
+        Require.that(Double.isFinite(k) && k != 0, "a placement must not flatten space");
         double ixx = a * k;
         double ixy = (xz * zy - xy * zz) * k;
         double ixz = (xy * yz - xz * yy) * k;

@@ -2,6 +2,14 @@ package cz.paprsek.math;
 
 /** Checks of arguments, each with one sentence that says what was expected and what was found. */
 public final class Require {
+    /**
+     * The largest coordinate and size, in scene units. Far beyond any scene there is (the universe has 1e61 Planck lengths), and far enough
+     * from the largest double for every volume, area and fourth power that is worked out from them.
+     */
+    public static final double LARGEST = 1e45;
+    /** The smallest size, in scene units; not of coordinates, which may be as near to 0 as they like. */
+    public static final double SMALLEST = 1e-45;
+
     private Require() {}
 
     /** @throws IllegalArgumentException unless the value is finite */
@@ -17,6 +25,29 @@ public final class Require {
     /** @throws IllegalArgumentException unless the value is finite and 0 or above */
     public static double notNegative(String what, double value) {
         return check(Double.isFinite(value) && value >= 0, what, "a finite number, 0 or above", value);
+    }
+
+    /** @throws IllegalArgumentException unless the value is a size that shapes can have: finite, from {@link #SMALLEST} to {@link #LARGEST} */
+    public static double size(String what, double value) {
+        return within(what, positive(what, value), SMALLEST, LARGEST);
+    }
+
+    /** @throws IllegalArgumentException unless the value is 0 or a size */
+    public static double sizeOrZero(String what, double value) {
+        return notNegative(what, value) == 0 ? value : size(what, value);
+    }
+
+    /** @throws IllegalArgumentException unless the value lies within ±{@link #LARGEST} */
+    public static double coordinate(String what, double value) {
+        return within(what, finite(what, value), -LARGEST, LARGEST);
+    }
+
+    /** @throws IllegalArgumentException unless every coordinate lies within ±{@link #LARGEST} */
+    public static Vec3 place(String what, Vec3 point) {
+        coordinate(what + " x", point.x());
+        coordinate(what + " y", point.y());
+        coordinate(what + " z", point.z());
+        return point;
     }
 
     /** @throws IllegalArgumentException unless low ≤ value ≤ high */

@@ -29,10 +29,15 @@ public record Camera(Vec3 position, Aim aim, Vec3 up, double fovy) {
     }
 
     /** A point in world space; the camera turns to it wherever it moves. */
-    public record Target(Vec3 point) implements Aim {}
+    public record Target(Vec3 point) implements Aim {
+        public Target {
+            Require.place("camera target", point);
+        }
+    }
 
     /** @throws IllegalArgumentException if the view is undefined: fovy out of range, target at the eye, up along the view */
     public Camera {
+        Require.place("camera position", position);
         Require.that(fovy > 0 && fovy < 180, "camera fovy must be above 0 and below 180 degrees, but is " + fovy);
         Require.that(!up.equals(Vec3.ZERO), "camera up must not be 0 0 0");
         Require.that(!(aim instanceof Target t && t.point().equals(position)),

@@ -10,11 +10,16 @@ import cz.paprsek.math.Vec3;
  * @param name free text for people; empty for none, unique among the scene's lights otherwise
  * @param position world space
  * @param color its colour
- * @param intensity factor on the linear colour, 0 or above
+ * @param intensity factor on the linear colour, 0 to {@link #BRIGHTEST}
  */
 public record Light(String name, Vec3 position, Rgb color, double intensity) {
+    /** The greatest intensity: no picture of floats holds much more. */
+    public static final double BRIGHTEST = 1e12;
+
     public Light {
+        Require.place("light position", position);
         Require.notNegative("light intensity", intensity);
+        Require.within("light intensity", intensity, 0, BRIGHTEST);
     }
 
     /** A white light of intensity 1. */

@@ -9,6 +9,7 @@ import cz.paprsek.math.Require;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import java.util.HashSet;
@@ -50,6 +51,7 @@ public final class SceneRules {
         for (SceneObject object : objects) {
             checkName("object", object.name(), object, names, report);
             checkMaterial(object.material(), object.shape(), object, materials, report);
+            checkOperands(object.shape(), Stretch.NONE.within(object.placement()), materials, report);
         }
     }
 
@@ -86,11 +88,19 @@ public final class SceneRules {
         }
     }
 
-    private static void checkOperands(Csg csg, Map<String, Material> materials, Report report) {
-        Set<String> names = new HashSet<>();
-        for (Operand operand : csg.operands()) {
-            checkName("operand", operand.name(), operand, names, report);
-            checkMaterial(operand.material(), operand.solid(), operand, materials, report);
+    private static void checkOperands(Shape shape, Stretch stretch, Map<String, Material> materials, Report report) {
+        if (shape instanceof Csg csg) {
+            Set<String> names = new HashSet<>();
+            for (Operand operand : csg.operands()) {
+                checkName("operand", operand.name(), operand, names, report);
+                checkMaterial(operand.material(), operand.solid(), operand, materials, report);
+                Stretch inner = stretch.within(operand.placement());
+                if (inner.isReasonable()) {
+                    checkOperands(operand.solid(), inner, materials, report);
+                } else {
+                    report.broken(operand, inner.sentence());
+                }
+            }
         }
     }
 
@@ -114,8 +124,28 @@ public final class SceneRules {
         if (material.pattern() instanceof Pattern.Checkerboard && !(shape instanceof Rectangle || shape instanceof Disc)) {
             report.broken(owner, "a checkerboard lies on a rectangle or a disc only; give this shape a checker");
         }
-        if (shape instanceof Csg csg) {
-            checkOperands(csg, materials, report);
+    }
+
+    /** The least and the greatest factor that nested placements have applied to a length so far. */
+    private record Stretch(double least, double greatest) {
+        /** Beyond this, stretching one way and turning and stretching another leaves too few digits to see by. */
+        private static final double MOST_UNEQUAL = 1e9;
+        static final Stretch NONE = new Stretch(1, 1);
+
+        Stretch within(Placement placement) {
+            double x = Math.abs(placement.scale().x());
+            double y = Math.abs(placement.scale().y());
+            double z = Math.abs(placement.scale().z());
+            return new Stretch(least * Math.min(x, Math.min(y, z)), greatest * Math.max(x, Math.max(y, z)));
+        }
+
+        boolean isReasonable() {
+            return least >= Require.SMALLEST && greatest <= Require.LARGEST && greatest / least <= MOST_UNEQUAL;
+        }
+
+        String sentence() {
+            return "the scales of this operand and of what it is in must multiply to " + Require.SMALLEST + " up to " + Require.LARGEST
+                    + ", and not differ by more than a factor of " + MOST_UNEQUAL + ", but give " + least + " up to " + greatest;
         }
     }
 }

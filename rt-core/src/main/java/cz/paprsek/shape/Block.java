@@ -9,9 +9,14 @@ import cz.paprsek.math.Vec3;
 /** A box with faces perpendicular to the axes, from its minimum to its maximum corner. */
 public record Block(Vec3 min, Vec3 max) implements Solid {
     public Block {
+        Require.place("block min", min);
+        Require.place("block max", max);
         Require.that(min.x() < max.x() && min.y() < max.y() && min.z() < max.z(),
                 "block min must be below max along every axis, but min is " + Numbers.text(min) + " and max is "
                         + Numbers.text(max));
+        Require.size("block width", max.x() - min.x());
+        Require.size("block height", max.y() - min.y());
+        Require.size("block depth", max.z() - min.z());
     }
 
     @Override

@@ -8,10 +8,10 @@ import cz.paprsek.math.Vec3;
 /** A closed cone about the y axis: {@code radius} at y = 0, {@code topRadius} at y = height; pointed if that is 0. */
 public record Cone(double radius, double topRadius, double height) implements Solid {
     public Cone {
-        Require.notNegative("cone radius", radius);
-        Require.notNegative("cone top-radius", topRadius);
+        Require.sizeOrZero("cone radius", radius);
+        Require.sizeOrZero("cone top-radius", topRadius);
         Require.that(radius > 0 || topRadius > 0, "cone radius and top-radius must not both be 0");
-        Require.positive("cone height", height);
+        Require.size("cone height", height);
     }
 
     /** A pointed cone. */

@@ -7,8 +7,8 @@ import cz.paprsek.math.Require;
 /** A closed cylinder about the y axis, from y = 0 to y = height. */
 public record Cylinder(double radius, double height) implements Solid {
     public Cylinder {
-        Require.positive("cylinder radius", radius);
-        Require.positive("cylinder height", height);
+        Require.size("cylinder radius", radius);
+        Require.size("cylinder height", height);
     }
 
     @Override

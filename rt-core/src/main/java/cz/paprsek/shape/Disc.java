@@ -7,7 +7,7 @@ import cz.paprsek.math.Require;
 /** A disc in the plane z = 0 about the origin, facing +z, seen from both sides. It has no inside. */
 public record Disc(double radius) implements Shape {
     public Disc {
-        Require.positive("disc radius", radius);
+        Require.size("disc radius", radius);
     }
 
     @Override

@@ -14,10 +14,14 @@ import cz.paprsek.math.Vec3;
 public record Placement(Vec3 position, Vec3 rotation, Vec3 scale) {
     public static final Placement NONE = new Placement(Vec3.ZERO, Vec3.ZERO, Vec3.ONE);
 
-    /** @throws IllegalArgumentException if a scale is 0 */
+    /** @throws IllegalArgumentException if a scale is 0, or a number is out of all proportion ({@link Require#LARGEST}) */
     public Placement {
+        Require.place("position", position);
         Require.that(scale.x() != 0 && scale.y() != 0 && scale.z() != 0,
                 "scale must not be 0 along any axis, but is " + scale.x() + " " + scale.y() + " " + scale.z());
+        Require.size("scale along x", Math.abs(scale.x()));
+        Require.size("scale along y", Math.abs(scale.y()));
+        Require.size("scale along z", Math.abs(scale.z()));
     }
 
     public static Placement at(double x, double y, double z) {

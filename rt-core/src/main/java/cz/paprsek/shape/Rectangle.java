@@ -8,12 +8,14 @@ import cz.paprsek.math.Require;
 /** A rectangle in the plane z = 0, facing +z, seen from both sides. It has no inside. */
 public record Rectangle(double minX, double minY, double maxX, double maxY) implements Shape {
     public Rectangle {
-        Require.finite("rectangle min x", minX);
-        Require.finite("rectangle min y", minY);
-        Require.finite("rectangle max x", maxX);
-        Require.finite("rectangle max y", maxY);
+        Require.coordinate("rectangle min x", minX);
+        Require.coordinate("rectangle min y", minY);
+        Require.coordinate("rectangle max x", maxX);
+        Require.coordinate("rectangle max y", maxY);
         Require.that(minX < maxX && minY < maxY, "rectangle min must be below max along both axes, but min is "
                 + Numbers.text(minX) + " " + Numbers.text(minY) + " and max is " + Numbers.text(maxX) + " " + Numbers.text(maxY));
+        Require.size("rectangle width", maxX - minX);
+        Require.size("rectangle height", maxY - minY);
     }
 
     @Override

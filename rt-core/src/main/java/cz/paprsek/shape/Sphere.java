@@ -8,7 +8,7 @@ import cz.paprsek.math.Vec3;
 /** A ball about the origin. */
 public record Sphere(double radius) implements Solid {
     public Sphere {
-        Require.positive("sphere radius", radius);
+        Require.size("sphere radius", radius);
     }
 
     @Override

@@ -13,8 +13,8 @@ import cz.paprsek.math.Vec3;
  */
 public record Torus(double majorRadius, double minorRadius) implements Solid {
     public Torus {
-        Require.positive("torus major-radius", majorRadius);
-        Require.positive("torus minor-radius", minorRadius);
+        Require.size("torus major-radius", majorRadius);
+        Require.size("torus minor-radius", minorRadius);
         Require.that(minorRadius <= majorRadius, "torus minor-radius must be at most its major-radius of " + majorRadius
                 + ", but is " + minorRadius);
     }
