@@ -1,0 +1,110 @@
+package cz.paprsek.fx.model;
+
+import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.fx.model.Item.LightAt;
+import cz.paprsek.material.Inherited;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.MaterialSource;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** Items as text: a scene file of just these, so that they can be pasted into another window, a mail or a file. */
+public final class Clipboard {
+    private Clipboard() {}
+
+    /**
+     * Objects, operands and lights as a scene file, with the named materials they refer to. Operands become objects of their own.
+     *
+     * @throws IllegalArgumentException if nothing of the kind is selected, or an operand is sheared
+     */
+    public static String copy(EditorState state, Collection<? extends Item> items) {
+        List<BodyAt> places = Items.outermost(items);
+        List<LightAt> lightPlaces = Items.lights(items);
+        if (places.isEmpty() && lightPlaces.isEmpty()) {
+            throw new IllegalArgumentException("select objects or lights to copy");
+        }
+        Scene scene = state.scene();
+        Set<String> names = new LinkedHashSet<>();
+        List<SceneObject> objects = new ArrayList<>();
+        for (BodyAt at : places) {
+            Body body = Bodies.find(scene, at).orElseThrow();
+            if (at.depth() > 0) {
+                body = body.placed(Placements.of(Bodies.toWorld(scene, at)).orElseThrow(() -> new IllegalArgumentException(
+                        "an operand sheared by the operations around it cannot be copied on its own"))).madeOf(material(scene, at));
+            }
+            body = body.named(Names.free(body.name(), names));
+            names.add(body.name());
+            objects.add(body.toObject());
+        }
+        List<Light> lights = lightPlaces.stream().map(at -> scene.lights().get(at.index())).toList();
+        Map<String, Material> materials = new LinkedHashMap<>(scene.materials());
+        Set<String> used = new LinkedHashSet<>();
+        objects.forEach(object -> collect(object.material(), object.shape(), used));
+        materials.keySet().retainAll(used);
+        return SceneFiles.format(Scene.EMPTY.withMaterials(materials).withLights(lights).withObjects(objects));
+    }
+
+    /**
+     * Adds the objects and lights of a scene file and selects them. Materials come along; one whose name is taken by another material is
+     * given a free name.
+     *
+     * @throws SceneFileException if the text is not a scene
+     * @throws IllegalArgumentException if there is nothing in it
+     */
+    public static EditorState paste(EditorState state, String xml) throws SceneFileException {
+        Scene pasted = SceneFiles.parse(xml);
+        if (pasted.objects().isEmpty() && pasted.lights().isEmpty()) {
+            throw new IllegalArgumentException("there are no objects or lights in the clipboard");
+        }
+        Map<String, Material> materials = new LinkedHashMap<>(state.scene().materials());
+        Map<String, String> renamed = new LinkedHashMap<>();
+        pasted.materials().forEach((name, material) -> {
+            String fresh = material.equals(materials.get(name)) ? name : Names.free(name, materials.keySet());
+            renamed.put(name, fresh);
+            materials.put(fresh, material);
+        });
+        return Structure.add(
+                state.withScene(state.scene().withMaterials(materials)),
+                pasted.objects().stream().map(object -> renamed(Body.of(object), renamed).toObject()).toList(),
+                pasted.lights());
+    }
+
+    /** What a body is made of, which may be stated by an operation around it. */
+    private static MaterialSource material(Scene scene, BodyAt at) {
+        Body body = Bodies.find(scene, at).orElseThrow();
+        return body.material() instanceof Inherited && at.depth() > 0 ? material(scene, at.parent()) : body.material();
+    }
+
+    private static void collect(MaterialSource material, Shape shape, Set<String> names) {
+        if (material instanceof MaterialName reference) {
+            names.add(reference.name());
+        }
+        if (shape instanceof Csg csg) {
+            csg.operands().forEach(operand -> collect(operand.material(), operand.solid(), names));
+        }
+    }
+
+    private static Body renamed(Body body, Map<String, String> names) {
+        Body result = body.material() instanceof MaterialName reference
+                ? body.madeOf(new MaterialName(names.getOrDefault(reference.name(), reference.name()))) : body;
+        if (!(body.shape() instanceof Csg csg)) {
+            return result;
+        }
+        List<Operand> operands = csg.operands().stream().map(operand -> renamed(Body.of(operand), names).toOperand()).toList();
+        return result.withShape(new Csg(csg.operation(), operands));
+    }
+}

@@ -1,0 +1,214 @@
+package cz.paprsek.fx.model;
+
+import cz.paprsek.scene.Scene;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The one truth of the editor: the scene, what is selected, and the history. Views read {@link #stateProperty} and redraw what is no longer
+ * the same; all changes go through here. For JavaFX's thread only.
+ */
+public final class EditorModel {
+    private final History history = new History();
+    private final ReadOnlyObjectWrapper<EditorState> state;
+    private final ReadOnlyObjectWrapper<Scene> scene;
+    private final ReadOnlyObjectWrapper<Set<Item>> selection;
+    private final ReadOnlyObjectWrapper<Optional<Label>> undoable = new ReadOnlyObjectWrapper<>(Optional.empty());
+    private final ReadOnlyObjectWrapper<Optional<Label>> redoable = new ReadOnlyObjectWrapper<>(Optional.empty());
+    private final ReadOnlyBooleanWrapper unsaved = new ReadOnlyBooleanWrapper();
+    private final ReadOnlyBooleanWrapper gesturing = new ReadOnlyBooleanWrapper();
+    private @Nullable Scene saved;
+    private @Nullable Gesture gesture;
+
+    /** Begins with a scene that counts as saved. */
+    public EditorModel(Scene start) {
+        state = new ReadOnlyObjectWrapper<>(EditorState.of(start));
+        scene = new ReadOnlyObjectWrapper<>(start);
+        selection = new ReadOnlyObjectWrapper<>(Set.of());
+        saved = start;
+    }
+
+    /** The state shown: during a gesture, its preview. */
+    public EditorState state() {
+        return state.get();
+    }
+
+    public Scene scene() {
+        return scene.get();
+    }
+
+    /** What is selected, in the order of selecting. */
+    public Set<Item> selection() {
+        return selection.get();
+    }
+
+    /** Changes after every change of any kind. */
+    public ReadOnlyObjectProperty<EditorState> stateProperty() {
+        return state.getReadOnlyProperty();
+    }
+
+    /** Changes only if the scene is another one. */
+    public ReadOnlyObjectProperty<Scene> sceneProperty() {
+        return scene.getReadOnlyProperty();
+    }
+
+    /** Changes only if other items are selected; the scene that they lead into has then been set already. */
+    public ReadOnlyObjectProperty<Set<Item>> selectionProperty() {
+        return selection.getReadOnlyProperty();
+    }
+
+    /** What undo would undo. */
+    public ReadOnlyObjectProperty<Optional<Label>> undoableProperty() {
+        return undoable.getReadOnlyProperty();
+    }
+
+    /** What redo would redo. */
+    public ReadOnlyObjectProperty<Optional<Label>> redoableProperty() {
+        return redoable.getReadOnlyProperty();
+    }
+
+    /** Whether the scene differs from that opened or saved last. Scenes share what has not changed, so that the comparison costs little. */
+    public ReadOnlyBooleanProperty unsavedProperty() {
+        return unsaved.getReadOnlyProperty();
+    }
+
+    /** Whether a gesture is under way: what is shown may still be cancelled. */
+    public ReadOnlyBooleanProperty gesturingProperty() {
+        return gesturing.getReadOnlyProperty();
+    }
+
+    /**
+     * Changes the scene, as one step; no step if the change returns an equal scene. A gesture under way is committed first.
+     *
+     * @throws IllegalArgumentException with what is wrong, if the change makes a scene that cannot be; nothing is changed then
+     */
+    public void edit(Label label, UnaryOperator<Scene> change) {
+        editState(label, before -> before.withScene(change.apply(before.scene())));
+    }
+
+    /** As {@link #edit}, for changes that also move, hide or select items, such as those of {@link Structure}. */
+    public void editState(Label label, UnaryOperator<EditorState> change) {
+        commitGesture();
+        EditorState before = state();
+        EditorState after = change.apply(before);
+        boolean isStep = isStep(before, after);
+        if (isStep) {
+            history.did(label, before);
+        }
+        show(isStep ? after : before.withSelection(after.selection()));
+    }
+
+    /** Begins a gesture; one under way is committed first. */
+    public Gesture begin(Label label) {
+        commitGesture();
+        Gesture fresh = new Gesture(this, label, state());
+        gesture = fresh;
+        gesturing.set(true);
+        return fresh;
+    }
+
+    /** Selects items and no others; no step of the history. Items that lead nowhere are left out. */
+    public void select(Set<? extends Item> items) {
+        EditorState now = state();
+        EditorState next = now.withSelection(items);
+        if (!List.copyOf(next.selection()).equals(List.copyOf(now.selection()))) {
+            show(next);
+        }
+    }
+
+    public void select(Item... items) {
+        select(new LinkedHashSet<>(List.of(items)));
+    }
+
+    /** Undoes the last step, or cancels the gesture under way. */
+    public void undo() {
+        if (gesture != null) {
+            gesture.cancel();
+        } else {
+            history.undo(state()).ifPresent(this::show);
+        }
+    }
+
+    /** Does again what was undone last. */
+    public void redo() {
+        commitGesture();
+        history.redo(state()).ifPresent(this::show);
+    }
+
+    /** Takes another scene, which counts as saved; the history is forgotten. */
+    public void open(Scene fresh) {
+        commitGesture();
+        history.clear();
+        saved = fresh;
+        show(EditorState.of(fresh));
+    }
+
+    /** Takes another scene which counts as unsaved, such as one recovered; the history is forgotten. */
+    public void openUnsaved(Scene fresh) {
+        open(fresh);
+        saved = null;
+        show(state());
+    }
+
+    /** Takes another scene in the place of this one as a step that can be undone, and which counts as saved: the file changed on disk. */
+    public void reload(Label label, Scene fresh) {
+        edit(label, old -> fresh);
+        saved(fresh);
+    }
+
+    /** Takes note that a scene has been saved; the history stays. */
+    public void saved(Scene value) {
+        saved = value;
+        show(state());
+    }
+
+    boolean isOpen(Gesture candidate) {
+        return gesture == candidate;
+    }
+
+    void end(Gesture ended, boolean keep) {
+        if (gesture != ended) {
+            return;
+        }
+        gesture = null;
+        gesturing.set(false);
+        EditorState now = state();
+        boolean isStep = keep && isStep(ended.start(), now);
+        if (isStep) {
+            history.did(ended.label(), ended.start());
+        }
+        show(isStep ? now : ended.start().withSelection(now.selection()));
+    }
+
+    /** Sets all properties, the state last, so that who listens to any finds scene and selection fitting each other. */
+    void show(EditorState next) {
+        undoable.set(history.undoable());
+        redoable.set(history.redoable());
+        unsaved.set(!next.scene().equals(saved));
+        boolean selectsOthers = !List.copyOf(next.selection()).equals(List.copyOf(selection.get()));
+        state.set(next);
+        scene.set(next.scene());
+        if (selectsOthers) {
+            selection.set(next.selection());
+        }
+    }
+
+    private void commitGesture() {
+        if (gesture != null) {
+            gesture.commit();
+        }
+    }
+
+    /** Selecting alone is no step. */
+    private static boolean isStep(EditorState before, EditorState after) {
+        return !before.scene().equals(after.scene()) || !before.hidden().equals(after.hidden()) || !before.locked().equals(after.locked());
+    }
+}

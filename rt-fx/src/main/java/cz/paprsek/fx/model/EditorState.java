@@ -1,0 +1,92 @@
+package cz.paprsek.fx.model;
+
+import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.fx.model.Item.LightAt;
+import cz.paprsek.scene.Scene;
+import java.util.Collections;
+import java.util.LinkedHashSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+
+/**
+ * All that an edit may change. Items that lead nowhere are dropped.
+ *
+ * @param scene what is edited
+ * @param selection in the order of selecting
+ * @param hidden what the editor does not show; files and renders have it all the same
+ * @param locked what cannot be picked or moved in the editor
+ */
+public record EditorState(Scene scene, Set<Item> selection, Set<Item> hidden, Set<Item> locked) {
+
+    public EditorState {
+        selection = existing(scene, selection);
+        hidden = existing(scene, hidden);
+        locked = existing(scene, locked);
+    }
+
+    /** A scene of which nothing is selected, hidden or locked. */
+    public static EditorState of(Scene scene) {
+        return new EditorState(scene, Set.of(), Set.of(), Set.of());
+    }
+
+    public EditorState withScene(Scene value) {
+        return new EditorState(value, selection, hidden, locked);
+    }
+
+    public EditorState withSelection(Set<? extends Item> value) {
+        return new EditorState(scene, new LinkedHashSet<>(value), hidden, locked);
+    }
+
+    public EditorState withHidden(Set<Item> value) {
+        return new EditorState(scene, selection, value, locked);
+    }
+
+    public EditorState withLocked(Set<Item> value) {
+        return new EditorState(scene, selection, hidden, value);
+    }
+
+    /** Another scene, with each item taken to where it is now; one without a place is dropped. */
+    EditorState moved(Scene value, Function<Item, Optional<Item>> place) {
+        return new EditorState(value, moved(selection, place), moved(hidden, place), moved(locked, place));
+    }
+
+    /** Whether an item, or an operation around it, is hidden. */
+    public boolean isHidden(Item item) {
+        return isWithin(hidden, item);
+    }
+
+    /** Whether an item, or an operation around it, is locked. */
+    public boolean isLocked(Item item) {
+        return isWithin(locked, item);
+    }
+
+    /** Whether an item leads somewhere. */
+    public static boolean exists(Scene scene, Item item) {
+        if (item instanceof LightAt light) {
+            return light.index() < scene.lights().size();
+        }
+        return !(item instanceof BodyAt body) || Bodies.find(scene, body).isPresent();
+    }
+
+    private static boolean isWithin(Set<Item> items, Item item) {
+        if (items.isEmpty()) {
+            return false;
+        }
+        if (item instanceof BodyAt body && body.depth() > 0) {
+            return items.contains(body) || isWithin(items, body.parent());
+        }
+        return items.contains(item);
+    }
+
+    private static Set<Item> existing(Scene scene, Set<Item> items) {
+        Set<Item> kept = new LinkedHashSet<>(items);
+        kept.removeIf(item -> !exists(scene, item));
+        return Collections.unmodifiableSet(kept);
+    }
+
+    private static Set<Item> moved(Set<Item> items, Function<Item, Optional<Item>> place) {
+        return items.stream().flatMap(item -> place.apply(item).stream()).collect(Collectors.toCollection(LinkedHashSet::new));
+    }
+}

@@ -1,0 +1,177 @@
+package cz.paprsek.fx.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Sphere;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+
+class EditorModelTest {
+    private static final Label ADD_LIGHT = Label.of(Edit.ADD, "light");
+
+    private final Scene start = TestScenes.kitchen();
+    private final EditorModel model = new EditorModel(start);
+
+    @Test
+    void undoGoesAllTheWayBackAndRedoForthAgain() {
+        for (int i = 0; i < 1000; i++) {
+            model.edit(ADD_LIGHT, scene -> scene.plus(Light.at(1, 2, 3)));
+        }
+        Scene end = model.scene();
+        for (int i = 0; i < 1000; i++) {
+            model.undo();
+        }
+        assertThat(model.scene()).isSameAs(start);
+        assertThat(model.unsavedProperty().get()).isFalse();
+        assertThat(model.undoableProperty().get()).isEmpty();
+        for (int i = 0; i < 1000; i++) {
+            model.redo();
+        }
+        assertThat(model.scene()).isSameAs(end);
+        assertThat(model.redoableProperty().get()).isEmpty();
+    }
+
+    @Test
+    void undoTellsWhatItWouldUndo() {
+        model.edit(ADD_LIGHT, scene -> scene.plus(Light.at(1, 2, 3)));
+        model.edit(Label.of(Edit.MOVE, "ball"), scene -> Moves.translated(scene, Set.of(Item.body(0)), Vec3.X));
+        assertThat(model.undoableProperty().get()).contains(Label.of(Edit.MOVE, "ball"));
+        model.undo();
+        assertThat(model.undoableProperty().get()).contains(ADD_LIGHT);
+        assertThat(model.redoableProperty().get()).contains(Label.of(Edit.MOVE, "ball"));
+    }
+
+    @Test
+    void editAfterUndoForgetsWhatWasUndone() {
+        model.edit(ADD_LIGHT, scene -> scene.plus(Light.at(1, 2, 3)));
+        model.undo();
+        model.edit(Label.of(Edit.RENAME), scene -> scene.withName("kitchen"));
+        assertThat(model.redoableProperty().get()).isEmpty();
+        model.redo();
+        assertThat(model.scene().name()).isEqualTo("kitchen");
+    }
+
+    @Test
+    void changeThatChangesNothingIsNoStep() {
+        model.edit(Label.of(Edit.CHANGE), scene -> Bodies.with(scene, Item.body(0), body -> body.named("ball")));
+        assertThat(model.undoableProperty().get()).isEmpty();
+        assertThat(model.unsavedProperty().get()).isFalse();
+    }
+
+    @Test
+    void refusedChangeLeavesEverythingAsItWas() {
+        assertThatThrownBy(() -> model.edit(Label.of(Edit.RENAME), scene -> Bodies.with(scene, Item.body(0), body -> body.named("bowl"))))
+                .isInstanceOf(IllegalArgumentException.class).hasMessageContaining("already an object named \"bowl\"");
+        assertThat(model.scene()).isSameAs(start);
+        assertThat(model.undoableProperty().get()).isEmpty();
+    }
+
+    @Test
+    void saveKeepsTheHistoryAndMovesTheUnsavedMark() {
+        model.edit(ADD_LIGHT, scene -> scene.plus(Light.at(1, 2, 3)));
+        model.saved(model.scene());
+        assertThat(model.unsavedProperty().get()).isFalse();
+        model.undo();
+        assertThat(model.unsavedProperty().get()).isTrue();
+        assertThat(model.scene()).isSameAs(start);
+        model.redo();
+        assertThat(model.unsavedProperty().get()).isFalse();
+    }
+
+    @Test
+    void gestureIsOneStepHoweverManyPreviews() {
+        Gesture drag = model.begin(Label.of(Edit.MOVE, "ball"));
+        assertThat(model.gesturingProperty().get()).isTrue();
+        for (int i = 1; i <= 100; i++) {
+            Vec3 by = new Vec3(i * 0.1, 0, 0);
+            drag.preview(scene -> Moves.translated(scene, Set.of(Item.body(0)), by));
+        }
+        drag.commit();
+        assertThat(model.gesturingProperty().get()).isFalse();
+        assertThat(model.scene().objects().get(0).placement().position()).isEqualTo(new Vec3(10, 0, 0));
+        model.undo();
+        assertThat(model.scene()).isSameAs(start);
+    }
+
+    @Test
+    void cancelledGestureLeavesNoTrace() {
+        Gesture drag = model.begin(Label.of(Edit.MOVE, "ball"));
+        drag.preview(scene -> Moves.translated(scene, Set.of(Item.body(0)), Vec3.X));
+        assertThat(model.unsavedProperty().get()).isTrue();
+        drag.cancel();
+        assertThat(model.scene()).isSameAs(start);
+        assertThat(model.unsavedProperty().get()).isFalse();
+        assertThat(model.undoableProperty().get()).isEmpty();
+        drag.preview(scene -> scene.withName("too late"));
+        drag.commit();
+        assertThat(model.scene()).isSameAs(start);
+    }
+
+    @Test
+    void undoDuringAGestureCancelsIt() {
+        model.edit(ADD_LIGHT, scene -> scene.plus(Light.at(1, 2, 3)));
+        Scene before = model.scene();
+        Gesture drag = model.begin(Label.of(Edit.MOVE, "ball"));
+        drag.preview(scene -> Moves.translated(scene, Set.of(Item.body(0)), Vec3.X));
+        model.undo();
+        assertThat(model.scene()).isSameAs(before);
+        assertThat(drag.isOpen()).isFalse();
+    }
+
+    @Test
+    void gestureThatIsRefusedKeepsItsLastPreview() {
+        Gesture drag = model.begin(Label.of(Edit.RESIZE, "ball"));
+        drag.preview(scene -> Moves.scaled(scene, Set.of(Item.body(0)), Vec3.ZERO, new Vec3(2, 2, 2)));
+        assertThatThrownBy(() -> drag.preview(scene -> Moves.scaled(scene, Set.of(Item.body(0)), Vec3.ZERO, new Vec3(0, 2, 2))))
+                .hasMessageContaining("scale must not be 0");
+        drag.commit();
+        assertThat(model.scene().objects().get(0).placement().scale()).isEqualTo(new Vec3(2, 2, 2));
+    }
+
+    @Test
+    void selectionIsNoStepAndSurvivesUndoOfOtherThings() {
+        model.select(Item.body(1, 1), Item.light(0));
+        assertThat(model.undoableProperty().get()).isEmpty();
+        assertThat(model.selection()).containsExactly(Item.body(1, 1), Item.light(0));
+        model.edit(ADD_LIGHT, scene -> scene.plus(Light.at(1, 2, 3)));
+        assertThat(model.selection()).containsExactly(Item.body(1, 1), Item.light(0));
+    }
+
+    @Test
+    void itemsThatLeadNowhereAreNotSelected() {
+        model.select(Item.body(9), Item.body(1, 7), Item.body(0, 0), Item.light(5), Item.body(1, 1, 0), Item.CAMERA);
+        assertThat(model.selection()).containsExactly(Item.body(1, 1, 0), Item.CAMERA);
+    }
+
+    @Test
+    void whoHearsOfASelectionFindsItsScene() {
+        List<Integer> objects = new ArrayList<>();
+        model.selectionProperty().addListener((property, old, now) -> objects.add(model.scene().objects().size()));
+        model.editState(Label.of(Edit.ADD), state -> Structure.add(state, SceneObject.of(new Sphere(1))));
+        assertThat(objects).containsExactly(5);
+    }
+
+    @Test
+    void recoveredSceneCountsAsUnsaved() {
+        model.openUnsaved(TestScenes.kitchen());
+        assertThat(model.unsavedProperty().get()).isTrue();
+        assertThat(model.undoableProperty().get()).isEmpty();
+    }
+
+    @Test
+    void hidingIsAStepButNoChangeOfTheFile() {
+        model.editState(Label.of(Edit.HIDE), state -> Structure.hide(state, Set.of(Item.body(1)), true));
+        assertThat(model.state().isHidden(Item.body(1, 1, 0))).isTrue();
+        assertThat(model.unsavedProperty().get()).isFalse();
+        model.undo();
+        assertThat(model.state().isHidden(Item.body(1))).isFalse();
+    }
+}
