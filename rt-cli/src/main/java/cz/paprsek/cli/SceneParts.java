@@ -11,7 +11,6 @@ import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 
 /** The objects of a scene with their operands, at any depth, each with a name for people and what it is made of. */
@@ -49,11 +48,6 @@ final class SceneParts {
         return one.parts;
     }
 
-    /** The word for a kind of shape that is also its element in a scene file. */
-    static String kind(Shape shape) {
-        return (shape instanceof Csg csg ? csg.operation().name() : shape.getClass().getSimpleName()).toLowerCase(Locale.ROOT);
-    }
-
     private void add(Scene scene, int number) {
         SceneObject object = scene.objects().get(number);
         add(label(object.shape(), object.name(), number), object.shape(), object.material(), Material.DEFAULT, false);
@@ -78,6 +72,6 @@ final class SceneParts {
     }
 
     private static String label(Shape shape, String name, int number) {
-        return kind(shape) + (name.isEmpty() ? " #" + (number + 1) : " \"" + name + "\"");
+        return shape.kind() + (name.isEmpty() ? " #" + (number + 1) : " \"" + name + "\"");
     }
 }

@@ -27,7 +27,7 @@ record SceneSummary(Scene scene, Map<String, Count> kinds, Bounds bounds, int un
     static SceneSummary of(Scene scene) {
         Map<String, Count> kinds = new TreeMap<>();
         for (SceneParts.Part part : SceneParts.of(scene)) {
-            String kind = SceneParts.kind(part.shape());
+            String kind = part.shape().kind();
             kinds.put(kind, kinds.getOrDefault(kind, Count.NONE).plus(part.isOperand()));
         }
         Bounds bounds = Bounds.EMPTY;

@@ -81,7 +81,7 @@ final class SceneWarnings {
         for (int i = 1; i < csg.operands().size(); i++) {
             Operand operand = csg.operands().get(i);
             if (left.intersection(bounds(operand)).isEmpty()) {
-                String label = SceneParts.kind(operand.solid()) + (operand.name().isEmpty() ? " #" + (i + 1) : " \"" + operand.name() + "\"")
+                String label = operand.solid().kind() + (operand.name().isEmpty() ? " #" + (i + 1) : " \"" + operand.name() + "\"")
                         + " in " + part.label();
                 warnings.add(csg.operation() == Operation.DIFFERENCE
                         ? label + " removes nothing: it does not meet the first operand"

@@ -4,6 +4,7 @@ import cz.paprsek.material.Material;
 
 /** A material ready for shading. */
 final class Finish {
+    final Material material;
     final Paint paint;
     final double diffusion;
     final double specular;
@@ -15,6 +16,7 @@ final class Finish {
     private final int wholeShininess;
 
     Finish(Material material, Paint paint) {
+        this.material = material;
         this.paint = paint;
         diffusion = material.diffusion();
         specular = material.specular();

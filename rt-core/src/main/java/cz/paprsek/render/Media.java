@@ -15,6 +15,11 @@ final class Media {
         return size == 0 ? VACUUM : index[size - 1];
     }
 
+    /** The number of the object entered last; −1 outside of all. */
+    int innermost() {
+        return size == 0 ? -1 : object[size - 1];
+    }
+
     void clear() {
         size = 0;
     }

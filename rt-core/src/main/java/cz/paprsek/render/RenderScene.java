@@ -2,6 +2,9 @@ package cz.paprsek.render;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Solid;
@@ -43,7 +46,7 @@ public final class RenderScene {
             surfaces[i] = parts.place(i, scene.objects().get(i));
             opaque[i] = isOpaque(first, parts.size());
         }
-        this.aroundCamera = aroundCamera();
+        this.aroundCamera = mediaAround(scene.camera().position());
         this.bvh = Bvh.of(surfaces, opaque, monitor);
         this.buildSeconds = (System.nanoTime() - begin) / 1e9;
     }
@@ -57,7 +60,7 @@ public final class RenderScene {
         this.opaque = other.opaque;
         this.bvh = other.bvh;
         this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
-        this.aroundCamera = aroundCamera();
+        this.aroundCamera = mediaAround(scene.camera().position());
         this.buildSeconds = (System.nanoTime() - begin) / 1e9;
     }
 
@@ -97,6 +100,41 @@ public final class RenderScene {
         return buildSeconds;
     }
 
+    /** Why a pixel has its colour, in the picture that the scene asks for; column and row are counted from 0 at the top left. */
+    public Pixel explain(int column, int row) {
+        return explain(scene.settings(), column, row);
+    }
+
+    /**
+     * Why a pixel has its colour, in a picture of these settings.
+     *
+     * @throws IllegalArgumentException if there is no such pixel
+     */
+    public Pixel explain(RenderSettings settings, int column, int row) {
+        return Explainer.pixel(this, settings, column, row);
+    }
+
+    /**
+     * What the ray through one point of the picture sees.
+     *
+     * @param x in pixels from the left edge of a picture of these settings; the middle of the first column is 0.5
+     * @param y in pixels from the top
+     */
+    public TracedRay explainPoint(RenderSettings settings, double x, double y) {
+        return Explainer.point(this, settings, x, y);
+    }
+
+    /**
+     * What a ray sees that starts anywhere.
+     *
+     * @param origin world space; if it is inside of transparent solids, so is the ray
+     * @param direction of any length but 0
+     * @param maxDepth levels of rays, this one being level 1
+     */
+    public TracedRay explainRay(Vec3 origin, Vec3 direction, int maxDepth) {
+        return Explainer.ray(this, origin, direction, maxDepth);
+    }
+
     PartTable parts() {
         return parts;
     }
@@ -123,8 +161,17 @@ public final class RenderScene {
 
     /** Puts the ray that leaves the camera into the media the camera stands in. */
     void enterMediaAroundCamera(Media media) {
+        enter(aroundCamera, media);
+    }
+
+    /** Puts a ray into the media around the point it starts from. */
+    void enterMediaAround(Vec3 point, Media media) {
+        enter(mediaAround(point), media);
+    }
+
+    private void enter(int[] around, Media media) {
         media.clear();
-        for (int part : aroundCamera) {
+        for (int part : around) {
             media.enter(parts.object(part), parts.finish(part).refractiveIndex);
         }
     }
@@ -138,14 +185,13 @@ public final class RenderScene {
         return true;
     }
 
-    /** The first part of every transparent solid that the camera is in, the largest solid first, as if entered from outside. */
-    private int[] aroundCamera() {
-        Vec3 eye = scene.camera().position();
+    /** The first part of every transparent solid that the point is in, the largest solid first, as if entered from outside. */
+    private int[] mediaAround(Vec3 point) {
         List<Integer> inside = new ArrayList<>();
         for (int part = 0; part < parts.size(); part++) {
             int object = parts.object(part);
             boolean isFirst = part == 0 || parts.object(part - 1) != object;
-            if (isFirst && !opaque[object] && holds(surfaces[object], eye)) {
+            if (isFirst && !opaque[object] && holds(surfaces[object], point)) {
                 inside.add(part);
             }
         }

@@ -13,13 +13,12 @@ import org.jspecify.annotations.Nullable;
  *
  * <pre>B = ambient·C + Σ lights V·I·( kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ ) + kR·trace(R) + kT·trace(T)</pre>
  */
-final class Tracer {
+class Tracer extends Witness {
     /** How many rays are traced between two questions whether to stop. */
     private static final int BATCH = 64;
 
     private final RenderScene scene;
     private final RenderMonitor monitor;
-    private final @Nullable Witness witness;
     private final Spans spans = new Spans();
     private final Ray shadow = new Ray(spans);
     private final Bvh bvh;
@@ -48,13 +47,8 @@ final class Tracer {
     boolean cancelled;
 
     Tracer(RenderScene scene, int maxDepth, int samplesPerSide, RenderMonitor monitor) {
-        this(scene, maxDepth, samplesPerSide, monitor, null);
-    }
-
-    Tracer(RenderScene scene, int maxDepth, int samplesPerSide, RenderMonitor monitor, @Nullable Witness witness) {
         this.scene = scene;
         this.monitor = monitor;
-        this.witness = witness;
         this.bvh = scene.bvh();
         this.parts = scene.parts();
         this.lamps = scene.lamps();
@@ -80,7 +74,7 @@ final class Tracer {
      * by pixel. What they can meet, and what can stand between their hits and each light, is found once for all; the light is the same
      * as for each ray alone.
      */
-    Level[] trace(Eye eye, int x, int y, int width, int height) {
+    final Level[] trace(Eye eye, int x, int y, int width, int height) {
         int rays = width * height * samples.length * samples.length;
         Level[] first = levels(rays);
         eye.bundle(bundle, x, y, width, height);
@@ -143,6 +137,16 @@ final class Tracer {
         return block;
     }
 
+    /** The level of a ray that is traced by itself: to be started by the caller, then traced by {@link #traceAlone}. */
+    final Level alone() {
+        return levels[0];
+    }
+
+    final void traceAlone() {
+        primary++;
+        trace(0);
+    }
+
     private void trace(int depth) {
         Level level = levels[depth];
         if ((primary + reflected + refracted) % BATCH == 0 && monitor.cancelled()) {
@@ -174,9 +178,7 @@ final class Tracer {
         Ray ray = level.ray;
         if (ray.part < 0) {
             level.light(background[0], background[1], background[2]);
-            if (witness != null) {
-                witness.miss(level);
-            }
+            missed(level);
             return;
         }
         Hit hit = level.hit;
@@ -196,9 +198,7 @@ final class Tracer {
         double size = ray.max + Math.abs(hit.px) + Math.abs(hit.py) + Math.abs(hit.pz);
 
         level.light(ambient[0] * level.colorRed, ambient[1] * level.colorGreen, ambient[2] * level.colorBlue);
-        if (witness != null) {
-            witness.meet(level, leaving, c);
-        }
+        met(level, leaving, c, mirrorX, mirrorY, mirrorZ, size);
         if (finish.isLit()) {
             for (int i = 0; i < lamps.length; i++) {
                 illuminate(i, between[i], level, finish, mirrorX, mirrorY, mirrorZ, size);
@@ -207,9 +207,7 @@ final class Tracer {
         if (depth + 1 < levels.length && (finish.reflection > 0 || finish.transparency > 0)) {
             spawn(level, levels[depth + 1], depth + 1, finish, leaving, c, mirrorX, mirrorY, mirrorZ, size);
         }
-        if (witness != null) {
-            witness.end(level);
-        }
+        ended(level);
     }
 
     private void locate(Ray ray, Hit hit) {
@@ -239,9 +237,7 @@ final class Tracer {
         lz *= k;
         double facing = hit.nx * lx + hit.ny * ly + hit.nz * lz;
         if (!(facing > 0)) {
-            if (witness != null) {
-                witness.seek(light, lx, ly, lz, distance, facing, 0);
-            }
+            sought(light, lx, ly, lz, distance, facing, 0);
             return;
         }
         double visibility = 1;
@@ -250,9 +246,7 @@ final class Tracer {
             shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.OFFSET * size);
             visibility = visibility(light, between);
         }
-        if (witness != null) {
-            witness.seek(light, lx, ly, lz, distance, facing, visibility);
-        }
+        sought(light, lx, ly, lz, distance, facing, visibility);
         if (visibility > 0) {
             double diffuse = finish.diffusion * facing;
             double highlight = finish.highlight(mirrorX * lx + mirrorY * ly + mirrorZ * lz);
@@ -260,9 +254,7 @@ final class Tracer {
             double green = visibility * lamp.green() * (diffuse * level.colorGreen + highlight);
             double blue = visibility * lamp.blue() * (diffuse * level.colorBlue + highlight);
             level.add(red, green, blue);
-            if (witness != null) {
-                witness.illuminate(diffuse, highlight, red, green, blue);
-            }
+            illuminated(diffuse, highlight, red, green, blue);
         }
     }
 
@@ -323,9 +315,7 @@ final class Tracer {
             double to = indexBeyond(level, next.media, finish, leaving);
             e = from / to;
             double t = 1 + e * e * (c * c - 1);
-            if (witness != null) {
-                witness.refract(from, to, t);
-            }
+            bent(from, to, t);
             refracts = t >= 0;
             if (refracts) {
                 root = Math.sqrt(t);
@@ -337,9 +327,7 @@ final class Tracer {
             next.ray.start(hit.px, hit.py, hit.pz, mirrorX, mirrorY, mirrorZ, size, Double.POSITIVE_INFINITY);
             next.media.set(level.media);
             reflected++;
-            if (witness != null) {
-                witness.follow(false, reflection);
-            }
+            following(false, reflection);
             trace(depth);
             level.add(reflection, next);
         }
@@ -349,9 +337,7 @@ final class Tracer {
                     size, Double.POSITIVE_INFINITY);
             indexBeyond(level, next.media, finish, leaving);
             refracted++;
-            if (witness != null) {
-                witness.follow(true, finish.transparency);
-            }
+            following(true, finish.transparency);
             trace(depth);
             level.add(finish.transparency, next);
         }

@@ -20,6 +20,11 @@ public record Block(Vec3 min, Vec3 max) implements Solid {
     }
 
     @Override
+    public String faceName(int face) {
+        return (face % 2 == 0 ? "−" : "+") + "xyz".charAt(face / 2) + " face";
+    }
+
+    @Override
     public Bounds bounds() {
         return Bounds.of(min, max);
     }

@@ -20,6 +20,11 @@ public record Cone(double radius, double topRadius, double height) implements So
     }
 
     @Override
+    public String faceName(int face) {
+        return face == Placed.SIDE ? "side" : face == Placed.BOTTOM ? "bottom" : "top";
+    }
+
+    @Override
     public Bounds bounds() {
         double widest = Math.max(radius, topRadius);
         return new Bounds(-widest, 0, -widest, widest, height, widest);

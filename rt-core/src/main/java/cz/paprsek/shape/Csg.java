@@ -5,6 +5,7 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * A solid made of solids by a set operation, nested to any depth. Operands stand in the space of the operation.
@@ -66,6 +67,11 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
 
     public static Csg intersection(Solid... solids) {
         return intersection(operands(solids));
+    }
+
+    @Override
+    public String kind() {
+        return operation.name().toLowerCase(Locale.ROOT);
     }
 
     @Override

@@ -12,6 +12,11 @@ public record Cylinder(double radius, double height) implements Solid {
     }
 
     @Override
+    public String faceName(int face) {
+        return face == Placed.SIDE ? "side" : face == Placed.BOTTOM ? "bottom" : "top";
+    }
+
+    @Override
     public Bounds bounds() {
         return new Bounds(-radius, 0, -radius, radius, height, radius);
     }

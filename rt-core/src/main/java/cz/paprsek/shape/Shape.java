@@ -2,9 +2,20 @@ package cz.paprsek.shape;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import java.util.Locale;
 
 /** The geometry of one thing, in its own space: a {@link Solid} or a surface without an inside. */
 public sealed interface Shape permits Solid, Rectangle, Disc {
+
+    /** The word for its kind: that of its element in a scene file. */
+    default String kind() {
+        return getClass().getSimpleName().toLowerCase(Locale.ROOT);
+    }
+
+    /** The name of a face, such as {@code top}, by its own numbering; {@code surface} if there is only one. */
+    default String faceName(int face) {
+        return "surface";
+    }
 
     /** The box around the shape in its own space; may be unbounded. */
     Bounds bounds();

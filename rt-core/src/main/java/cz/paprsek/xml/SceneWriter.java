@@ -27,7 +27,6 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Torus;
 import java.util.List;
-import java.util.Locale;
 
 /** Writes scenes in a fixed order and form: one element a line, attributes equal to their default left out. */
 final class SceneWriter {
@@ -148,7 +147,7 @@ final class SceneWriter {
     }
 
     private void body(String name, Shape shape, Placement placement, MaterialSource material) {
-        String element = element(shape);
+        String element = shape.kind();
         xml.open(element).attribute("name", name);
         measures(shape);
         xml.vector("position", placement.position(), Vec3.ZERO).vector("rotation", placement.rotation(), Vec3.ZERO);
@@ -166,10 +165,6 @@ final class SceneWriter {
             csg.operands().forEach(this::operand);
         }
         xml.close(element);
-    }
-
-    private static String element(Shape shape) {
-        return (shape instanceof Csg csg ? csg.operation().name() : shape.getClass().getSimpleName()).toLowerCase(Locale.ROOT);
     }
 
     private void measures(Shape shape) {

@@ -1,0 +1,48 @@
+package cz.paprsek.render;
+
+import cz.paprsek.material.Material;
+import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.LinearRgb;
+import cz.paprsek.render.explain.Refraction;
+import cz.paprsek.render.explain.TracedRay;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** The account of a ray under way: what is known of it once it has hit something, and the terms so far. */
+final class Draft {
+    private final TracedRay ray;
+    final Encounter.Place place;
+    private final Material material;
+    private final LinearRgb color;
+    /** What the rounding errors of rays that start here are relative to. */
+    final double size;
+    final List<LightTerm> lights = new ArrayList<>();
+    Optional<Refraction> refraction = Optional.empty();
+    private Optional<TracedRay> reflected = Optional.empty();
+    private Optional<TracedRay> refracted = Optional.empty();
+
+    /** @param ray the ray so far, without an encounter; its light is the ambient term */
+    Draft(TracedRay ray, Encounter.Place place, Material material, LinearRgb color, double size) {
+        this.ray = ray;
+        this.place = place;
+        this.material = material;
+        this.color = color;
+        this.size = size;
+    }
+
+    void add(TracedRay child) {
+        if (child.kind() == TracedRay.Kind.REFLECTED) {
+            reflected = Optional.of(child);
+        } else {
+            refracted = Optional.of(child);
+        }
+    }
+
+    TracedRay finished(LinearRgb light, int maxDepth) {
+        boolean cutOff = ray.level() == maxDepth && (material.reflection() > 0 || material.transparency() > 0);
+        Encounter encounter = new Encounter(place, material, color, ray.light(), lights, refraction, reflected, refracted, cutOff);
+        return new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.of(encounter), light);
+    }
+}

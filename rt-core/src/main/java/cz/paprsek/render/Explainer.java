@@ -1,0 +1,42 @@
+package cz.paprsek.render;
+
+import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.scene.RenderSettings;
+
+/** Traces single pixels and rays as a picture would, with everything written down. */
+final class Explainer {
+    private Explainer() {}
+
+    static Pixel pixel(RenderScene scene, RenderSettings settings, int column, int row) {
+        Require.that(column >= 0 && column < settings.width() && row >= 0 && row < settings.height(),
+                "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
+        Recorder recorder = new Recorder(scene, settings.maxDepth(), settings.samples());
+        recorder.trace(eye(scene, settings), column, row, 1, 1);
+        return new Pixel(column, row, recorder.rays());
+    }
+
+    static TracedRay point(RenderScene scene, RenderSettings settings, double x, double y) {
+        Recorder recorder = new Recorder(scene, settings.maxDepth(), 1);
+        eye(scene, settings).start(recorder.alone().ray, x, y);
+        scene.enterMediaAroundCamera(recorder.alone().media);
+        recorder.traceAlone();
+        return recorder.rays().get(0);
+    }
+
+    static TracedRay ray(RenderScene scene, Vec3 origin, Vec3 direction, int maxDepth) {
+        Require.within("max-depth", maxDepth, 1, RenderSettings.DEEPEST);
+        Vec3 d = direction.normalized();
+        Recorder recorder = new Recorder(scene, maxDepth, 1);
+        recorder.alone().ray.start(origin.x(), origin.y(), origin.z(), d.x(), d.y(), d.z());
+        scene.enterMediaAround(origin, recorder.alone().media);
+        recorder.traceAlone();
+        return recorder.rays().get(0);
+    }
+
+    private static Eye eye(RenderScene scene, RenderSettings settings) {
+        return new Eye(scene.scene().camera(), settings.width(), settings.height());
+    }
+}

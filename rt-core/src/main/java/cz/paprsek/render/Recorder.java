@@ -1,0 +1,139 @@
+package cz.paprsek.render;
+
+import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.LinearRgb;
+import cz.paprsek.render.explain.Medium;
+import cz.paprsek.render.explain.Refraction;
+import cz.paprsek.render.explain.SurfacePath;
+import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Hit;
+import cz.paprsek.shape.Ray;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** The tracer that renders pictures, writing down what it does as a tree of rays. */
+final class Recorder extends Tracer {
+    private final RenderScene scene;
+    private final int maxDepth;
+    private final ShadowWalk shadowWalk;
+    private final Map<Integer, List<PartNames.Name>> names = new HashMap<>();
+    private final List<TracedRay> rays = new ArrayList<>();
+    private final Deque<Draft> open = new ArrayDeque<>();
+    private TracedRay.Kind kind = TracedRay.Kind.PRIMARY;
+    private double weight = 1;
+
+    Recorder(RenderScene scene, int maxDepth, int samplesPerSide) {
+        super(scene, maxDepth, samplesPerSide, RenderMonitor.NONE);
+        this.scene = scene;
+        this.maxDepth = maxDepth;
+        this.shadowWalk = new ShadowWalk(scene, this::path);
+    }
+
+    /** The rays from the eye traced so far. */
+    List<TracedRay> rays() {
+        return rays;
+    }
+
+    @Override
+    void following(boolean refracted, double share) {
+        kind = refracted ? TracedRay.Kind.REFRACTED : TracedRay.Kind.REFLECTED;
+        weight = share;
+    }
+
+    @Override
+    void missed(Level level) {
+        deliver(begin(level));
+    }
+
+    @Override
+    void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
+        Ray ray = level.ray;
+        Hit hit = level.hit;
+        PartNames.Name name = name(ray.part);
+        boolean flipped = ray.face < 0;
+        Vec3 towardsViewer = new Vec3(hit.nx, hit.ny, hit.nz);
+        Encounter.Place place = new Encounter.Place(name.path(), name.shape().faceName(flipped ? ~ray.face : ray.face), flipped, leaving,
+                ray.max, new Vec3(hit.px, hit.py, hit.pz), leaving ? towardsViewer.negated() : towardsViewer, towardsViewer,
+                hit.u, hit.v, cosine, new Vec3(mirrorX, mirrorY, mirrorZ));
+        open.push(new Draft(begin(level), place, scene.parts().finish(ray.part).material,
+                new LinearRgb(level.colorRed, level.colorGreen, level.colorBlue), size));
+    }
+
+    @Override
+    void sought(int lamp, double x, double y, double z, double distance, double facing, double visibility) {
+        Draft draft = open.element();
+        Light light = scene.scene().lights().get(lamp);
+        Lamp ready = scene.lamps()[lamp];
+        Vec3 direction = new Vec3(x, y, z);
+        draft.lights.add(new LightTerm(lamp, light.name().isEmpty() ? "#" + (lamp + 1) : "\"" + light.name() + "\"", light.position(),
+                new LinearRgb(ready.red(), ready.green(), ready.blue()), direction, distance, facing, draft.place.mirrored().dot(direction), visibility,
+                facing > 0 && visibility < 1 ? shadowWalk.obstacles(draft.place.point(), direction, distance, draft.size) : List.of(),
+                0, 0, LinearRgb.BLACK));
+    }
+
+    @Override
+    void illuminated(double diffuse, double highlight, double red, double green, double blue) {
+        List<LightTerm> lights = open.element().lights;
+        lights.set(lights.size() - 1, lights.get(lights.size() - 1).lit(diffuse, highlight, new LinearRgb(red, green, blue)));
+    }
+
+    @Override
+    void bent(double from, double to, double radicand) {
+        Draft draft = open.element();
+        draft.refraction = Optional.of(new Refraction(from, to, draft.place.cosine(), radicand));
+    }
+
+    @Override
+    void ended(Level level) {
+        deliver(open.pop().finished(light(level), maxDepth));
+    }
+
+    private TracedRay begin(Level level) {
+        Ray ray = level.ray;
+        int around = level.media.innermost();
+        return new TracedRay(kind, open.size() + 1, weight, new Vec3(ray.ox, ray.oy, ray.oz), new Vec3(ray.dx, ray.dy, ray.dz),
+                new Medium(around < 0 ? "" : names(around).get(0).path().objectLabel(), level.media.refractiveIndex()),
+                Optional.empty(), light(level));
+    }
+
+    private void deliver(TracedRay ray) {
+        if (open.isEmpty()) {
+            rays.add(ray);
+            kind = TracedRay.Kind.PRIMARY;
+            weight = 1;
+        } else {
+            open.element().add(ray);
+        }
+    }
+
+    private SurfacePath path(int part) {
+        return name(part).path();
+    }
+
+    private PartNames.Name name(int part) {
+        int object = scene.parts().object(part);
+        int first = part;
+        while (first > 0 && scene.parts().object(first - 1) == object) {
+            first--;
+        }
+        return names(object).get(part - first);
+    }
+
+    private List<PartNames.Name> names(int number) {
+        SceneObject object = scene.scene().objects().get(number);
+        return names.computeIfAbsent(number, n -> new PartNames(n, object).names());
+    }
+
+    private static LinearRgb light(Level level) {
+        return new LinearRgb(level.red, level.green, level.blue);
+    }
+}

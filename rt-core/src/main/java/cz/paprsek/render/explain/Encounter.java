@@ -1,0 +1,82 @@
+package cz.paprsek.render.explain;
+
+import cz.paprsek.material.Material;
+import cz.paprsek.math.Vec3;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A ray has hit something: where, what it is made of, and the terms of the light that the ray takes back from there.
+ *
+ * @param place where
+ * @param material what the surface is made of
+ * @param color C, the surface's colour at this point
+ * @param ambient the ambient term, ambient light · C
+ * @param lights the term of each light; empty if the material shows no light that falls on it
+ * @param refraction what becomes of the ray at a transparent surface; empty at an opaque one, and where the depth ends
+ * @param reflected the mirrored ray
+ * @param refracted the ray that goes on beyond the surface
+ * @param cutOff whether there would be more rays, had the depth allowed for them
+ */
+public record Encounter(
+        Place place,
+        Material material,
+        LinearRgb color,
+        LinearRgb ambient,
+        List<LightTerm> lights,
+        Optional<Refraction> refraction,
+        Optional<TracedRay> reflected,
+        Optional<TracedRay> refracted,
+        boolean cutOff) {
+
+    public Encounter {
+        lights = List.copyOf(lights);
+    }
+
+    /** What adds up to the ray's light, in the order in which it is added. */
+    public List<LinearRgb> terms() {
+        List<LinearRgb> terms = new ArrayList<>();
+        terms.add(ambient);
+        lights.forEach(term -> terms.add(term.added()));
+        reflected.ifPresent(ray -> terms.add(ray.light().times(ray.weight())));
+        refracted.ifPresent(ray -> terms.add(ray.light().times(ray.weight())));
+        return terms;
+    }
+
+    /**
+     * Where a ray has hit a surface.
+     *
+     * @param surface which
+     * @param face the face's name, such as {@code side}; {@code surface} if there is only one
+     * @param flipped whether a difference turned the surface inside out: it is the wall of a hole
+     * @param fromInside whether the ray comes from inside the body, or on the −z side of a flat figure
+     * @param distance from the ray's origin
+     * @param point world space
+     * @param normal of length 1, out of the body
+     * @param towardsViewer the normal or its opposite: on the side the ray comes from
+     * @param u where on a flat figure, 0–1 along its x; 0 on solids
+     * @param v where on a flat figure, 0–1 along its y; 0 on solids
+     * @param cosine of the angle between the ray and the normal, 0–1
+     * @param mirrored R, the mirrored direction, of length 1
+     */
+    public record Place(
+            SurfacePath surface,
+            String face,
+            boolean flipped,
+            boolean fromInside,
+            double distance,
+            Vec3 point,
+            Vec3 normal,
+            Vec3 towardsViewer,
+            double u,
+            double v,
+            double cosine,
+            Vec3 mirrored) {
+
+        /** The angle between the ray and the normal, 0–90. */
+        public double angleDegrees() {
+            return Math.toDegrees(Math.acos(Math.min(1, cosine)));
+        }
+    }
+}

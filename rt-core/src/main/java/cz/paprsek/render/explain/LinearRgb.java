@@ -1,0 +1,26 @@
+package cz.paprsek.render.explain;
+
+import cz.paprsek.material.Rgb;
+
+/** Light of three channels, linear: 1 is white, more is possible. */
+public record LinearRgb(double red, double green, double blue) {
+    public static final LinearRgb BLACK = new LinearRgb(0, 0, 0);
+
+    public LinearRgb plus(LinearRgb other) {
+        return new LinearRgb(red + other.red, green + other.green, blue + other.blue);
+    }
+
+    public LinearRgb times(double factor) {
+        return new LinearRgb(factor * red, factor * green, factor * blue);
+    }
+
+    /** As a picture shows it: sRGB, clamped to 0–255. */
+    public Rgb shown() {
+        return Rgb.ofLinear(clamped(red), clamped(green), clamped(blue));
+    }
+
+    private static double clamped(double light) {
+        // In this order a value that is not a number becomes 0.
+        return light > 0 ? Math.min(light, 1) : 0;
+    }
+}

@@ -1,0 +1,6 @@
+/**
+ * Why a pixel has its colour: the tree of rays behind it as immutable records, and the tree as a worked exercise, as JSON and as drawing.
+ * What the records hold was computed by the tracer that computes pictures; nothing is computed again here.
+ * Right-handed world, y up, lengths in scene units, angles in degrees, colours in linear light.
+ */
+package cz.paprsek.render.explain;

@@ -1,0 +1,114 @@
+package cz.paprsek.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import cz.paprsek.image.Image;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.LinearRgb;
+import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class ExplainTest {
+    static Stream<Scene> scenes() throws Exception {
+        try (Stream<Path> files = Files.list(Path.of("../scenes"))) {
+            Stream.Builder<Scene> scenes = Stream.builder();
+            for (Path file : files.filter(name -> name.toString().endsWith(".xml")).sorted().toList()) {
+                SceneFiles.readAll(file).forEach(scene -> scenes.add(scene.withSettings(
+                        new RenderSettings(96, 54, scene.settings().maxDepth(), 1))));
+            }
+            return scenes.build();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void everyTreeOfEverySceneAddsUpToThePixelBitForBit(Scene scene) {
+        assertEveryPixelAddsUp(scene);
+    }
+
+    @Test
+    void everyTreeOfRandomBodiesAddsUpToThePixelBitForBit() {
+        for (int seed = 0; seed < 20; seed++) {
+            assertEveryPixelAddsUp(Scenes.random(seed, 12));
+        }
+    }
+
+    @Test
+    void severalSamplesAreSeveralTreesOnePixel() throws IOException {
+        Scene scene = Scenes.random(7, 12);
+        scene = scene.withSettings(scene.settings().withSamples(3));
+        assertThat(RenderScene.of(scene).explain(16, 12).rays()).hasSize(9);
+        assertEveryPixelAddsUp(scene);
+    }
+
+    private static void assertEveryPixelAddsUp(Scene scene) {
+        Image image = Renderer.render(scene);
+        RenderScene prepared = RenderScene.of(scene);
+        for (int row = 0; row < image.height(); row++) {
+            for (int column = 0; column < image.width(); column++) {
+                Pixel pixel = prepared.explain(column, row);
+                LinearRgb light = pixel.light();
+                assertThat(new float[] {(float) light.red(), (float) light.green(), (float) light.blue()})
+                        .as("pixel %d,%d of %s", column, row, scene.name())
+                        .isEqualTo(new float[] {image.red(column, row), image.green(column, row), image.blue(column, row)});
+                pixel.rays().forEach(ray -> assertAddsUp(ray, 1));
+            }
+        }
+    }
+
+    private static void assertAddsUp(TracedRay ray, int level) {
+        assertThat(ray.level()).isEqualTo(level);
+        assertThat(ray.direction().length()).isCloseTo(1, Offset.offset(1e-9));
+        ray.encounter().ifPresent(met -> {
+            assertThat(met.terms().stream().reduce(LinearRgb::plus).orElseThrow()).isEqualTo(ray.light());
+            met.lights().forEach(term -> assertIsConsistent(met, term));
+        });
+        ray.children().forEach(child -> assertAddsUp(child, level + 1));
+    }
+
+    private static void assertIsConsistent(Encounter met, LightTerm term) {
+        double through = term.obstacles().stream().mapToDouble(LightTerm.Obstacle::transparency).reduce(1, (a, b) -> a * b);
+        assertThat(term.isFacing() ? through : 0).as("%s", term).isCloseTo(term.visibility(), Offset.offset(1e-12));
+        assertThat(met.place().towardsViewer().dot(term.direction())).isEqualTo(term.facing());
+    }
+
+    @Test
+    void aPointBetweenPixelCentresHasATreeOfItsOwn() {
+        Scene scene = Scenes.random(3, 12);
+        RenderScene prepared = RenderScene.of(scene);
+        RenderSettings settings = scene.settings();
+        assertThat(prepared.explainPoint(settings, 10.5, 12.5)).isEqualTo(prepared.explain(10, 12).rays().get(0));
+        assertThat(prepared.explainPoint(settings, 10.25, 12.75))
+                .isEqualTo(prepared.explain(settings.withSamples(2), 10, 12).rays().get(2));
+    }
+
+    @Test
+    void anyRayHasATree() {
+        Scene scene = Scenes.random(3, 12);
+        RenderScene prepared = RenderScene.of(scene);
+        TracedRay seen = prepared.explain(16, 12).rays().get(0);
+        TracedRay alone = prepared.explainRay(seen.origin(), new Vec3(0, 0, -7), scene.settings().maxDepth());
+        assertThat(alone).isEqualTo(seen);
+    }
+
+    @Test
+    void aPixelOutsideThePictureIsRefused() {
+        RenderScene prepared = RenderScene.of(Scenes.empty());
+        assertThatThrownBy(() -> prepared.explain(33, 0)).isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("pixel 33,0 must lie inside the picture of 33 × 25 pixels");
+    }
+}
