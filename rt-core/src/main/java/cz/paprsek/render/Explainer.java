@@ -15,7 +15,7 @@ final class Explainer {
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
         Recorder recorder = new Recorder(scene, settings.maxDepth(), settings.samples());
         recorder.trace(eye(scene, settings), column, row, 1, 1);
-        return new Pixel(column, row, recorder.rays());
+        return new Pixel(column, row, recorder.trees());
     }
 
     static TracedRay point(RenderScene scene, RenderSettings settings, double x, double y) {
@@ -23,7 +23,7 @@ final class Explainer {
         eye(scene, settings).start(recorder.alone().ray, x, y);
         scene.enterMediaAroundCamera(recorder.alone().media);
         recorder.traceAlone();
-        return recorder.rays().get(0);
+        return recorder.trees().get(0);
     }
 
     static TracedRay ray(RenderScene scene, Vec3 origin, Vec3 direction, int maxDepth) {
@@ -33,7 +33,7 @@ final class Explainer {
         recorder.alone().ray.start(origin.x(), origin.y(), origin.z(), d.x(), d.y(), d.z());
         scene.enterMediaAround(origin, recorder.alone().media);
         recorder.traceAlone();
-        return recorder.rays().get(0);
+        return recorder.trees().get(0);
     }
 
     private static Eye eye(RenderScene scene, RenderSettings settings) {

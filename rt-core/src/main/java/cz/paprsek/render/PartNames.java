@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
 
-/** Names the parts of one object, by placing it once more and watching where each part comes from. */
+/** Names the parts of one object, by placing it once more and watching where each part comes from, so that renders need not keep it. */
 final class PartNames {
     private final List<Name> names = new ArrayList<>();
 

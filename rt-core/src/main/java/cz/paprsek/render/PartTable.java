@@ -51,6 +51,15 @@ final class PartTable {
         return objects[i];
     }
 
+    /** The first part of the object that the part belongs to. */
+    int firstOfObject(int i) {
+        int first = i;
+        while (first > 0 && objects[first - 1] == objects[i]) {
+            first--;
+        }
+        return first;
+    }
+
     /** Places an object and registers its parts. */
     Surface place(int number, SceneObject object) {
         Affine toWorld = object.placement().toParent();

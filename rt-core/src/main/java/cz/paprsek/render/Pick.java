@@ -1,18 +1,11 @@
 package cz.paprsek.render;
 
-import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.RenderSettings;
-import cz.paprsek.scene.SceneObject;
-import cz.paprsek.shape.Operand;
-import cz.paprsek.shape.Part;
-import cz.paprsek.shape.Parts;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.IntFunction;
 
 /**
  * What is seen at a point of the picture.
@@ -44,43 +37,9 @@ public record Pick(int object, List<Integer> operands, Vec3 point, double distan
             return Optional.empty();
         }
         int object = scene.parts().object(ray.part);
-        int first = ray.part;
-        while (first > 0 && scene.parts().object(first - 1) == object) {
-            first--;
-        }
+        List<Integer> path = new PartNames(object, scene.scene().objects().get(object)).names()
+                .get(ray.part - scene.parts().firstOfObject(ray.part)).path().numbers();
         Vec3 point = new Vec3(ray.ox + ray.max * ray.dx, ray.oy + ray.max * ray.dy, ray.oz + ray.max * ray.dz);
-        return Optional.of(new Pick(object, operands(scene.scene().objects().get(object), ray.part - first), point, ray.max));
-    }
-
-    /** Which operands a part of an object is of: found by placing the object once more, so that renders need not keep it. */
-    private static List<Integer> operands(SceneObject object, int part) {
-        List<List<Integer>> paths = new ArrayList<>();
-        object.shape().place(object.placement().toParent(), new Paths(List.of(), paths));
-        return paths.get(part);
-    }
-
-    /** Notes the path of every part. */
-    private static final class Paths implements Parts {
-        private final List<Integer> path;
-        private final List<List<Integer>> found;
-        private int operands;
-
-        Paths(List<Integer> path, List<List<Integer>> found) {
-            this.path = path;
-            this.found = found;
-        }
-
-        @Override
-        public <P extends Part> P add(IntFunction<P> maker) {
-            found.add(path);
-            return maker.apply(found.size() - 1);
-        }
-
-        @Override
-        public Parts within(Operand operand, Affine toWorld) {
-            List<Integer> longer = new ArrayList<>(path);
-            longer.add(operands++);
-            return new Paths(List.copyOf(longer), found);
-        }
+        return Optional.of(new Pick(object, path.subList(1, path.size()), point, ray.max));
     }
 }

@@ -26,7 +26,7 @@ final class Recorder extends Tracer {
     private final int maxDepth;
     private final ShadowWalk shadowWalk;
     private final Map<Integer, List<PartNames.Name>> names = new HashMap<>();
-    private final List<TracedRay> rays = new ArrayList<>();
+    private final List<TracedRay> trees = new ArrayList<>();
     private final Deque<Draft> open = new ArrayDeque<>();
     private TracedRay.Kind kind = TracedRay.Kind.PRIMARY;
     private double weight = 1;
@@ -39,8 +39,8 @@ final class Recorder extends Tracer {
     }
 
     /** The rays from the eye traced so far. */
-    List<TracedRay> rays() {
-        return rays;
+    List<TracedRay> trees() {
+        return trees;
     }
 
     @Override
@@ -107,7 +107,7 @@ final class Recorder extends Tracer {
 
     private void deliver(TracedRay ray) {
         if (open.isEmpty()) {
-            rays.add(ray);
+            trees.add(ray);
             kind = TracedRay.Kind.PRIMARY;
             weight = 1;
         } else {
@@ -120,12 +120,7 @@ final class Recorder extends Tracer {
     }
 
     private PartNames.Name name(int part) {
-        int object = scene.parts().object(part);
-        int first = part;
-        while (first > 0 && scene.parts().object(first - 1) == object) {
-            first--;
-        }
-        return names(object).get(part - first);
+        return names(scene.parts().object(part)).get(part - scene.parts().firstOfObject(part));
     }
 
     private List<PartNames.Name> names(int number) {
