@@ -36,6 +36,7 @@ final class Cli {
                 .addSubcommand("validate", new ValidateCommand(terminal, stop))
                 .addSubcommand("info", new InfoCommand(terminal, stop))
                 .addSubcommand("convert", new ConvertCommand(terminal, stop))
+                .addSubcommand("bench", new BenchCommand(terminal, stop))
                 .addSubcommand("schema", new SchemaCommand(terminal, stop))
                 .addSubcommand("generate-completion", new AutoComplete.GenerateCompletion())
                 .addSubcommand("help", new CommandLine.HelpCommand());

@@ -69,12 +69,7 @@ interface Report {
                             .with("build", micros(stats.buildSeconds()))
                             .with("trace", micros(stats.traceSeconds()))
                             .with("total", micros(totalSeconds)))
-                    .with("rays", new Json()
-                            .with("primary", stats.primary())
-                            .with("reflected", stats.reflected())
-                            .with("refracted", stats.refracted())
-                            .with("shadow", stats.shadow())
-                            .with("total", stats.rays()))
+                    .with("rays", RayCounts.asJson(stats))
                     .with("hits", stats.hits())
                     .toString());
         }

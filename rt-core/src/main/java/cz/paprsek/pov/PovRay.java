@@ -19,6 +19,8 @@ import java.util.stream.Stream;
 public final class PovRay {
     private static final Pattern VERSION = Pattern.compile("(?:POV-Ray|Ray Tracer Version) (\\d[\\w.]*)");
 
+    private static final Pattern TRACE_TIME = Pattern.compile("Trace Time:[^\\n]*\\s+using \\d+ thread\\(s\\) with ([\\d.]+) CPU-seconds");
+
     private final Path program;
     private final String version;
 
@@ -33,7 +35,13 @@ public final class PovRay {
      * @param image linear light in 65535 steps, clamped to 0–1
      * @param log what the program said, with the times it took
      */
-    public record Result(Image image, String log) {}
+    public record Result(Image image, String log) {
+        /** The processor time that all its threads together spent tracing; not a number if the log does not say. */
+        public double traceCpuSeconds() {
+            Matcher found = TRACE_TIME.matcher(log);
+            return found.find() ? Double.parseDouble(found.group(1)) : Double.NaN;
+        }
+    }
 
     /** The {@code povray} that the search path leads to, if there is one and it runs. */
     public static Optional<PovRay> installed() {
@@ -60,7 +68,7 @@ public final class PovRay {
      */
     public List<String> command(String scene, String picture, int width, int height, int threads) {
         return List.of(program.toString(), "+I" + scene, "+O" + picture, "+W" + width, "+H" + height,
-                "+FN16", "File_Gamma=1.0", "-A", "-D", "-GA", "+GS", "+WT" + threads);
+                "+FN16", "File_Gamma=1.0", "-A", "-D", "-GD", "-GR", "+WT" + threads);
     }
 
     /**
