@@ -14,7 +14,7 @@ import java.io.IOException;
 import java.util.List;
 
 /** Renders scenes one after the other, each on all threads; one that fails does not stop the next. */
-record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, Progress.Maker progress, Report report) {
+record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, boolean resume, Progress.Maker progress, Report report) {
 
     /** The exit code of the worst. */
     int run(List<Target> targets) {
@@ -47,21 +47,26 @@ record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, Progress.Maker p
     }
 
     private Outcome render(Target target, Scene scene, long begin) {
-        RenderResult result;
+        RenderOptions options;
         try {
-            RenderOptions options = wishes.applyTo(scene.settings());
-            try (Progress monitor = progress.start(target.scene().toString(), options, stop)) {
-                result = Renderer.render(scene, options, monitor);
-            }
+            options = wishes.applyTo(scene.settings());
         } catch (IllegalArgumentException refused) {
             return fail(target, Outcome.WRONG_USAGE, List.of(target.scene() + ": " + refused.getMessage()));
         }
-        if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
-            return fail(target, Outcome.INTERRUPTED, List.of(target.scene() + ": interrupted, no picture written"));
-        }
-        Image image = result.image();
-        try {
+        RenderResult result;
+        Image image;
+        try (Tiles tiles = resume ? Tiles.kept(target, scene, options, terminal) : Tiles.NOT_KEPT) {
+            try (Progress monitor = progress.start(target.scene().toString(), options, stop)) {
+                result = Renderer.render(scene, options, tiles.around(monitor));
+            }
+            if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
+                return fail(target, Outcome.INTERRUPTED, List.of(target.scene() + ": interrupted, no picture written"));
+            }
+            image = result.image();
             stop.guard(() -> write(target, image));
+            tiles.discard();
+        } catch (WrongUsage e) {
+            return fail(target, Outcome.WRONG_USAGE, List.of(String.valueOf(e.getMessage())));
         } catch (IOException e) {
             return stop.requested()
                     ? fail(target, Outcome.INTERRUPTED, List.of(target.scene() + ": interrupted, no picture written"))

@@ -65,6 +65,11 @@ final class RenderCommand implements Callable<Integer> {
             "Threads to render with, 1-1024; the picture is the same for any number. Default: all processors.")
     private Optional<Integer> threads;
 
+    @Option(names = "--resume", description = {
+        "Keeps every finished tile in FILE.resume beside the picture, and goes on from there if an earlier render was interrupted or killed. "
+                + "The picture is the same, to the last bit. The file is removed when the picture is written."})
+    private boolean resume;
+
     @Option(names = "--json", description = "Prints a JSON object for every scene, one a line, instead of plain text.")
     private boolean json;
 
@@ -81,9 +86,12 @@ final class RenderCommand implements Callable<Integer> {
         if (json && output.equals(Optional.of("-"))) {
             throw new WrongUsage("--json and the picture cannot both go to standard output");
         }
+        if (resume && output.equals(Optional.of("-"))) {
+            throw new WrongUsage("--resume needs a file for the picture, to keep the tiles beside it");
+        }
         Wishes wishes = new Wishes(size, maxDepth, samples, region, threads);
         List<Target> targets = new Targets(output, format, raw).of(SceneArguments.files(scenes));
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
-        return new RenderBatch(terminal, stop, wishes, progress, Report.of(terminal, json, quiet)).run(targets);
+        return new RenderBatch(terminal, stop, wishes, resume, progress, Report.of(terminal, json, quiet)).run(targets);
     }
 }

@@ -95,6 +95,10 @@ final class RenderJob implements RenderMonitor {
         int y = tile.y();
         long raysBefore = tracer.rays();
         try {
+            if (monitor.restored(tile, image)) {
+                monitor.finished(tile, image, done.incrementAndGet(), tiles);
+                return;
+            }
             for (y = tile.y(); y < tile.y() + tile.height(); y += block) {
                 for (x = tile.x(); x < tile.x() + tile.width(); x += block) {
                     renderBlock(x, y, Math.min(block, tile.x() + tile.width() - x), Math.min(block, tile.y() + tile.height() - y), tracer);
