@@ -1,17 +1,50 @@
 package cz.paprsek.fx;
 
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.view.AddPalette;
+import cz.paprsek.fx.view.ObjectTree;
+import cz.paprsek.fx.view.PaneGrid;
+import cz.paprsek.fx.view.PropertySheet;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.TitledView;
+import cz.paprsek.math.Vec3;
+import java.util.List;
+import javafx.scene.Node;
 import javafx.scene.Parent;
+import javafx.scene.control.SplitPane;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
 
-/** What the window holds. */
+/** What the window holds, in one language: made anew when the language changes, while the model stays. */
 final class MainWindow {
     private final BorderPane root = new BorderPane();
 
-    MainWindow() {
+    MainWindow(EditorModel model, Texts texts) {
         root.setId("main-window");
+        ObjectTree tree = new ObjectTree(model, texts);
+        AddPalette palette = new AddPalette(model, texts, () -> Vec3.ZERO);
+        VBox.setVgrow(tree, Priority.ALWAYS);
+        PaneGrid grid = new PaneGrid(List.of(
+                view("top", texts.of("view.top"), texts, new StackPane()),
+                view("camera", texts.of("view.camera"), texts, new StackPane()),
+                view("front", texts.of("view.front"), texts, new StackPane()),
+                view("right", texts.of("view.right"), texts, new StackPane())));
+        PropertySheet sheet = new PropertySheet(model, texts);
+        VBox left = new VBox(palette, tree);
+        SplitPane.setResizableWithParent(left, false);
+        SplitPane.setResizableWithParent(sheet, false);
+        SplitPane center = new SplitPane(left, grid, sheet);
+        center.setDividerPositions(0.17, 0.78);
+        root.setCenter(center);
     }
 
     Parent root() {
         return root;
+    }
+
+    private static TitledView view(String name, String caption, Texts texts, Node content) {
+        return new TitledView(name, caption, texts.of("view.maximize"), content);
     }
 }

@@ -2,14 +2,24 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.scene.Scene;
+import java.util.Locale;
+import javafx.scene.Node;
 import org.junit.jupiter.api.Test;
 
 class MainWindowTest {
     @Test
-    void windowOpensAtTheSizeOfASmallScreen() {
-        try (Gui gui = Gui.show(() -> new MainWindow().root(), 1280, 800)) {
-            gui.until("the window is shown", () -> gui.stage().isShowing());
-            assertThat(gui.node("#main-window").getLayoutBounds().getWidth()).isEqualTo(1280);
+    void viewFillsTheWholeAndComesBack() {
+        try (Gui gui = Gui.show(() -> new MainWindow(new EditorModel(Scene.EMPTY), Texts.in(Locale.ENGLISH)).root(), 1280, 800)) {
+            Node button = gui.node("#front-maximize");
+            Node view = button.getParent().getParent();
+            double before = Gui.on(() -> view.getLayoutBounds().getWidth());
+            gui.click(button);
+            assertThat(Gui.on(() -> view.getLayoutBounds().getWidth())).isGreaterThan(1.8 * before);
+            gui.click(button);
+            assertThat(Gui.on(() -> view.getLayoutBounds().getWidth())).isEqualTo(before);
         }
     }
 }
