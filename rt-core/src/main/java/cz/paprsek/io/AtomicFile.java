@@ -5,15 +5,26 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.channels.Channels;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFileAttributeView;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** Replaces files as a whole: the new one is written beside the old and moved into its place, so that nobody ever sees half a file. */
 public final class AtomicFile {
+    private static final String TEMPORARY = ".tmp";
+    private static final Duration ABANDONED_AFTER = Duration.ofMinutes(1);
+
     private AtomicFile() {}
 
     /** Writes the content of a file to a stream. */
@@ -52,7 +63,9 @@ public final class AtomicFile {
     }
 
     private static void replace(Path target, Content content) throws IOException {
-        Path fresh = target.resolveSibling(target.getFileName() + "." + Long.toHexString(System.nanoTime()) + ".tmp");
+        sweep(target);
+        Path fresh = target.resolveSibling(
+                target.getFileName() + "." + ProcessHandle.current().pid() + "-" + Long.toHexString(System.nanoTime()) + TEMPORARY);
         try {
             // Not createTempFile, whose files are readable by their owner alone, whatever the old file was.
             fill(fresh, content, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
@@ -64,6 +77,30 @@ public final class AtomicFile {
         } finally {
             Files.deleteIfExists(fresh);
         }
+    }
+
+    /** Removes what processes that are no more have left half-written of a file. */
+    private static void sweep(Path target) throws IOException {
+        Pattern left = Pattern.compile(Pattern.quote(target.getFileName() + ".") + "(\\d{1,18})-\\p{XDigit}{1,16}" + Pattern.quote(TEMPORARY));
+        List<Path> abandoned = new ArrayList<>();
+        try (DirectoryStream<Path> siblings = Files.newDirectoryStream(target.resolveSibling("."), file -> {
+            Matcher name = left.matcher(String.valueOf(file.getFileName()));
+            return name.matches() && isAbandoned(file, Long.parseLong(name.group(1)));
+        })) {
+            siblings.forEach(abandoned::add);
+        } catch (AccessDeniedException | DirectoryIteratorException e) {
+            // A folder that may be written to but not listed: whatever lies there is not ours to judge.
+            return;
+        }
+        for (Path file : abandoned) {
+            Files.deleteIfExists(file);
+        }
+    }
+
+    /** The process may run on another machine that shares the folder: a file that was touched lately is left alone. */
+    private static boolean isAbandoned(Path file, long process) throws IOException {
+        return ProcessHandle.of(process).isEmpty()
+                && Files.getLastModifiedTime(file).toInstant().isBefore(Instant.now().minus(ABANDONED_AFTER));
     }
 
     private static void fill(Path file, Content content, StandardOpenOption... how) throws IOException {

@@ -8,11 +8,15 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Instant;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -48,6 +52,46 @@ class AtomicFileTest {
             assertThat(Thread.interrupted()).isTrue();
         }
         assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void whatAKilledProcessLeftIsSweptAwayAndNothingElse() throws Exception {
+        Process gone = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-version").start();
+        gone.waitFor();
+        Path file = old();
+        Path left = ofProcess(file, gone.pid(), 3600);
+        Path alive = ofProcess(file, ProcessHandle.current().pid(), 3600);
+        Path recent = ofProcess(file, gone.pid(), 0);
+        Path other = ofProcess(folder.resolve("other.bin"), gone.pid(), 3600);
+        AtomicFile.write(file, out -> out.write('n'));
+        assertThat(left).doesNotExist();
+        assertThat(List.of(alive, recent, other)).allMatch(Files::exists);
+        assertThat(file).hasContent("n");
+    }
+
+    private static Path ofProcess(Path file, long process, long secondsOld) throws IOException {
+        Path half = Files.writeString(file.resolveSibling(file.getFileName() + "." + process + "-" + Long.toHexString(secondsOld) + ".tmp"), "half");
+        return Files.setLastModifiedTime(half, FileTime.from(Instant.now().minusSeconds(secondsOld)));
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aFullDiskIsToldAndTheOldFileStays() throws Exception {
+        Path disk = Files.createDirectory(folder.resolve("disk"));
+        assumeTrue(run("mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", disk.toString()), "small disks can be mounted by root only");
+        try {
+            Path file = Files.writeString(disk.resolve("picture.bin"), "old");
+            assertThatThrownBy(() -> AtomicFile.write(file, out -> out.write(new byte[200_000])))
+                    .isInstanceOf(IOException.class).hasMessageContaining("No space left");
+            assertThat(file).hasContent("old");
+            assertThat(disk.toFile().list()).containsExactly("picture.bin");
+        } finally {
+            run("umount", disk.toString());
+        }
+    }
+
+    private static boolean run(String... command) throws Exception {
+        return new ProcessBuilder(command).start().waitFor() == 0;
     }
 
     @Test
