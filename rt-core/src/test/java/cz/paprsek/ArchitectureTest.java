@@ -20,14 +20,16 @@ class ArchitectureTest {
             .layer("material").definedBy("cz.paprsek.material")
             .layer("shape").definedBy("cz.paprsek.shape")
             .layer("scene").definedBy("cz.paprsek.scene")
+            .layer("query").definedBy("cz.paprsek.query")
             .layer("image").definedBy("cz.paprsek.image")
             .layer("render").definedBy("cz.paprsek.render")
             .layer("xml").definedBy("cz.paprsek.xml")
             .layer("pov").definedBy("cz.paprsek.pov")
             .whereLayer("io").mayOnlyBeAccessedByLayers("image", "xml", "pov")
-            .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "image", "render", "xml", "pov")
-            .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "render", "xml", "pov")
-            .whereLayer("scene").mayOnlyBeAccessedByLayers("render", "xml", "pov")
+            .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "query", "image", "render", "xml", "pov")
+            .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "xml", "pov")
+            .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "xml", "pov")
+            .whereLayer("query").mayNotBeAccessedByAnyLayer()
             .whereLayer("image").mayOnlyBeAccessedByLayers("render", "pov")
             .whereLayer("render").mayNotBeAccessedByAnyLayer()
             .whereLayer("xml").mayNotBeAccessedByAnyLayer()
@@ -50,7 +52,7 @@ class ArchitectureTest {
 
     @ArchTest
     static final ArchRule FILES_ONLY_AT_THE_BORDER = noClasses().that()
-            .resideInAnyPackage("cz.paprsek.math", "cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.render")
+            .resideInAnyPackage("cz.paprsek.math", "cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.query", "cz.paprsek.render")
             .should().dependOnClassesThat().resideInAnyPackage("java.nio..");
 
     @ArchTest

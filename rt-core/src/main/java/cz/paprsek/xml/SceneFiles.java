@@ -2,6 +2,7 @@ package cz.paprsek.xml;
 
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneDatabase;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -60,18 +61,28 @@ public final class SceneFiles {
      * @throws IOException if it cannot be read
      */
     public static List<Scene> readAll(Path file) throws SceneFileException, IOException {
-        if (Files.isDirectory(file)) {
-            throw new IOException(file + ": this is a directory, not a scene file");
-        }
-        if (!Files.exists(file)) {
-            throw new IOException(file + ": no such file");
-        }
-        if (!Files.isReadable(file)) {
-            throw new IOException(file + ": no permission to read this file");
-        }
+        checkReadable(file);
         try (InputStream input = Files.newInputStream(file)) {
             return SceneReader.read(input, file.toString());
         }
+    }
+
+    /**
+     * Reads a file as a database; a file with one scene is a database of one, which is named after the file if it has no name.
+     *
+     * @throws SceneFileException if it is not valid, with every problem found
+     * @throws IOException if it cannot be read
+     */
+    public static SceneDatabase readDatabase(Path file) throws SceneFileException, IOException {
+        List<Scene> scenes = readAll(file);
+        boolean isNameless = scenes.size() == 1 && scenes.get(0).name().isEmpty();
+        return SceneDatabase.of(isNameless ? List.of(scenes.get(0).withName(nameOf(file))) : scenes);
+    }
+
+    /** Whether a file says of itself that it is a database; no more than its beginning is read. */
+    public static boolean isDatabase(Path file) throws IOException {
+        checkReadable(file);
+        return RootElement.is("database", file);
     }
 
     /**
@@ -80,7 +91,7 @@ public final class SceneFiles {
      * @throws IllegalArgumentException as {@link #format}
      */
     public static void write(Scene scene, Path file) throws IOException {
-        write(file, format(scene));
+        write(file, format(scene).getBytes(StandardCharsets.UTF_8));
     }
 
     /**
@@ -89,7 +100,7 @@ public final class SceneFiles {
      * @throws IllegalArgumentException as {@link #format}
      */
     public static void writeAll(List<Scene> scenes, Path file) throws IOException {
-        write(file, formatAll(scenes));
+        write(file, bytes(scenes));
     }
 
     /**
@@ -104,7 +115,7 @@ public final class SceneFiles {
     /**
      * The text of a database file, always the same for the same scenes.
      *
-     * @throws IllegalArgumentException as {@link #format}
+     * @throws IllegalArgumentException as {@link #format}, or if a scene has no name or that of another
      */
     public static String formatAll(List<Scene> scenes) {
         return new SceneWriter().database(scenes);
@@ -119,8 +130,32 @@ public final class SceneFiles {
         }
     }
 
-    private static void write(Path file, String text) throws IOException {
-        AtomicFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    /** The file's name without its ending. */
+    private static String nameOf(Path file) {
+        String name = Objects.requireNonNullElse(file.getFileName(), file).toString();
+        int dot = name.lastIndexOf('.');
+        return dot > 0 ? name.substring(0, dot) : name;
+    }
+
+    static byte[] bytes(List<Scene> scenes) {
+        return formatAll(scenes).getBytes(StandardCharsets.UTF_8);
+    }
+
+    static void write(Path file, byte[] content) throws IOException {
+        AtomicFile.write(file, out -> out.write(content));
+    }
+
+    /** @throws IOException with one line that says why the file cannot be read */
+    static void checkReadable(Path file) throws IOException {
+        if (Files.isDirectory(file)) {
+            throw new IOException(file + ": this is a directory, not a scene file");
+        }
+        if (!Files.exists(file)) {
+            throw new IOException(file + ": no such file");
+        }
+        if (!Files.isReadable(file)) {
+            throw new IOException(file + ": no permission to read this file");
+        }
     }
 
     private static Scene only(List<Scene> scenes, String file) throws SceneFileException {

@@ -9,7 +9,9 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringReader;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.transform.sax.SAXSource;
@@ -42,6 +44,7 @@ final class SceneReader {
             Object root = bind(input, prolog, problems);
             List<SceneBean> beans = root instanceof DatabaseBean database ? database.scenes
                     : root instanceof SceneBean scene ? List.of(scene) : List.of();
+            checkNames(root instanceof DatabaseBean database ? database.scenes : List.of(), problems);
             for (SceneBean bean : beans) {
                 Scene scene = bean.toScene(problems);
                 if (scene != null) {
@@ -53,6 +56,18 @@ final class SceneReader {
         }
         problems.throwIfAny();
         return scenes;
+    }
+
+    /** A scene of a database is found by its name. */
+    private static void checkNames(List<SceneBean> scenes, Problems problems) {
+        Set<String> names = new HashSet<>();
+        for (SceneBean scene : scenes) {
+            if (scene.name.isEmpty()) {
+                problems.add(scene, "a scene in a database needs a name, to be found by");
+            } else if (!names.add(scene.name)) {
+                problems.add(scene, "there is already a scene named \"" + scene.name + "\"; give one of them another name");
+            }
+        }
     }
 
     /** The bean of the root element; null if that is wrong. */

@@ -11,6 +11,7 @@ import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SceneRules;
 import cz.paprsek.shape.Block;
@@ -41,6 +42,7 @@ final class SceneWriter {
     }
 
     String database(List<Scene> scenes) {
+        SceneDatabase.of(scenes);
         xml.open("database").attribute("xmlns", SceneFiles.NAMESPACE);
         scenes.forEach(scene -> scene(scene, false));
         xml.close("database");

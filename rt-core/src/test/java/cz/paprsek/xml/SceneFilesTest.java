@@ -54,7 +54,7 @@ class SceneFilesTest {
 
     @Test
     void aDatabaseKeepsItsScenesInOrder(@TempDir Path folder) throws Exception {
-        List<Scene> scenes = List.of(RandomScenes.of(1), RandomScenes.of(2), RandomScenes.of(3));
+        List<Scene> scenes = List.of(RandomScenes.of(1), RandomScenes.of(2).withName("two"), RandomScenes.of(3).withName("three"));
         Path file = folder.resolve("database.xml");
         SceneFiles.writeAll(scenes, file);
         assertThat(SceneFiles.readAll(file)).isEqualTo(scenes);

@@ -121,7 +121,7 @@ class SceneTextTest {
         assertThat(SceneFiles.parse(SceneFiles.format(deepest))).isEqualTo(deepest);
         assertThatIllegalArgumentException().isThrownBy(() -> SceneFiles.format(nested(SceneFiles.DEEPEST - 1)))
                 .withMessage("the scene is nested deeper than the 250 levels that a file may have");
-        assertThatIllegalArgumentException().as("the database is one more").isThrownBy(() -> SceneFiles.formatAll(List.of(deepest)));
+        assertThatIllegalArgumentException().as("the database is one more").isThrownBy(() -> SceneFiles.formatAll(List.of(deepest.withName("deepest"))));
     }
 
     private static Scene nested(int levels) {
@@ -185,8 +185,11 @@ class SceneTextTest {
                 .hasMessage(file + ":1:1: this is a database of 0 scenes, but one scene was expected");
         SceneFiles.write(PLAIN, file);
         assertThat(SceneFiles.readAll(file)).containsExactly(PLAIN);
-        SceneFiles.writeAll(List.of(PLAIN), file);
-        assertThat(SceneFiles.read(file)).isEqualTo(PLAIN);
+        Scene named = PLAIN.withName("plain");
+        SceneFiles.writeAll(List.of(named), file);
+        assertThat(SceneFiles.read(file)).isEqualTo(named);
+        assertThatIllegalArgumentException().isThrownBy(() -> SceneFiles.writeAll(List.of(PLAIN), file)).withMessageContaining("needs a name");
+        assertThatIllegalArgumentException().isThrownBy(() -> SceneFiles.writeAll(List.of(named, named), file)).withMessageContaining("already");
     }
 
     /** The schema is a manual, too. */

@@ -1,0 +1,100 @@
+package cz.paprsek.query;
+
+import cz.paprsek.material.Material;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePart;
+import cz.paprsek.scene.Similar;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** The tables that scenes are seen as: scenes, cameras, lights, materials, all objects, and the objects of each kind. */
+public final class SceneTables {
+    private static final List<Relation<Scene, ?>> PARTS = parts();
+
+    /** The scenes themselves. A filter of scenes may ask for whatever is in them. */
+    public static final Table<Scene> SCENE = scene();
+
+    private SceneTables() {}
+
+    /** All tables, with the way from a scene to their rows; that of scenes first. */
+    public static List<Relation<Scene, ?>> all() {
+        List<Relation<Scene, ?>> all = new ArrayList<>();
+        all.add(new Relation<>(SCENE, Stream::of, false));
+        all.addAll(PARTS);
+        return all;
+    }
+
+    /**
+     * The table of that name.
+     *
+     * @throws IllegalArgumentException if there is none, with a list of those there are
+     */
+    public static Relation<Scene, ?> named(String name) {
+        List<String> known = all().stream().map(relation -> relation.table().name()).toList();
+        return all().stream().filter(relation -> relation.table().name().equals(name)).findFirst().orElseThrow(() -> new IllegalArgumentException(
+                "there is no table \"" + name + "\"" + Similar.suggestion(name, known) + (Similar.nearest(name, known).isEmpty() ? ";" : "")
+                        + " there are " + String.join(", ", known)));
+    }
+
+    private static Table<Scene> scene() {
+        return new Table<>("scene", List.of(
+                Column.text("name", Scene::name),
+                Column.texts("tag", Scene::tags),
+                Column.number("lights", scene -> scene.lights().size()),
+                Column.number("materials", scene -> scene.materials().size()),
+                Column.number("objects", scene -> scene.objects().size()),
+                Column.number("operands", scene -> ScenePart.all(scene).filter(part -> part.depth() > 0).count()),
+                Column.number("width", scene -> scene.settings().width()),
+                Column.number("height", scene -> scene.settings().height()),
+                Column.number("max-depth", scene -> scene.settings().maxDepth()),
+                Column.number("samples", scene -> scene.settings().samples()),
+                Column.color("background", scene -> Optional.of(scene.background())),
+                Column.color("ambient", scene -> Optional.of(scene.ambient())),
+                Column.text("description", Scene::description)), PARTS);
+    }
+
+    private static List<Relation<Scene, ?>> parts() {
+        List<Relation<Scene, ?>> parts = new ArrayList<>(List.of(
+                new Relation<>(camera(), scene -> Stream.of(new InScene<>(scene, scene.camera())), false),
+                new Relation<>(light(), scene -> scene.lights().stream().map(light -> new InScene<>(scene, light)), false),
+                new Relation<>(material(), scene -> scene.materials().entrySet().stream().map(entry -> new InScene<>(scene, entry)), false),
+                new Relation<>(KindTables.all(), ScenePart::all, false)));
+        for (Table<ScenePart> kind : KindTables.kinds()) {
+            parts.add(new Relation<>(kind, scene -> ScenePart.all(scene).filter(part -> part.shape().kind().equals(kind.name())), true));
+        }
+        return List.copyOf(parts);
+    }
+
+    private static Table<InScene<Camera>> camera() {
+        return new Table<>("camera", List.of(
+                Column.text("scene", row -> row.scene().name()),
+                Column.vector("position", row -> row.part().position()),
+                Column.vector("direction", row -> row.part().forward()),
+                Column.vectors("target", row -> row.part().aim() instanceof Camera.Target target ? Optional.of(target.point()) : Optional.empty()),
+                Column.vector("up", row -> row.part().up()),
+                Column.number("fovy", row -> row.part().fovy())), List.of());
+    }
+
+    private static Table<InScene<Light>> light() {
+        return new Table<>("light", List.of(
+                Column.text("scene", row -> row.scene().name()),
+                Column.text("name", row -> row.part().name()),
+                Column.vector("position", row -> row.part().position()),
+                Column.color("color", row -> Optional.of(row.part().color())),
+                Column.number("intensity", row -> row.part().intensity())), List.of());
+    }
+
+    private static Table<InScene<Map.Entry<String, Material>>> material() {
+        List<Column<InScene<Map.Entry<String, Material>>>> columns = new ArrayList<>(List.of(
+                Column.text("scene", row -> row.scene().name()),
+                Column.text("name", row -> row.part().getKey())));
+        columns.addAll(MaterialColumns.of(row -> row.part().getValue()));
+        return new Table<>("material", columns, List.of());
+    }
+}

@@ -1,0 +1,63 @@
+package cz.paprsek.query;
+
+import cz.paprsek.math.Numbers;
+import cz.paprsek.math.Vec3;
+
+/** What stands in a cell of a table. */
+public sealed interface Value {
+    /** The value as it would stand in a scene file; empty for nothing. */
+    String text();
+
+    /** A number. */
+    record Scalar(double value) implements Value {
+        @Override
+        public String text() {
+            return Numbers.text(value);
+        }
+    }
+
+    /** A text of any length, also none. */
+    record Text(String text) implements Value {}
+
+    /** Three numbers: a vector, or a colour. */
+    record Triple(Vec3 numbers) implements Value {
+        @Override
+        public String text() {
+            return Numbers.text(numbers);
+        }
+
+        /** One of the three, by its place from 0. */
+        double part(int place) {
+            return place == 0 ? numbers.x() : place == 1 ? numbers.y() : numbers.z();
+        }
+    }
+
+    /** There is no value. */
+    enum Nothing implements Value {
+        NOTHING;
+
+        @Override
+        public String text() {
+            return "";
+        }
+    }
+
+    /** The order of a sorted column: nothing first, numbers by size, text without regard to case. */
+    static int compare(Value a, Value b) {
+        if (a instanceof Scalar x && b instanceof Scalar y) {
+            return Double.compare(x.value, y.value);
+        }
+        if (a instanceof Triple x && b instanceof Triple y) {
+            int first = Double.compare(x.part(0), y.part(0));
+            int second = first != 0 ? first : Double.compare(x.part(1), y.part(1));
+            return second != 0 ? second : Double.compare(x.part(2), y.part(2));
+        }
+        int types = Integer.compare(rank(a), rank(b));
+        int letters = types != 0 ? types : String.CASE_INSENSITIVE_ORDER.compare(a.text(), b.text());
+        return letters != 0 ? letters : a.text().compareTo(b.text());
+    }
+
+    private static int rank(Value value) {
+        return value instanceof Nothing ? 0 : value instanceof Scalar ? 1 : value instanceof Triple ? 2 : 3;
+    }
+}

@@ -1,0 +1,136 @@
+package cz.paprsek.xml;
+
+import cz.paprsek.io.FileLock;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneDatabase;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.DigestInputStream;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.UnaryOperator;
+
+/**
+ * A database as it was in a file when it was read or written. What others change in the file after that is never overwritten: a scene that
+ * only they changed stays as they made it, and where both changed one, nothing is written.
+ */
+public final class DatabaseFile {
+    private static final long PATIENCE_MILLIS = 60_000;
+
+    private final Path path;
+    private final SceneDatabase database;
+    /** Of the file's bytes; tells whether it is still the same. Empty if there was no file. */
+    private final byte[] digest;
+
+    private DatabaseFile(Path path, SceneDatabase database, byte[] digest) {
+        this.path = path;
+        this.database = database;
+        this.digest = digest;
+    }
+
+    /**
+     * Reads a database.
+     *
+     * @throws SceneFileException if it is not valid, with every problem found
+     * @throws IOException if it cannot be read
+     */
+    public static DatabaseFile open(Path path) throws SceneFileException, IOException {
+        SceneFiles.checkReadable(path);
+        MessageDigest digest = newDigest();
+        try (InputStream input = new DigestInputStream(Files.newInputStream(path), digest)) {
+            List<Scene> scenes = SceneReader.read(input, path.toString());
+            if (!SceneFiles.isDatabase(path)) {
+                throw new IOException(path + ": this is a scene, not a database; it can be added to one");
+            }
+            return new DatabaseFile(path, SceneDatabase.of(scenes), digest.digest());
+        }
+    }
+
+    /** A database that is to be a new file; there is none yet. */
+    public static DatabaseFile create(Path path) {
+        return new DatabaseFile(path, SceneDatabase.EMPTY, new byte[0]);
+    }
+
+    /**
+     * Reads a database, changes it and writes it, while nobody else can.
+     *
+     * @param change what is to be done; may refuse with any exception, and nothing is written
+     * @throws SceneFileException as {@link #open}
+     * @throws IOException if it cannot be read or written
+     */
+    @SuppressWarnings("try") // The lock is held, not used.
+    public static DatabaseFile update(Path path, UnaryOperator<SceneDatabase> change) throws SceneFileException, IOException {
+        try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
+            DatabaseFile file = open(path);
+            SceneDatabase changed = change.apply(file.database);
+            return changed.equals(file.database) ? file : file.write(changed);
+        }
+    }
+
+    public Path path() {
+        return path;
+    }
+
+    /** What was in the file. */
+    public SceneDatabase database() {
+        return database;
+    }
+
+    /**
+     * Writes what this database has become. If the file has been changed by others since, both changes are put together, scene by scene.
+     *
+     * @return the file as it is now, with the changes of others
+     * @throws DatabaseConflictException if both changed the same scenes; nothing is written
+     * @throws SceneFileException if others left it so that it cannot be read; nothing is written
+     * @throws IOException if it cannot be written
+     */
+    @SuppressWarnings("try")
+    public DatabaseFile save(SceneDatabase changed) throws SceneFileException, IOException {
+        try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
+            if (Arrays.equals(digest(path), digest)) {
+                return write(changed);
+            }
+            DatabaseFile theirs = Files.exists(path) ? open(path) : create(path);
+            return theirs.write(together(changed, theirs.database));
+        }
+    }
+
+    private SceneDatabase together(SceneDatabase changed, SceneDatabase theirs) throws DatabaseConflictException {
+        try {
+            return changed.rebase(database, theirs);
+        } catch (IllegalArgumentException conflict) {
+            throw new DatabaseConflictException(path + ": somebody else has changed this file since it was read, and " + conflict.getMessage()
+                    + "; nothing is written", conflict);
+        }
+    }
+
+    private DatabaseFile write(SceneDatabase changed) throws IOException {
+        byte[] bytes = SceneFiles.bytes(changed.scenes());
+        SceneFiles.write(path, bytes);
+        return new DatabaseFile(path, changed, newDigest().digest(bytes));
+    }
+
+    private static byte[] digest(Path path) throws IOException {
+        if (!Files.exists(path)) {
+            return new byte[0];
+        }
+        MessageDigest digest = newDigest();
+        try (InputStream input = new DigestInputStream(Files.newInputStream(path), digest)) {
+            input.transferTo(OutputStream.nullOutputStream());
+        }
+        return digest.digest();
+    }
+
+    private static MessageDigest newDigest() {
+        try {
+            return MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("this Java lacks SHA-256, which every Java has", e);
+        }
+    }
+}
