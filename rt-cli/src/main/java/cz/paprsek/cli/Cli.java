@@ -38,6 +38,7 @@ final class Cli {
                 .addSubcommand("convert", new ConvertCommand(terminal, stop))
                 .addSubcommand("bench", new BenchCommand(terminal, stop))
                 .addSubcommand("compare", new CompareCommand(terminal, stop))
+                .addSubcommand("crosscheck", new CrossCheckCommand(terminal, stop))
                 .addSubcommand("schema", new SchemaCommand(terminal, stop))
                 .addSubcommand("generate-completion", new AutoComplete.GenerateCompletion())
                 .addSubcommand("help", new CommandLine.HelpCommand());
