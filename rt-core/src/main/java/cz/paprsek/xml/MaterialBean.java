@@ -31,7 +31,6 @@ final class MaterialBean extends Located {
     }
 
     private Pattern pattern() {
-        Require.that(checker == null || checkerboard == null, "a material has one pattern at most; remove one of them");
         Require.that(color == null || (checker == null && checkerboard == null),
                 "a material has either a color or a pattern, not both; remove one of them");
         if (checkerboard != null) {
@@ -46,8 +45,8 @@ final class MaterialBean extends Located {
     /** {@code <checkerboard>}. */
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class CheckerboardBean {
-        @XmlAttribute(required = true) int columns;
-        @XmlAttribute(required = true) int rows;
+        @XmlAttribute int columns;
+        @XmlAttribute int rows;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb even = Rgb.WHITE;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb odd = Rgb.BLACK;
     }
@@ -55,7 +54,7 @@ final class MaterialBean extends Located {
     /** {@code <checker>}. */
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class CheckerBean {
-        @XmlAttribute(required = true) double size;
+        @XmlAttribute double size;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 origin = Vec3.ZERO;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb even = Rgb.WHITE;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb odd = Rgb.BLACK;

@@ -62,7 +62,9 @@ public final class SceneFiles {
      */
     public static List<Scene> readAll(Path file) throws SceneFileException, IOException {
         checkReadable(file);
-        return SceneReader.read(file);
+        try (InputStream input = Files.newInputStream(file)) {
+            return SceneReader.read(input, file.toString());
+        }
     }
 
     /**

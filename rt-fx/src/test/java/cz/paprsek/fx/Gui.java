@@ -1,5 +1,6 @@
 package cz.paprsek.fx;
 
+import cz.paprsek.fx.view.Theme;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -31,11 +32,12 @@ public final class Gui implements AutoCloseable {
         this.robot = robot;
     }
 
-    /** Shows a node in a window of the given size, in pixels. */
+    /** Shows a node in a window of the given size, in pixels, in the light theme. */
     public static Gui show(Callable<? extends Parent> content, double width, double height) {
         return open(() -> {
             Stage stage = new Stage();
             stage.setScene(new Scene(content.call(), width, height));
+            Theme.LIGHT.applyTo(stage.getScene());
             return stage;
         });
     }

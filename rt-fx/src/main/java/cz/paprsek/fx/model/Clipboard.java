@@ -2,16 +2,12 @@ package cz.paprsek.fx.model;
 
 import cz.paprsek.fx.model.Item.BodyAt;
 import cz.paprsek.fx.model.Item.LightAt;
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
-import cz.paprsek.shape.Csg;
-import cz.paprsek.shape.Operand;
-import cz.paprsek.shape.Shape;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.util.ArrayList;
@@ -44,7 +40,7 @@ public final class Clipboard {
             Body body = Bodies.find(scene, at).orElseThrow();
             if (at.depth() > 0) {
                 body = body.placed(Placements.of(Bodies.toWorld(scene, at)).orElseThrow(() -> new IllegalArgumentException(
-                        "an operand sheared by the operations around it cannot be copied on its own"))).madeOf(material(scene, at));
+                        "an operand sheared by the operations around it cannot be copied on its own"))).madeOf(Materials.effective(scene, at));
             }
             body = body.named(Names.free(body.name(), names));
             names.add(body.name());
@@ -53,7 +49,7 @@ public final class Clipboard {
         List<Light> lights = lightPlaces.stream().map(at -> scene.lights().get(at.index())).toList();
         Map<String, Material> materials = new LinkedHashMap<>(scene.materials());
         Set<String> used = new LinkedHashSet<>();
-        objects.forEach(object -> collect(object.material(), object.shape(), used));
+        objects.forEach(object -> Materials.collectNames(Body.of(object), used));
         materials.keySet().retainAll(used);
         return SceneFiles.format(Scene.EMPTY.withMaterials(materials).withLights(lights).withObjects(objects));
     }
@@ -79,32 +75,12 @@ public final class Clipboard {
         });
         return Structure.add(
                 state.withScene(state.scene().withMaterials(materials)),
-                pasted.objects().stream().map(object -> renamed(Body.of(object), renamed).toObject()).toList(),
+                pasted.objects().stream().map(object -> Materials.mapped(Body.of(object), source -> renamed(source, renamed)).toObject()).toList(),
                 pasted.lights());
     }
 
-    /** What a body is made of, which may be stated by an operation around it. */
-    private static MaterialSource material(Scene scene, BodyAt at) {
-        Body body = Bodies.find(scene, at).orElseThrow();
-        return body.material() instanceof Inherited && at.depth() > 0 ? material(scene, at.parent()) : body.material();
-    }
-
-    private static void collect(MaterialSource material, Shape shape, Set<String> names) {
-        if (material instanceof MaterialName reference) {
-            names.add(reference.name());
-        }
-        if (shape instanceof Csg csg) {
-            csg.operands().forEach(operand -> collect(operand.material(), operand.solid(), names));
-        }
-    }
-
-    private static Body renamed(Body body, Map<String, String> names) {
-        Body result = body.material() instanceof MaterialName reference
-                ? body.madeOf(new MaterialName(names.getOrDefault(reference.name(), reference.name()))) : body;
-        if (!(body.shape() instanceof Csg csg)) {
-            return result;
-        }
-        List<Operand> operands = csg.operands().stream().map(operand -> renamed(Body.of(operand), names).toOperand()).toList();
-        return result.withShape(new Csg(csg.operation(), operands));
+    private static MaterialSource renamed(MaterialSource source, Map<String, String> names) {
+        return source instanceof MaterialName reference
+                ? new MaterialName(names.getOrDefault(reference.name(), reference.name())) : source;
     }
 }

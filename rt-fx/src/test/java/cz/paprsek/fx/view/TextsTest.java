@@ -24,7 +24,7 @@ import org.junit.jupiter.params.provider.FieldSource;
 
 class TextsTest {
     /** Texts whose keys are put together: any of these beginnings counts as used. */
-    private static final List<String> MADE = List.of("kind.", "edit.", "format.", "field.");
+    private static final List<String> MADE = List.of("kind.", "edit.", "format.", "field.", "alternative.");
     static final List<String> PARTS = Texts.PARTS;
 
     @ParameterizedTest

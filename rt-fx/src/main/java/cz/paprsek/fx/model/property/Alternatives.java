@@ -1,0 +1,69 @@
+package cz.paprsek.fx.model.property;
+
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Pattern.Checker;
+import cz.paprsek.material.Pattern.Checkerboard;
+import cz.paprsek.material.Pattern.Plain;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Camera.Aim;
+import cz.paprsek.scene.Camera.Direction;
+import cz.paprsek.scene.Camera.Target;
+import cz.paprsek.scene.Scene;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BiFunction;
+
+/** How a value of one kind becomes one of another kind that looks as much like it as can be. */
+public final class Alternatives {
+    private static final double AIM_DISTANCE = 5;
+    private static final Rgb CONTRAST = new Rgb(40, 40, 40);
+
+    /** A row of the table: the kind that comes out, and how it does, knowing the record that has the value. */
+    private record Alternative(Class<?> kind, BiFunction<Record, Object, Object> convert) {}
+
+    private static final Map<Class<?>, List<Alternative>> TABLE = Map.of(
+            Pattern.class, List.of(
+                    new Alternative(Plain.class, (owner, old) -> new Plain(color(old))),
+                    new Alternative(Checkerboard.class, (owner, old) -> new Checkerboard(8, 8, color(old), contrast(old))),
+                    new Alternative(Checker.class, (owner, old) -> new Checker(0.25, Vec3.ZERO, color(old), contrast(old)))),
+            Aim.class, List.of(
+                    new Alternative(Direction.class, (owner, old) -> new Direction(((Camera) owner).forward())),
+                    new Alternative(Target.class, (owner, old) -> new Target(inFront((Camera) owner)))));
+
+    private Alternatives() {}
+
+    /** Whether the values of a type are of kinds that one chooses from. */
+    static boolean exist(Class<?> type) {
+        return TABLE.containsKey(type);
+    }
+
+    /** The kinds to choose from. */
+    public static List<Class<?>> of(Class<?> type) {
+        return rows(type).stream().<Class<?>>map(Alternative::kind).toList();
+    }
+
+    /** The scene with a property's values made of another kind. */
+    public static Scene choose(Property property, Scene scene, Class<?> kind) {
+        Alternative row = rows(property.type()).stream().filter(r -> r.kind() == kind).findFirst().orElseThrow();
+        return property.changeKnowing(scene, (owner, old) -> kind.isInstance(old) ? old : row.convert().apply(owner, old));
+    }
+
+    private static List<Alternative> rows(Class<?> type) {
+        return TABLE.getOrDefault(type, List.of());
+    }
+
+    private static Rgb color(Object pattern) {
+        return pattern instanceof Plain plain ? plain.color()
+                : pattern instanceof Checkerboard board ? board.even() : ((Checker) pattern).even();
+    }
+
+    private static Rgb contrast(Object pattern) {
+        return pattern instanceof Checkerboard board ? board.odd() : pattern instanceof Checker checker ? checker.odd() : CONTRAST;
+    }
+
+    private static Vec3 inFront(Camera camera) {
+        return camera.position().plus(camera.forward().times(AIM_DISTANCE));
+    }
+}

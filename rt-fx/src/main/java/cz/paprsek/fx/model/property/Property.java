@@ -1,0 +1,102 @@
+package cz.paprsek.fx.model.property;
+
+import cz.paprsek.scene.Scene;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.UnaryOperator;
+
+/**
+ * Something about one or several things that can be seen and changed.
+ *
+ * @param target the things
+ * @param path the component, within components, within the things' records
+ * @param type what its values are
+ * @param trait how it is shown
+ */
+public record Property(Target target, List<String> path, Class<?> type, Trait trait) {
+
+    public Property {
+        path = List.copyOf(path);
+    }
+
+    /** The component's name, which has a label in every language. */
+    public String name() {
+        return path.get(path.size() - 1);
+    }
+
+    /** A component of its value that is a number. */
+    public Property part(String component) {
+        List<String> longer = new ArrayList<>(path);
+        longer.add(component);
+        return new Property(target, longer, double.class, trait);
+    }
+
+    /** The value that all the things have in common; empty if they differ. */
+    public Optional<Object> read(Scene scene) {
+        Optional<Object> common = Optional.empty();
+        for (Record record : target.read(scene)) {
+            Optional<Object> value = value(record, path);
+            if (value.isEmpty() || (common.isPresent() && !common.equals(value))) {
+                return Optional.empty();
+            }
+            common = value;
+        }
+        return common;
+    }
+
+    /** The kind of record that all values are of; empty if they differ in it. */
+    public Optional<Class<?>> kind(Scene scene) {
+        List<Class<?>> kinds = target.read(scene).stream().flatMap(record -> value(record, path).stream())
+                .<Class<?>>map(Object::getClass).distinct().limit(2).toList();
+        return kinds.size() == 1 ? Optional.of(kinds.get(0)) : Optional.empty();
+    }
+
+    /**
+     * The scene with all the things given the same value.
+     *
+     * @throws IllegalArgumentException with the sentence of the record that refuses it
+     */
+    public Scene write(Scene scene, Object value) {
+        return change(scene, old -> value);
+    }
+
+    /**
+     * The scene with each value changed.
+     *
+     * @throws IllegalArgumentException with the sentence of the record that refuses it
+     */
+    public Scene change(Scene scene, UnaryOperator<Object> change) {
+        return changeKnowing(scene, (owner, old) -> change.apply(old));
+    }
+
+    /** As {@link #change}, for changes that depend on the record that has the value. */
+    Scene changeKnowing(Scene scene, BiFunction<Record, Object, Object> change) {
+        return target.change(scene, record -> changed(record, path, change));
+    }
+
+    private static Record changed(Record record, List<String> path, BiFunction<Record, Object, Object> change) {
+        String name = path.get(0);
+        Optional<Object> old = value(record, List.of(name));
+        if (old.isEmpty()) {
+            return record;
+        }
+        Object fresh = path.size() == 1
+                ? change.apply(record, old.get()) : changed((Record) old.get(), path.subList(1, path.size()), change);
+        return fresh.equals(old.get()) ? record : Records.with(record, name, fresh);
+    }
+
+    private static Optional<Object> value(Record record, List<String> path) {
+        Object value = record;
+        for (String name : path) {
+            Record owner = (Record) value;
+            Optional<Object> next = Records.component(owner.getClass(), name).map(component -> Records.get(owner, component));
+            if (next.isEmpty()) {
+                return next;
+            }
+            value = next.get();
+        }
+        return Optional.of(value);
+    }
+}

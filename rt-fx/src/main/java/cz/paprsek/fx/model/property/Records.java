@@ -1,0 +1,56 @@
+package cz.paprsek.fx.model.property;
+
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.RecordComponent;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/** Reads and replaces components of records by name. */
+final class Records {
+    private Records() {}
+
+    /** The components of a record, in order. */
+    static List<RecordComponent> components(Class<?> type) {
+        return List.of(Objects.requireNonNull(type.getRecordComponents(), () -> type + " is no record"));
+    }
+
+    /** The component of the given name; empty if the record has none. */
+    static Optional<RecordComponent> component(Class<?> type, String name) {
+        return components(type).stream().filter(component -> component.getName().equals(name)).findFirst();
+    }
+
+    /** The value of a component. */
+    static Object get(Record record, RecordComponent component) {
+        try {
+            return Objects.requireNonNull(component.getAccessor().invoke(record), component.getName());
+        } catch (IllegalAccessException | InvocationTargetException e) {
+            throw new IllegalStateException("cannot read " + component, e);
+        }
+    }
+
+    /**
+     * The record with one component replaced.
+     *
+     * @throws IllegalArgumentException with the record's own sentence if it refuses the value
+     */
+    static Record with(Record record, String name, Object value) {
+        List<RecordComponent> components = components(record.getClass());
+        Class<?>[] types = components.stream().map(RecordComponent::getType).toArray(Class<?>[]::new);
+        Object[] values = components.stream()
+                .map(component -> component.getName().equals(name) ? value : get(record, component)).toArray();
+        try {
+            Constructor<? extends Record> constructor = record.getClass().getDeclaredConstructor(types);
+            return constructor.newInstance(values);
+        } catch (InvocationTargetException e) {
+            if (e.getCause() instanceof IllegalArgumentException refused) {
+                throw refused;
+            }
+            throw new IllegalStateException("cannot make " + record.getClass(), e);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException("cannot make " + record.getClass() + " of " + Arrays.toString(values), e);
+        }
+    }
+}

@@ -1,0 +1,110 @@
+package cz.paprsek.fx.model.property;
+
+import cz.paprsek.fx.model.Bodies;
+import cz.paprsek.fx.model.Body;
+import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.fx.model.Item.LightAt;
+import cz.paprsek.fx.model.Materials;
+import cz.paprsek.material.Material;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+
+/** The kinds of target there are. */
+final class Targets {
+    private Targets() {}
+
+    /** Objects and operands. */
+    record BodiesAt(List<BodyAt> places) implements Target {
+        @Override
+        public List<Body> read(Scene scene) {
+            return places.stream().flatMap(at -> Bodies.find(scene, at).stream()).toList();
+        }
+
+        @Override
+        public Scene change(Scene scene, UnaryOperator<Record> change) {
+            return Bodies.with(scene, places, (at, body) -> (Body) change.apply(body));
+        }
+    }
+
+    /** Lights. */
+    record LightsAt(List<LightAt> places) implements Target {
+        @Override
+        public List<Light> read(Scene scene) {
+            return places.stream().filter(at -> at.index() < scene.lights().size()).map(at -> scene.lights().get(at.index())).toList();
+        }
+
+        @Override
+        public Scene change(Scene scene, UnaryOperator<Record> change) {
+            List<Light> lights = new ArrayList<>(scene.lights());
+            places.forEach(at -> lights.set(at.index(), (Light) change.apply(lights.get(at.index()))));
+            return scene.withLights(lights);
+        }
+    }
+
+    /** What of a scene there is one of. */
+    record Whole(Function<Scene, Record> get, BiFunction<Scene, Record, Scene> with) implements Target {
+        static final Whole SCENE = new Whole(scene -> scene, (scene, fresh) -> (Scene) fresh);
+        static final Whole SETTINGS = new Whole(Scene::settings, (scene, fresh) -> scene.withSettings((RenderSettings) fresh));
+        static final Whole CAMERA = new Whole(Scene::camera, (scene, fresh) -> scene.withCamera((Camera) fresh));
+
+        @Override
+        public List<Record> read(Scene scene) {
+            return List.of(get.apply(scene));
+        }
+
+        @Override
+        public Scene change(Scene scene, UnaryOperator<Record> change) {
+            return with.apply(scene, change.apply(get.apply(scene)));
+        }
+    }
+
+    /** What objects and operands are made of: their own materials, and the named ones they refer to, for all that do so. */
+    record MaterialsOf(List<BodyAt> places) implements Target {
+        @Override
+        public List<Material> read(Scene scene) {
+            Stream<Material> own = new BodiesAt(places).read(scene).stream().map(Body::material)
+                    .filter(Material.class::isInstance).map(Material.class::cast);
+            return Stream.concat(own, new NamedMaterials(Materials.names(scene, places)).read(scene).stream()).distinct().toList();
+        }
+
+        @Override
+        public Scene change(Scene scene, UnaryOperator<Record> change) {
+            Scene named = new NamedMaterials(Materials.names(scene, places)).change(scene, change);
+            return Bodies.with(named, places, (at, body) ->
+                    body.material() instanceof Material own ? body.madeOf((Material) change.apply(own)) : body);
+        }
+    }
+
+    /** Materials by their names. */
+    record NamedMaterials(Set<String> names) implements Target {
+        @Override
+        public List<Material> read(Scene scene) {
+            return names.stream().filter(scene.materials()::containsKey).map(name -> material(scene.materials(), name)).toList();
+        }
+
+        @Override
+        public Scene change(Scene scene, UnaryOperator<Record> change) {
+            if (names.isEmpty()) {
+                return scene;
+            }
+            Map<String, Material> materials = new LinkedHashMap<>(scene.materials());
+            names.forEach(name -> materials.put(name, (Material) change.apply(material(materials, name))));
+            return scene.withMaterials(materials);
+        }
+
+        private static Material material(Map<String, Material> materials, String name) {
+            return materials.getOrDefault(name, Material.DEFAULT);
+        }
+    }
+}

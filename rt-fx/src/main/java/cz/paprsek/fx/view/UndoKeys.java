@@ -1,0 +1,31 @@
+package cz.paprsek.fx.view;
+
+import cz.paprsek.fx.model.EditorModel;
+import javafx.scene.Node;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCodeCombination;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.input.KeyEvent;
+
+/** Lets the keys of undo and redo reach the editor's history from within a text field, which would otherwise keep them to itself. */
+public final class UndoKeys {
+    private static final KeyCombination UNDO = new KeyCodeCombination(KeyCode.Z, KeyCombination.SHORTCUT_DOWN);
+    private static final KeyCombination REDO =
+            new KeyCodeCombination(KeyCode.Z, KeyCombination.SHORTCUT_DOWN, KeyCombination.SHIFT_DOWN);
+    private static final KeyCombination REDO_TOO = new KeyCodeCombination(KeyCode.Y, KeyCombination.SHORTCUT_DOWN);
+
+    private UndoKeys() {}
+
+    /** Makes the keys work in a node and all within it. */
+    public static void reach(EditorModel model, Node node) {
+        node.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (UNDO.match(event)) {
+                model.undo();
+                event.consume();
+            } else if (REDO.match(event) || REDO_TOO.match(event)) {
+                model.redo();
+                event.consume();
+            }
+        });
+    }
+}

@@ -1,0 +1,80 @@
+package cz.paprsek.fx.view.sheet;
+
+import cz.paprsek.fx.model.property.Property;
+import cz.paprsek.fx.model.property.Trait;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.scene.Scene;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.ColorPicker;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.paint.Color;
+
+/** A colour as a picker and three fields from 0 to 255. */
+final class ColorEditor implements PropertyEditor {
+    private static final List<String> CHANNELS = List.of("red", "green", "blue");
+
+    private final HBox box = new HBox();
+    private final ColorPicker picker = new ColorPicker();
+    private final List<NumberField> fields = new ArrayList<>();
+    private final Property property;
+    private boolean showing;
+
+    ColorEditor(Property property, PropertyEdit edit, String mixed, String pick) {
+        this.property = property;
+        box.getStyleClass().add("color-editor");
+        box.setAlignment(Pos.CENTER_LEFT);
+        picker.setId(String.join("-", property.path()) + "-picker");
+        picker.setAccessibleText(pick);
+        picker.setOnAction(event -> {
+            if (!showing) {
+                Rgb picked = rgb(picker.getValue());
+                edit.change(scene -> property.write(scene, picked));
+            }
+        });
+        box.getChildren().add(picker);
+        for (String channel : CHANNELS) {
+            Property part = new Property(property.target(), property.part(channel).path(), double.class, channel());
+            NumberField field = new NumberField(part, edit, mixed);
+            Label letter = new Label(channel.substring(0, 1).toUpperCase(Locale.ROOT));
+            letter.getStyleClass().addAll("axis", "axis-" + channel);
+            field.dragBy(letter);
+            HBox pair = new HBox(letter, field);
+            pair.setAlignment(Pos.CENTER_LEFT);
+            HBox.setHgrow(field, Priority.ALWAYS);
+            HBox.setHgrow(pair, Priority.ALWAYS);
+            box.getChildren().add(pair);
+            fields.add(field);
+        }
+    }
+
+    @Override
+    public Node node() {
+        return box;
+    }
+
+    @Override
+    public void show(Scene scene) {
+        fields.forEach(field -> field.show(scene));
+        showing = true;
+        property.read(scene).ifPresent(value -> picker.setValue(color((Rgb) value)));
+        showing = false;
+    }
+
+    private static Color color(Rgb rgb) {
+        return Color.color(rgb.red() / 255, rgb.green() / 255, rgb.blue() / 255);
+    }
+
+    private static Rgb rgb(Color color) {
+        return new Rgb(Math.rint(color.getRed() * 255), Math.rint(color.getGreen() * 255), Math.rint(color.getBlue() * 255));
+    }
+
+    private static Trait channel() {
+        return new Trait(Trait.Kind.NUMBER, Trait.Unit.NONE, 0, 255, 1, List.of());
+    }
+}

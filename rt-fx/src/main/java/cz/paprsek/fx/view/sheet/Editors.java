@@ -1,0 +1,103 @@
+package cz.paprsek.fx.view.sheet;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.property.Alternatives;
+import cz.paprsek.fx.model.property.Property;
+import cz.paprsek.fx.view.Texts;
+import java.util.List;
+import java.util.Locale;
+import javafx.scene.Node;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
+import org.kordamp.ikonli.javafx.FontIcon;
+
+/** Makes the row and the editor for a property of any kind. */
+final class Editors {
+    private final EditorModel model;
+    private final Texts texts;
+
+    Editors(EditorModel model, Texts texts) {
+        this.model = model;
+        this.texts = texts;
+    }
+
+    /**
+     * What is put into the sheet, and what shows a scene in it.
+     *
+     * @param row the row
+     * @param editor the editor in it
+     */
+    record Entry(Node row, PropertyEditor editor) {}
+
+    Entry entry(Property property) {
+        String text = texts.of("field." + property.name());
+        SheetRow row = new SheetRow(text);
+        PropertyEdit edit = new PropertyEdit(model, text, row::show);
+        String mixed = texts.of("sheet.mixed");
+        return switch (property.trait().kind()) {
+            case NUMBER, WHOLE -> {
+                NumberEditor editor = new NumberEditor(property, edit, texts);
+                editor.field().dragBy(row.label());
+                yield beside(row, editor);
+            }
+            case SHARE -> {
+                ShareEditor editor = new ShareEditor(property, edit, mixed);
+                editor.field().dragBy(row.label());
+                yield beside(row, editor);
+            }
+            case VECTOR -> below(row, new VectorEditor(property, edit, mixed, () -> false));
+            case FACTORS -> {
+                ToggleButton link = link();
+                yield below(row, new VectorEditor(property, edit, mixed, link::isSelected), link);
+            }
+            case COLOR -> below(row, new ColorEditor(property, edit, mixed, texts.of("sheet.pick")));
+            case TEXT -> beside(row, new TextEditor(id(property), edit, scene -> property.read(scene).map(Object::toString).orElse(""),
+                    property::write));
+            case WORDS -> beside(row, new TextEditor(id(property), edit,
+                    scene -> property.read(scene).map(words -> String.join(" ", words((List<?>) words))).orElse(""),
+                    (scene, line) -> property.write(scene, line.isBlank() ? List.of() : List.of(line.strip().split("\\s+")))));
+            case CONSTANT -> beside(row, new ChoiceEditor<>(id(property), mixed,
+                    constant -> texts.of("kind." + constant.toString().toLowerCase(Locale.ROOT)),
+                    scene -> List.of(property.type().getEnumConstants()), property::read,
+                    constant -> edit.change(scene -> property.write(scene, constant))));
+            case ALTERNATIVE -> beside(row, alternatives(property, edit, mixed));
+            case MATERIAL -> {
+                MaterialEditor editor = new MaterialEditor(model, edit, texts, property);
+                yield new Entry(row.below(editor.node(), editor.buttons()), editor);
+            }
+        };
+    }
+
+    private PropertyEditor alternatives(Property property, PropertyEdit edit, String mixed) {
+        return new ChoiceEditor<Class<?>>(id(property), mixed,
+                kind -> texts.of("alternative." + kind.getSimpleName().toLowerCase(Locale.ROOT)),
+                scene -> Alternatives.of(property.type()), property::kind,
+                kind -> edit.change(scene -> Alternatives.choose(property, scene, kind)));
+    }
+
+    private static List<String> words(List<?> words) {
+        return words.stream().map(Object::toString).toList();
+    }
+
+    private ToggleButton link() {
+        ToggleButton link = new ToggleButton("", new FontIcon("mdi2l-link-variant"));
+        link.setId("scale-link");
+        link.setSelected(true);
+        link.setAccessibleText(texts.of("sheet.link"));
+        link.setTooltip(new Tooltip(texts.of("sheet.link")));
+        link.getStyleClass().add("small-button");
+        return link;
+    }
+
+    private static Entry beside(SheetRow row, PropertyEditor editor) {
+        return new Entry(row.beside(editor.node()), editor);
+    }
+
+    private static Entry below(SheetRow row, PropertyEditor editor, Node... atEnd) {
+        return new Entry(row.below(editor.node(), atEnd), editor);
+    }
+
+    private static String id(Property property) {
+        return String.join("-", property.path());
+    }
+}

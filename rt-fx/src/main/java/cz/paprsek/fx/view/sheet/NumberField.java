@@ -1,0 +1,197 @@
+package cz.paprsek.fx.view.sheet;
+
+import cz.paprsek.fx.model.property.Expression;
+import cz.paprsek.fx.model.property.Property;
+import cz.paprsek.fx.model.property.Trait;
+import cz.paprsek.scene.Scene;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import javafx.scene.Cursor;
+import javafx.scene.Node;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+
+/**
+ * A number that can be typed, also as a small sum, stepped with the arrow keys, and dragged by a handle. Shows nothing if several things
+ * differ; typing gives them all the same, stepping and dragging change each from where it is.
+ */
+final class NumberField extends TextField implements PropertyEditor {
+    private static final double PIXELS_PER_STEP = 4;
+
+    private final Property property;
+    private final PropertyEdit edit;
+    private final String mixed;
+    private final Writer writer;
+    private Optional<Double> value = Optional.empty();
+    private String shown = "";
+
+    /** How a number is written: the property itself, or with others in step. */
+    @FunctionalInterface
+    interface Writer {
+        Scene write(Scene scene, UnaryOperator<Object> change);
+    }
+
+    NumberField(Property property, PropertyEdit edit, String mixed) {
+        this(property, edit, mixed, property::change);
+    }
+
+    NumberField(Property property, PropertyEdit edit, String mixed, Writer writer) {
+        this.property = property;
+        this.edit = edit;
+        this.mixed = mixed;
+        this.writer = writer;
+        setId(String.join("-", property.path()));
+        getStyleClass().add("number-field");
+        setPrefColumnCount(5);
+        setMinWidth(0);
+        setOnAction(event -> {
+            enter();
+            selectAll();
+        });
+        focusedProperty().addListener((focus, was, is) -> {
+            if (!is) {
+                edit.commit();
+                enter();
+            }
+        });
+        addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);
+        addEventFilter(KeyEvent.KEY_RELEASED, event -> {
+            if (event.getCode() == KeyCode.UP || event.getCode() == KeyCode.DOWN) {
+                edit.commit();
+            }
+        });
+    }
+
+    @Override
+    public Node node() {
+        return this;
+    }
+
+    @Override
+    public void show(Scene scene) {
+        Optional<Double> now = property.read(scene).map(number -> ((Number) number).doubleValue());
+        setPromptText(now.isEmpty() ? mixed : "");
+        if (!now.equals(value) || shown.isEmpty()) {
+            value = now;
+            reset();
+        }
+    }
+
+    /** Lets the number be dragged to and fro by a node, such as its label. */
+    void dragBy(Node handle) {
+        handle.setCursor(Cursor.H_RESIZE);
+        handle.getStyleClass().add("drag-handle");
+        Drag drag = new Drag();
+        handle.addEventHandler(MouseEvent.MOUSE_PRESSED, drag::press);
+        handle.addEventHandler(MouseEvent.MOUSE_DRAGGED, drag::move);
+        handle.addEventHandler(MouseEvent.MOUSE_RELEASED, event -> edit.commit());
+    }
+
+    /** Begins to change the number from where it is. */
+    void begin() {
+        enter();
+        edit.begin();
+    }
+
+    /** Shows the number changed by so many steps from where it was at the beginning. */
+    void step(double steps) {
+        Trait trait = property.trait();
+        edit.preview(scene -> writer.write(scene, old -> {
+            double start = ((Number) old).doubleValue();
+            return boxed(Steps.moved(trait, start, steps * Steps.step(trait, start)));
+        }));
+    }
+
+    /** Keeps what was changed step by step. */
+    void commit() {
+        edit.commit();
+    }
+
+    private void pressed(KeyEvent event) {
+        if (event.getCode() == KeyCode.ESCAPE && (edit.isOpen() || isPending())) {
+            edit.cancel();
+            edit.forgive();
+            reset();
+            event.consume();
+        } else if ((event.getCode() == KeyCode.UP || event.getCode() == KeyCode.DOWN) && !event.isShortcutDown()) {
+            arrow(event.getCode() == KeyCode.UP ? Steps.factor(event) : -Steps.factor(event));
+            event.consume();
+        }
+    }
+
+    private double arrows;
+
+    private void arrow(double steps) {
+        if (!edit.isOpen()) {
+            begin();
+            arrows = 0;
+        }
+        arrows += steps;
+        step(arrows);
+    }
+
+    private boolean isPending() {
+        return !getText().equals(shown);
+    }
+
+    private void enter() {
+        if (!isPending()) {
+            return;
+        }
+        if (getText().isBlank()) {
+            reset();
+            edit.forgive();
+            return;
+        }
+        try {
+            Object entered = typed(Expression.value(getText()));
+            if (edit.change(scene -> writer.write(scene, old -> entered))) {
+                value = Optional.of(((Number) entered).doubleValue());
+                reset();
+            }
+        } catch (IllegalArgumentException refused) {
+            edit.refuse(refused);
+        }
+    }
+
+    private void reset() {
+        shown = value.map(Steps::text).orElse("");
+        setText(shown);
+    }
+
+    private Object typed(double number) {
+        if (property.trait().kind() == Trait.Kind.WHOLE && number != Math.rint(number)) {
+            throw new IllegalArgumentException("this must be a whole number, but is " + Steps.text(number));
+        }
+        return boxed(number);
+    }
+
+    private Object boxed(double number) {
+        return property.trait().kind() == Trait.Kind.WHOLE ? (Object) (int) number : (Object) number;
+    }
+
+    /** One drag of the handle. */
+    private final class Drag {
+        private double x;
+        private double steps;
+
+        void press(MouseEvent event) {
+            if (event.getButton() == MouseButton.PRIMARY) {
+                x = event.getScreenX();
+                steps = 0;
+                begin();
+            }
+        }
+
+        void move(MouseEvent event) {
+            if (edit.isOpen()) {
+                steps += (event.getScreenX() - x) / PIXELS_PER_STEP * Steps.factor(event);
+                x = event.getScreenX();
+                step(steps < 0 ? Math.ceil(steps * 10) / 10 : Math.floor(steps * 10) / 10);
+            }
+        }
+    }
+}

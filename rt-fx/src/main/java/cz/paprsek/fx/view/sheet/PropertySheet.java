@@ -1,0 +1,114 @@
+package cz.paprsek.fx.view.sheet;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.property.Section;
+import cz.paprsek.fx.model.property.Sections;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.UndoKeys;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import javafx.application.Platform;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.VBox;
+
+/**
+ * Shows and changes everything about what is selected, or about the scene if nothing is. Made from the components of the records, so that a
+ * new kind of shape needs no more than the labels of its components.
+ */
+public final class PropertySheet extends BorderPane {
+    private final EditorModel model;
+    private final Editors editors;
+    private final Titles titles;
+    private final Label heading = new Label();
+    private final VBox content = new VBox();
+    private final Set<String> collapsed = new HashSet<>();
+    private final List<SectionPane> panes = new ArrayList<>();
+    private final MaterialsPane materials;
+    private List<Section> sections = List.of();
+    private boolean isStale;
+
+    public PropertySheet(EditorModel model, Texts texts) {
+        this.model = model;
+        editors = new Editors(model, texts);
+        titles = new Titles(texts);
+        materials = new MaterialsPane(model, texts, editors);
+        setId("property-sheet");
+        getStyleClass().add("property-sheet");
+        getStylesheets().add(Objects.requireNonNull(PropertySheet.class.getResource("sheet.css")).toExternalForm());
+        heading.setId("sheet-heading");
+        heading.getStyleClass().add("sheet-heading");
+        heading.setMaxWidth(Double.MAX_VALUE);
+        ScrollPane scroll = new ScrollPane(content);
+        scroll.setFitToWidth(true);
+        scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+        setTop(heading);
+        setCenter(scroll);
+        UndoKeys.reach(model, this);
+        model.stateProperty().addListener((property, was, is) -> later());
+        refresh();
+    }
+
+    /** Once for all that changes before the window is drawn anew. */
+    private void later() {
+        if (!isStale) {
+            isStale = true;
+            Platform.runLater(this::refresh);
+        }
+    }
+
+    private void refresh() {
+        isStale = false;
+        EditorState state = model.state();
+        List<Section> now = Sections.of(state);
+        heading.setText(titles.of(state));
+        if (!now.equals(sections)) {
+            sections = now;
+            rebuild(state);
+        }
+        panes.forEach(pane -> pane.show(state.scene()));
+        materials.show(state.scene());
+    }
+
+    private void rebuild(EditorState state) {
+        Optional<String> focused = focused();
+        panes.clear();
+        for (Section section : sections) {
+            SectionPane pane = new SectionPane(titles.of(section), section, editors);
+            pane.setExpanded(!collapsed.contains(section.title()));
+            pane.expandedProperty().addListener((property, was, is) -> remember(section.title(), is));
+            panes.add(pane);
+        }
+        content.getChildren().setAll(panes);
+        if (state.selection().isEmpty()) {
+            content.getChildren().add(materials);
+        }
+        // Whoever was at a field goes on there: choosing another pattern, say, changes what is below the choice.
+        focused.map(id -> content.lookup("#" + id)).ifPresent(Node::requestFocus);
+    }
+
+    private void remember(String title, boolean expanded) {
+        if (expanded) {
+            collapsed.remove(title);
+        } else {
+            collapsed.add(title);
+        }
+    }
+
+    /** The id of the field that has the focus; empty if none here has. */
+    private Optional<String> focused() {
+        Optional<Node> owner = Optional.ofNullable(getScene()).flatMap(scene -> Optional.ofNullable(scene.getFocusOwner()));
+        return owner.filter(this::isWithin).flatMap(node -> Optional.ofNullable(node.getId()));
+    }
+
+    private boolean isWithin(Node node) {
+        return node == content || (node.getParent() != null && isWithin(node.getParent()));
+    }
+}

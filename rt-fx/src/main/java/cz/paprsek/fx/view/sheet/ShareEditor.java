@@ -1,0 +1,69 @@
+package cz.paprsek.fx.view.sheet;
+
+import cz.paprsek.fx.model.property.Property;
+import cz.paprsek.scene.Scene;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Slider;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+
+/** A number from 0 to 1 as a slider and a field. */
+final class ShareEditor implements PropertyEditor {
+    private final HBox box = new HBox();
+    private final Slider slider = new Slider(0, 1, 0);
+    private final Property property;
+    private final PropertyEdit edit;
+    private final NumberField field;
+    private boolean showing;
+
+    ShareEditor(Property property, PropertyEdit edit, String mixed) {
+        this.property = property;
+        this.edit = edit;
+        field = new NumberField(property, edit, mixed);
+        field.setPrefColumnCount(4);
+        slider.setId(String.join("-", property.path()) + "-slider");
+        slider.setBlockIncrement(property.trait().step());
+        slider.setMinWidth(60);
+        HBox.setHgrow(slider, Priority.ALWAYS);
+        box.setAlignment(Pos.CENTER_LEFT);
+        box.getStyleClass().add("share-editor");
+        box.getChildren().addAll(slider, field);
+        slider.addEventFilter(MouseEvent.MOUSE_PRESSED, event -> edit.begin());
+        slider.addEventHandler(MouseEvent.MOUSE_RELEASED, event -> edit.commit());
+        slider.addEventHandler(KeyEvent.KEY_RELEASED, event -> edit.commit());
+        slider.focusedProperty().addListener((focus, was, is) -> edit.commit());
+        slider.valueProperty().addListener((value, was, is) -> slid(is.doubleValue()));
+    }
+
+    @Override
+    public Node node() {
+        return box;
+    }
+
+    NumberField field() {
+        return field;
+    }
+
+    @Override
+    public void show(Scene scene) {
+        field.show(scene);
+        showing = true;
+        property.read(scene).ifPresent(value -> slider.setValue((Double) value));
+        showing = false;
+    }
+
+    private void slid(double value) {
+        if (!showing) {
+            if (!edit.isOpen()) {
+                edit.begin();
+            }
+            double rounded = new BigDecimal(value).setScale(2, RoundingMode.HALF_EVEN).doubleValue();
+            edit.preview(scene -> property.write(scene, rounded));
+        }
+    }
+}

@@ -1,0 +1,51 @@
+package cz.paprsek.fx.view.sheet;
+
+import cz.paprsek.fx.model.Bodies;
+import cz.paprsek.fx.model.Body;
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.fx.model.Item.LightAt;
+import cz.paprsek.fx.model.property.Section;
+import cz.paprsek.fx.view.Texts;
+import java.util.Set;
+
+/** What the sheet calls what it shows. */
+final class Titles {
+    private final Texts texts;
+
+    Titles(Texts texts) {
+        this.texts = texts;
+    }
+
+    /** What is selected, in a few words. */
+    String of(EditorState state) {
+        Set<Item> selection = state.selection();
+        if (selection.isEmpty()) {
+            return texts.of("section.scene");
+        }
+        if (selection.size() > 1) {
+            return texts.of("sheet.several", selection.size());
+        }
+        Item item = selection.iterator().next();
+        if (item instanceof BodyAt at) {
+            Body body = Bodies.find(state.scene(), at).orElseThrow();
+            return named(capital(texts.kind(body.shape())), body.name());
+        }
+        return item instanceof LightAt light
+                ? named(texts.of("section.light"), state.scene().lights().get(light.index()).name()) : texts.of("section.camera");
+    }
+
+    /** A section's heading. */
+    String of(Section section) {
+        return capital(texts.of(section.title()));
+    }
+
+    private String named(String kind, String name) {
+        return name.isEmpty() ? kind : texts.of("sheet.named", kind, name);
+    }
+
+    private String capital(String text) {
+        return text.substring(0, 1).toUpperCase(texts.locale()) + text.substring(1);
+    }
+}

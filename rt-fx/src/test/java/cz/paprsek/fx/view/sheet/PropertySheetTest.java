@@ -1,0 +1,267 @@
+package cz.paprsek.fx.view.sheet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.material.Inherited;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Sphere;
+import java.util.Locale;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.ComboBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.TestInstance.Lifecycle;
+
+/** One window for all: what takes long is laying out its many fields for the first time. */
+@TestInstance(Lifecycle.PER_CLASS)
+class PropertySheetTest {
+    private static final Material GLASS = Material.DEFAULT.withTransparency(0.8, 1.5);
+
+    private static final Scene START = Scene.EMPTY
+            .plus("steel", Material.color(180, 190, 200))
+            .plus(Light.at(1, 2, 3).named("key"))
+            .plus(SceneObject.of(new Sphere(0.5)).named("ball").madeOf(GLASS),
+                    SceneObject.of(new Sphere(2)).named("moon").at(3, 0, 0).madeOf(Material.DEFAULT),
+                    SceneObject.of(new Block(Vec3.ZERO, Vec3.ONE)).named("box").madeOf("steel"));
+    private final EditorModel model = new EditorModel(START);
+    private final Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.ENGLISH)), 320, 900);
+
+    @BeforeEach
+    void selectTheBall() {
+        gui.act(() -> model.open(START));
+        select(Item.body(0));
+    }
+
+    @AfterAll
+    void close() {
+        gui.close();
+    }
+
+    @Test
+    void typedNumberIsOneStepAndSumsAreWorkedOut() {
+        type("#shape-radius", "1/4");
+        assertThat(ball()).isEqualTo(new Sphere(0.25));
+        assertThat(shown("#shape-radius")).isEqualTo("0.25");
+        gui.act(model::undo);
+        assertThat(model.scene()).isSameAs(START);
+        gui.until("the field follows", () -> ((TextField) gui.stage().getScene().lookup("#shape-radius")).getText().equals("0.5"));
+    }
+
+    @Test
+    void refusedValueTellsTheRecordsOwnSentenceAndChangesNothing() {
+        type("#shape-radius", "-2");
+        assertThat(model.scene()).isSameAs(START);
+        assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("sphere radius must be a finite number above 0, but is -2.0");
+        gui.keys(KeyCode.ESCAPE);
+        assertThat(shown("#shape-radius")).isEqualTo("0.5");
+        gui.until("nothing is refused any more", () -> gui.stage().getScene().getRoot().lookupAll(".refusal").stream().noneMatch(Node::isVisible));
+    }
+
+    @Test
+    void undoReachesTheHistoryFromWithinAField() {
+        type("#shape-radius", "3");
+        gui.click("#shape-radius");
+        gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(model.scene()).isSameAs(START);
+        gui.keys(KeyCode.CONTROL, KeyCode.Y);
+        assertThat(ball()).isEqualTo(new Sphere(3));
+    }
+
+    @Test
+    void arrowKeysHeldDownAreOneStep() {
+        gui.click("#shape-radius");
+        gui.hold(KeyCode.UP);
+        gui.act(() -> again(KeyCode.UP));
+        gui.act(() -> again(KeyCode.UP));
+        gui.letGo(KeyCode.UP);
+        assertThat(ball()).isEqualTo(new Sphere(0.65));
+        gui.act(model::undo);
+        assertThat(model.scene()).isSameAs(START);
+    }
+
+    @Test
+    void draggingTheLetterOfAnAxisIsOneStep() {
+        Node letter = gui.node(".axis-y");
+        gui.drag(letter, 5, 5, 45, 5);
+        assertThat(model.scene().objects().get(0).placement().position()).isEqualTo(new Vec3(0, 1, 0));
+        gui.act(model::undo);
+        assertThat(model.scene()).isSameAs(START);
+    }
+
+    @Test
+    void escapeGivesADragBack() {
+        gui.click("#placement-position-y");
+        gui.hold(KeyCode.UP);
+        assertThat(model.scene()).isNotEqualTo(START);
+        gui.keys(KeyCode.ESCAPE);
+        gui.letGo(KeyCode.UP);
+        assertThat(model.scene()).isSameAs(START);
+        assertThat(model.undoableProperty().get()).isEmpty();
+    }
+
+    @Test
+    void sliderMovementIsOneStep() {
+        Slider slider = (Slider) gui.node("#transparency-slider");
+        double width = Gui.on(slider::getWidth);
+        gui.drag(slider, width * 0.8, 8, width * 0.2, 8);
+        assertThat(material().transparency()).isBetween(0.05, 0.3);
+        gui.act(model::undo);
+        assertThat(model.scene()).isSameAs(START);
+    }
+
+    @Test
+    void severalAreChangedTogetherAndDifferencesAreShownAsSuch() {
+        select(Item.body(0), Item.body(1));
+        TextField radius = (TextField) gui.node("#shape-radius");
+        assertThat(shown("#shape-radius")).isEmpty();
+        assertThat(radius.getPromptText()).isEqualTo("mixed");
+        type("#placement-position-y", "7");
+        assertThat(model.scene().objects()).extracting(object -> object.placement().position())
+                .containsExactly(new Vec3(0, 7, 0), new Vec3(3, 7, 0), Vec3.ZERO);
+        type("#shape-radius", "1");
+        assertThat(model.scene().objects()).extracting(SceneObject::shape).startsWith(new Sphere(1), new Sphere(1));
+    }
+
+    @Test
+    void linkedScalesKeepTheirProportions() {
+        type("#placement-scale-x", "2");
+        assertThat(model.scene().objects().get(0).placement().scale()).isEqualTo(new Vec3(2, 2, 2));
+        gui.click("#scale-link");
+        type("#placement-scale-y", "3");
+        assertThat(model.scene().objects().get(0).placement().scale()).isEqualTo(new Vec3(2, 3, 2));
+    }
+
+    @Test
+    void colourChannelsAreNumbers() {
+        type("#pattern-color-green", "100");
+        assertThat(((Pattern.Plain) material().pattern()).color()).isEqualTo(new Rgb(255, 100, 255));
+        type("#pattern-color-green", "300");
+        assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("green must be a number from 0 to 255, but is 300.0");
+    }
+
+    @Test
+    void presetGivesWaterItsIndex() {
+        gui.act(() -> ((MenuButton) gui.stage().getScene().lookup("#refractiveIndex-presets")).getItems().get(2).fire());
+        assertThat(material().refractiveIndex()).isEqualTo(1.33);
+    }
+
+    @Test
+    void otherPatternKeepsTheColourAndABoardIsRefusedOnABall() {
+        choose("#pattern", Pattern.Checker.class);
+        assertThat(material().pattern()).isEqualTo(new Pattern.Checker(0.25, Vec3.ZERO, Rgb.WHITE, new Rgb(40, 40, 40)));
+        gui.until("the cubes have a size", () -> gui.stage().getScene().lookup("#pattern-size") != null);
+        choose("#pattern", Pattern.Checkerboard.class);
+        assertThat(material().pattern()).isInstanceOf(Pattern.Checker.class);
+        assertThat(((Label) gui.node(".refusal")).getText()).contains("a checkerboard lies on a rectangle or a disc only");
+    }
+
+    @Test
+    void materialIsChosenNamedSharedAndRenamed() {
+        choose("#material", new MaterialName("steel"));
+        assertThat(model.scene().objects().get(0).material()).isEqualTo(new MaterialName("steel"));
+        type("#diffusion", "0.3");
+        assertThat(model.scene().materials().get("steel")).extracting(Material::diffusion).isEqualTo(0.3);
+        type("#material-name", "iron");
+        assertThat(model.scene().objects()).extracting(SceneObject::material).contains(new MaterialName("iron"));
+        choose("#material", Inherited.INHERITED);
+        assertThat(model.scene().objects().get(0).material()).isEqualTo(Inherited.INHERITED);
+        gui.until("there is nothing to set", () -> gui.stage().getScene().lookup("#diffusion") == null);
+    }
+
+    @Test
+    void ownMaterialIsGivenAName() {
+        gui.click("#material-share");
+        assertThat(model.scene().objects().get(0).material()).isEqualTo(new MaterialName("material"));
+        assertThat(model.scene().materials().get("material")).isEqualTo(GLASS);
+    }
+
+    @Test
+    void sceneItsPictureAndItsMaterialsAreShownWhenNothingIsSelected() {
+        select();
+        type("#background-blue", "200");
+        type("#width", "1920");
+        type("#tags", "glass  red");
+        assertThat(model.scene().background()).isEqualTo(new Rgb(0, 0, 200));
+        assertThat(model.scene().settings().width()).isEqualTo(1920);
+        assertThat(model.scene().tags()).containsExactly("glass", "red");
+        type("#width", "12.5");
+        assertThat(((Label) gui.node(".refusal")).getText()).contains("whole number");
+        gui.act(() -> ((Button) gui.stage().getScene().lookup("#materials-add")).fire());
+        assertThat(model.scene().materials()).containsKey("material");
+        gui.act(() -> ((Button) gui.stage().getScene().lookup("#materials-delete")).fire());
+        assertThat(model.scene().materials()).containsOnlyKeys("steel");
+    }
+
+    @Test
+    void lightAndCameraHaveTheirProperties() {
+        select(Item.light(0));
+        type("#intensity", "0.5");
+        assertThat(model.scene().lights().get(0).intensity()).isEqualTo(0.5);
+        select(Item.CAMERA);
+        choose("#aim", Camera.Target.class);
+        assertThat(model.scene().camera().aim()).isEqualTo(new Camera.Target(new Vec3(0, 1, 0)));
+        type("#fovy", "190");
+        assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("camera fovy must be above 0 and below 180 degrees, but is 190.0");
+    }
+
+    /** What a key that is held down does again and again; a robot's key does not. */
+    private void again(KeyCode key) {
+        Node owner = gui.stage().getScene().getFocusOwner();
+        owner.fireEvent(new KeyEvent(KeyEvent.KEY_PRESSED, "", "", key, false, false, false, false));
+    }
+
+    private void select(Item... items) {
+        gui.act(() -> model.select(items));
+        gui.pulse();
+    }
+
+    private void type(String field, String text) {
+        gui.act(() -> {
+            TextField node = (TextField) gui.stage().getScene().lookup(field);
+            node.requestFocus();
+            node.setText(text);
+        });
+        gui.keys(KeyCode.ENTER);
+        gui.pulse();
+    }
+
+    @SuppressWarnings("unchecked")
+    private void choose(String box, Object option) {
+        gui.act(() -> ((ComboBox<Object>) gui.stage().getScene().lookup(box)).setValue(option));
+        gui.pulse();
+    }
+
+    private String shown(String field) {
+        return Gui.on(() -> ((TextField) gui.stage().getScene().lookup(field)).getText());
+    }
+
+    private Object ball() {
+        return model.scene().objects().get(0).shape();
+    }
+
+    private Material material() {
+        return (Material) model.scene().objects().get(0).material();
+    }
+}

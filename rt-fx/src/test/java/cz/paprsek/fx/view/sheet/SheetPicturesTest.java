@@ -1,0 +1,84 @@
+package cz.paprsek.fx.view.sheet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.Screenshots;
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.Theme;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern.Checkerboard;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Rectangle;
+import cz.paprsek.shape.Sphere;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import javafx.event.ActionEvent;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.TextField;
+import javafx.scene.text.Text;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The sheet's states, for eyes; and that no word in them is cut off. */
+class SheetPicturesTest {
+    private static final Map<String, Set<Item>> STATES = Map.of(
+            "scene", Set.of(),
+            "sphere", Set.of(Item.body(0)),
+            "floor", Set.of(Item.body(1)),
+            "several", Set.of(Item.body(0), Item.body(1)),
+            "light", Set.of(Item.light(0)),
+            "camera", Set.of(Item.CAMERA));
+
+    private final EditorModel model = new EditorModel(Scene.EMPTY
+            .plus("steel", Material.color(180, 190, 200).withHighlight(0.6, 100))
+            .plus(Light.at(4, 5, 3).named("key"))
+            .plus(SceneObject.of(new Sphere(0.5)).named("ball").at(-12.375, 0.5, 0.125).madeOf(Material.DEFAULT.withTransparency(0.85, 1.5)),
+                    SceneObject.of(new Rectangle(-5, -5, 5, 5)).named("floor").rotated(-90, 0, 0)
+                            .madeOf(Material.DEFAULT.withPattern(new Checkerboard(10, 10, Rgb.WHITE, Rgb.grey(40)))),
+                    SceneObject.of(new Sphere(1)).madeOf("steel")));
+
+    @ParameterizedTest
+    @CsvSource({"en, LIGHT", "cs, DARK"})
+    void noWordIsCutOff(String language, Theme theme) {
+        try (Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.forLanguageTag(language))), 300, 980)) {
+            gui.act(() -> theme.applyTo(gui.stage().getScene()));
+            STATES.forEach((state, items) -> {
+                gui.act(() -> model.select(items));
+                gui.pulse();
+                Path file = Screenshots.save(gui, "sheet-" + state + "-" + language);
+                assertThat(file).isNotEmptyFile();
+                assertThat(Gui.on(() -> cutOff(gui.stage().getScene().getRoot()))).as(state).isEmpty();
+            });
+            refuse(gui);
+            Screenshots.save(gui, "sheet-refused-" + language);
+        }
+    }
+
+    private void refuse(Gui gui) {
+        gui.act(() -> model.select(Item.body(0)));
+        gui.pulse();
+        gui.act(() -> {
+            TextField radius = (TextField) gui.stage().getScene().lookup("#shape-radius");
+            radius.setText("-2");
+            radius.fireEvent(new ActionEvent());
+        });
+    }
+
+    /** The texts of all labels that end in dots for lack of room. */
+    private static List<String> cutOff(Node root) {
+        return root.lookupAll(".label").stream().filter(Label.class::isInstance).map(Label.class::cast)
+                .filter(label -> !label.getText().isEmpty() && label.isVisible())
+                .filter(label -> label.lookupAll(".text").stream().anyMatch(text -> !((Text) text).getText().equals(label.getText())))
+                .map(Label::getText).toList();
+    }
+}
