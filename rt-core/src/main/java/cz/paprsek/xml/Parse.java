@@ -60,7 +60,8 @@ final class Parse extends XMLFilterImpl {
         } catch (CharConversionException e) {
             wrongEncoding(elements.getLineNumber(), elements.getColumnNumber());
         } catch (SAXException e) {
-            throw new IllegalStateException("the XML parser of this Java does not work as it should: " + e, e);
+            // The parser loses itself in some texts, such as a DOCTYPE behind a <!, and then says neither where nor why.
+            elements.malformed(String.valueOf(e.getMessage()), elements.getLineNumber(), elements.getColumnNumber());
         }
     }
 
