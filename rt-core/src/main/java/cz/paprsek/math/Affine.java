@@ -9,6 +9,9 @@ public record Affine(
         double yx, double yy, double yz, double yt,
         double zx, double zy, double zz, double zt) {
 
+    /** The volume of a block with edges of length 1 that counts as flat: there are few digits left of its normals. */
+    private static final double FLAT = 1e-11;
+
     public static final Affine IDENTITY = new Affine(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
 
     public static Affine translation(Vec3 by) {
@@ -56,6 +59,29 @@ public record Affine(
         double sy = powerOfTwoNear(xy, yy, zy);
         double sz = powerOfTwoNear(xz, yz, zz);
         return IDENTITY.withColumnsOver(sx, sy, sz).after(withColumnsOver(sx, sy, sz).adjugateOverDeterminant());
+    }
+
+    /**
+     * Whether there is a way back that deserves the name: no axis is stretched or shrunk beyond {@link Require#LARGEST} and
+     * {@link Require#SMALLEST}, and the three are not bent into one plane. One axis may be drawn out against the others by any factor.
+     */
+    public boolean isSane() {
+        double x = length(xx, yx, zx);
+        double y = length(xy, yy, zy);
+        double z = length(xz, yz, zz);
+        double most = Math.max(Math.abs(xt), Math.max(Math.abs(yt), Math.abs(zt)));
+        if (!(Math.min(x, Math.min(y, z)) >= Require.SMALLEST && Math.max(Math.max(x, y), Math.max(z, most)) <= Require.LARGEST)) {
+            return false;
+        }
+        return Math.abs(withColumnsOver(x, y, z).determinant()) > FLAT;
+    }
+
+    private static double length(double x, double y, double z) {
+        return new Vec3(x, y, z).length();
+    }
+
+    private double determinant() {
+        return xx * (yy * zz - yz * zy) + xy * (yz * zx - yx * zz) + xz * (yx * zy - yy * zx);
     }
 
     private Affine withColumnsOver(double sx, double sy, double sz) {

@@ -5,11 +5,11 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
+import cz.paprsek.math.Affine;
 import cz.paprsek.math.Require;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Operand;
-import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import java.util.HashSet;
@@ -51,7 +51,9 @@ public final class SceneRules {
         for (SceneObject object : objects) {
             checkName("object", object.name(), object, names, report);
             checkMaterial(object.material(), object.shape(), object, materials, report);
-            checkOperands(object.shape(), Stretch.NONE.within(object.placement()), materials, report);
+            if (object.shape() instanceof Csg) {
+                checkOperands(object.shape(), object.placement().toParent(), materials, report);
+            }
         }
     }
 
@@ -88,17 +90,19 @@ public final class SceneRules {
         }
     }
 
-    private static void checkOperands(Shape shape, Stretch stretch, Map<String, Material> materials, Report report) {
+    /** @param toWorld the map from the space of the shape to the world */
+    private static void checkOperands(Shape shape, Affine toWorld, Map<String, Material> materials, Report report) {
         if (shape instanceof Csg csg) {
             Set<String> names = new HashSet<>();
             for (Operand operand : csg.operands()) {
                 checkName("operand", operand.name(), operand, names, report);
                 checkMaterial(operand.material(), operand.solid(), operand, materials, report);
-                Stretch inner = stretch.within(operand.placement());
-                if (inner.isReasonable()) {
+                Affine inner = toWorld.after(operand.placement().toParent());
+                if (inner.isSane()) {
                     checkOperands(operand.solid(), inner, materials, report);
                 } else {
-                    report.broken(operand, inner.sentence());
+                    report.broken(operand, "the placements of this operand and of what it is in must not make it flat, larger than "
+                            + Require.LARGEST + " times its size or smaller than " + Require.SMALLEST + " times, all together");
                 }
             }
         }
@@ -123,29 +127,6 @@ public final class SceneRules {
                 : source == Inherited.INHERITED ? Material.DEFAULT : (Material) source;
         if (material.pattern() instanceof Pattern.Checkerboard && !(shape instanceof Rectangle || shape instanceof Disc)) {
             report.broken(owner, "a checkerboard lies on a rectangle or a disc only; give this shape a checker");
-        }
-    }
-
-    /** The least and the greatest factor that nested placements have applied to a length so far. */
-    private record Stretch(double least, double greatest) {
-        /** Beyond this, stretching one way and turning and stretching another leaves too few digits to see by. */
-        private static final double MOST_UNEQUAL = 1e9;
-        static final Stretch NONE = new Stretch(1, 1);
-
-        Stretch within(Placement placement) {
-            double x = Math.abs(placement.scale().x());
-            double y = Math.abs(placement.scale().y());
-            double z = Math.abs(placement.scale().z());
-            return new Stretch(least * Math.min(x, Math.min(y, z)), greatest * Math.max(x, Math.max(y, z)));
-        }
-
-        boolean isReasonable() {
-            return least >= Require.SMALLEST && greatest <= Require.LARGEST && greatest / least <= MOST_UNEQUAL;
-        }
-
-        String sentence() {
-            return "the scales of this operand and of what it is in must multiply to " + Require.SMALLEST + " up to " + Require.LARGEST
-                    + ", and not differ by more than a factor of " + MOST_UNEQUAL + ", but give " + least + " up to " + greatest;
         }
     }
 }

@@ -22,7 +22,7 @@ final class Complaints {
     private static final Set<String> OPERATIONS = Set.of("union", "difference", "intersection");
     private static final int LONGEST_QUOTE = 60;
 
-    private final Grammar grammar = new Grammar();
+    private final Grammar grammar = Grammar.ofScenes();
     private final Problems problems;
 
     Complaints(Problems problems) {

@@ -36,7 +36,16 @@ final class Grammar {
     /** By the name of a simple type: what completes "must be …". */
     private final Map<String, String> expected = new LinkedHashMap<>();
 
-    Grammar() {
+    /** One for all files: it is made when the first of them has a problem, and never changes. */
+    private static final class OfScenes {
+        private static final Grammar GRAMMAR = new Grammar();
+    }
+
+    static Grammar ofScenes() {
+        return OfScenes.GRAMMAR;
+    }
+
+    private Grammar() {
         Element schema = parse();
         elements(schema, "simpleType").forEach(type -> expected.put(type.getAttribute("name"), documentation(type)));
         for (Element type : elements(schema, "complexType")) {

@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Whatever a scene that can be made says, its picture consists of finite numbers. */
 class DegenerateScenesTest {
-    private static final double[] MAGNITUDES = {1e-45, 1e-30, 1e-15, 1e-6, 1, 1e6, 1e15, 1e30, 1e45};
+    private static final double[] MAGNITUDES = {1e-44, 1e-30, 1e-15, 1e-6, 1, 1e6, 1e15, 1e30, 1e44};
     private static final Material GLASS = Material.color(230, 240, 255).withDiffusion(0.2).withHighlight(0.7, 80).withReflection(0.2)
             .withTransparency(0.7, 1.5);
 

@@ -47,7 +47,7 @@ final class RandomScenes {
         int number = 0;
         for (Shape shape : Examples.ALL.values()) {
             MaterialSource source = shape instanceof Solid ? source(names) : boardOr(names);
-            objects.add(new SceneObject(number % 2 == 0 ? "" : "object " + number, shape, placement(), source));
+            objects.add(new SceneObject(number % 2 == 0 ? "" : "object " + number, shape, shape instanceof Csg ? nested() : placement(), source));
             number++;
         }
         objects.add(SceneObject.of(tree(3, names)));
@@ -66,7 +66,7 @@ final class RandomScenes {
         Operand[] operands = new Operand[1 + random.nextInt(3)];
         for (int i = 0; i < operands.length; i++) {
             Solid solid = levels == 0 ? new Cone(number(), 1, number()) : tree(levels - 1, names);
-            operands[i] = new Operand(i == 0 ? "" : "part " + i, solid, placement(), source(names));
+            operands[i] = new Operand(i == 0 ? "" : "part " + i, solid, nested(), source(names));
         }
         return new Csg(pick(Csg.Operation.UNION, Csg.Operation.DIFFERENCE, Csg.Operation.INTERSECTION), List.of(operands));
     }
@@ -92,6 +92,11 @@ final class RandomScenes {
         Pattern pattern = random.nextBoolean() ? new Pattern.Plain(color()) : new Pattern.Checker(number(), vector(), color(), color());
         return new Material(pattern, random.nextDouble(), random.nextDouble(), number(), random.nextDouble(), random.nextDouble(),
                 1 + random.nextDouble());
+    }
+
+    /** Of a body of operands and of operands: many of them within each other must not add up to something flat. */
+    private Placement nested() {
+        return placement().withScale(new Vec3(1 + random.nextDouble(), 1 + random.nextDouble(), -1 - random.nextDouble()));
     }
 
     private Placement placement() {

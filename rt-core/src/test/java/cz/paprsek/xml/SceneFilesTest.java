@@ -86,7 +86,7 @@ class SceneFilesTest {
     /** The attributes that beans bind are those the schema allows, for every element, nested ones included. */
     @Test
     void beansAndSchemaAgree() {
-        Grammar grammar = new Grammar();
+        Grammar grammar = Grammar.ofScenes();
         compare(grammar, "Scene", SceneBean.class, new HashSet<>());
     }
 
