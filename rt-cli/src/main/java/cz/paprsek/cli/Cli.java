@@ -37,12 +37,15 @@ final class Cli {
                 .addSubcommand("info", new InfoCommand(terminal, stop))
                 .addSubcommand("convert", new ConvertCommand(terminal, stop))
                 .addSubcommand("bench", new BenchCommand(terminal, stop))
+                .addSubcommand("compare", new CompareCommand(terminal, stop))
+                .addSubcommand("crosscheck", new CrossCheckCommand(terminal, stop))
                 .addSubcommand("schema", new SchemaCommand(terminal, stop))
                 .addSubcommand("generate-completion", new AutoComplete.GenerateCompletion())
                 .addSubcommand("help", new CommandLine.HelpCommand());
         root.registerConverter(Size.class, Size::parse);
         root.registerConverter(Tile.class, Region::parse);
         root.registerConverter(ImageFormat.class, Formats::parse);
+        root.registerConverter(Share.class, Share::parse);
         root.setOut(terminal.out());
         root.setErr(terminal.err());
         root.setUsageHelpWidth(100);

@@ -18,9 +18,9 @@ final class ExitCode {
     static Map<String, String> explained() {
         Map<String, String> codes = new LinkedHashMap<>();
         codes.put(" 0", "done");
-        codes.put(" 1", "rendering or writing failed");
+        codes.put(" 1", "rendering or writing failed, or pictures differ");
         codes.put(" 2", "wrong usage");
-        codes.put(" 3", "a scene file is missing or not valid");
+        codes.put(" 3", "a scene or picture file is missing or not valid");
         codes.put("130", "interrupted");
         return codes;
     }

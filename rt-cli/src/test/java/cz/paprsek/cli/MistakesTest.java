@@ -37,11 +37,11 @@ class MistakesTest {
     void callWithoutCommandSaysWhatThereIs() {
         Run run = Run.cli();
         assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err()).contains("say what to do: render, validate, info, convert, schema, generate-completion, help");
+        assertThat(run.err()).contains("say what to do: render, validate, info, convert, bench, compare, crosscheck, schema, generate-completion, help");
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"render", "validate", "info", "convert", "schema"})
+    @ValueSource(strings = {"render", "validate", "info", "convert", "bench", "compare", "crosscheck", "schema"})
     void everyCommandExplainsItself(String command) {
         Run run = Run.cli(command, "--help");
         assertThat(run.code()).isZero();
@@ -52,7 +52,7 @@ class MistakesTest {
 
     @Test
     void theProgramExplainsItselfAndItsVersion() {
-        assertThat(Run.cli("--help").out()).contains("Commands:", "render", "validate", "info", "convert", "schema", "generate-completion", "--version");
+        assertThat(Run.cli("--help").out()).contains("Commands:", "render", "validate", "info", "convert", "bench", "compare", "crosscheck", "schema", "generate-completion", "--version");
         assertThat(Run.cli("--version").out()).startsWith("Paprsek ").contains("Java " + Runtime.version());
     }
 

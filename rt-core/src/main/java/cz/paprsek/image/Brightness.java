@@ -43,7 +43,8 @@ final class Brightness {
         return (value < 0 && units > 0 ? "-" : "") + units / UNIT + (end > 1 ? "." + digits.substring(1, end) : "");
     }
 
-    private static double luminance(Image image, int x, int y) {
+    /** Linear light of a grey as bright as the pixel. */
+    static double luminance(Image image, int x, int y) {
         return 0.2126 * image.red(x, y) + 0.7152 * image.green(x, y) + 0.0722 * image.blue(x, y);
     }
 

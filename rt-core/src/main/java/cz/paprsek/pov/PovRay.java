@@ -2,6 +2,7 @@ package cz.paprsek.pov;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
+import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
 import java.io.File;
 import java.io.IOException;
@@ -72,21 +73,40 @@ public final class PovRay {
     }
 
     /**
-     * Exports a scene to a folder of its own, renders it at the size it asks for with one ray a pixel, and reads the picture.
+     * Renders a scene at the size it asks for, with one ray a pixel, and reads the picture.
      *
      * @throws IOException with the last lines of the program's own words, if it fails
      * @throws InterruptedException if the thread is interrupted, which ends the program
      */
     public Result render(Scene scene, int threads) throws IOException, InterruptedException {
+        Path picture = Files.createTempFile("paprsek-pov", ".png");
+        try {
+            String log = render(scene, threads, picture);
+            return new Result(ImageFiles.read(picture), log);
+        } finally {
+            Files.deleteIfExists(picture);
+        }
+    }
+
+    /**
+     * Exports a scene to a folder of its own, renders it at the size it asks for with one ray a pixel, and puts the picture into a file.
+     *
+     * @param picture becomes a 16-bit PNG of linear light
+     * @return what the program said, with the times it took
+     * @throws IOException as above
+     * @throws InterruptedException as above
+     */
+    public String render(Scene scene, int threads, Path picture) throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("paprsek-pov");
         try {
             PovFiles.write(scene, folder.resolve("scene.pov"));
             String log = run(folder, command("scene.pov", "scene.png", scene.settings().width(), scene.settings().height(), threads));
-            Path picture = folder.resolve("scene.png");
-            if (!Files.exists(picture)) {
+            Path made = folder.resolve("scene.png");
+            if (!Files.exists(made)) {
                 throw new IOException("POV-Ray wrote no picture: " + lastLines(log));
             }
-            return new Result(ImageFiles.read(picture), log);
+            AtomicFile.write(picture, out -> Files.copy(made, out));
+            return log;
         } finally {
             delete(folder);
         }

@@ -7,6 +7,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
@@ -14,6 +15,7 @@ import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -69,6 +71,7 @@ final class PovWarnings {
                     + " times as wide and high, and average");
         }
         checkSize();
+        checkOverlap();
         for (int i = 0; i < scene.objects().size(); i++) {
             SceneObject object = scene.objects().get(i);
             check(object.name().isEmpty() ? "object " + (i + 1) : "\"" + object.name() + "\"", object);
@@ -77,15 +80,42 @@ final class PovWarnings {
 
     private void checkSize() {
         Bounds all = Bounds.of(scene.camera().position(), scene.camera().position());
+        for (Light light : scene.lights()) {
+            all = all.union(Bounds.of(light.position(), light.position()));
+        }
         for (SceneObject object : scene.objects()) {
-            Bounds bounds = object.shape().bounds().transformed(object.placement().toParent());
+            Bounds bounds = bounds(object);
             all = bounds.isFinite() ? all.union(bounds) : all;
         }
         double size = Math.max(all.maxX() - all.minX(), Math.max(all.maxY() - all.minY(), all.maxZ() - all.minZ()));
-        if (size < SMALLEST || size > LARGEST) {
+        if (!scene.objects().isEmpty() && (size < SMALLEST || size > LARGEST)) {
             sentences.add("the scene is " + rounded(size) + " units large; POV-Ray loses what is nearer than 0.001 and what is too far:"
                     + " scale it to about 1 to 100");
         }
+    }
+
+    /** Looks for glass within glass along one axis: as far as each body reaches, and no farther. */
+    private void checkOverlap() {
+        List<Bounds> glass = new ArrayList<>();
+        for (SceneObject object : scene.objects()) {
+            if (object.shape() instanceof Solid && !transparent(scene, object).isEmpty()) {
+                glass.add(bounds(object));
+            }
+        }
+        glass.sort(Comparator.comparingDouble(Bounds::minX));
+        for (int i = 0; i < glass.size(); i++) {
+            for (int j = i + 1; j < glass.size() && glass.get(j).minX() <= glass.get(i).maxX(); j++) {
+                if (!glass.get(i).intersection(glass.get(j)).isEmpty()) {
+                    sentences.add("where bodies of glass reach into each other POV-Ray does not count the way out of one, still within the other,"
+                            + " as a level of max-depth");
+                    return;
+                }
+            }
+        }
+    }
+
+    private static Bounds bounds(SceneObject object) {
+        return object.shape().bounds().transformed(object.placement().toParent());
     }
 
     private void check(String name, SceneObject object) {

@@ -108,15 +108,15 @@ final class PovWriter {
         text.open(PovShapes.keyword(csg));
         for (Operand operand : csg.operands()) {
             text.comment(operand.name());
-            boolean isAlone = csg.operands().size() == 1 && operand.material() != Inherited.INHERITED;
             solid(operand.solid(), List.of(texture(operand.material(), operand.solid()), placement(operand.placement())));
-            if (isAlone) {
-                // What follows would be laid over the operand's own texture, not under it.
-                text.close(PovText.joined(modifiers.subList(1, modifiers.size())));
-                return;
-            }
         }
-        text.close(PovText.joined(modifiers));
+        // A texture here would be laid over one that a single operand brings along.
+        text.close(PovText.joined(bringsTexture(csg) ? modifiers.subList(1, modifiers.size()) : modifiers));
+    }
+
+    private static boolean bringsTexture(Shape shape) {
+        return shape instanceof Csg csg && csg.operands().size() == 1
+                && (csg.operands().get(0).material() != Inherited.INHERITED || bringsTexture(csg.operands().get(0).solid()));
     }
 
     /** POV-Ray's turns are counter-clockwise for us: its hand and its z axis are both the other way round. */

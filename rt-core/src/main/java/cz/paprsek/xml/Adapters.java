@@ -1,12 +1,13 @@
 package cz.paprsek.xml;
 
 import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import jakarta.xml.bind.annotation.adapters.XmlAdapter;
 import java.util.StringTokenizer;
 import org.jspecify.annotations.Nullable;
 
-/** How the texts of attributes become values. The schema has already seen to their form. */
+/** How the texts of attributes become values. The schema has already seen to their form, unless the {@link QuickReader} uses them. */
 final class Adapters {
     private Adapters() {}
 
@@ -20,8 +21,13 @@ final class Adapters {
         return numbers;
     }
 
+    private static void expect(double[] numbers, int count) {
+        Require.that(numbers.length == count, "expected " + count + " numbers, but found " + numbers.length);
+    }
+
     /** One direction only: files are written by {@link SceneWriter}. */
-    private abstract static class Reading<T> extends XmlAdapter<String, T> {
+    abstract static class Reading<T> extends XmlAdapter<String, T> {
+        /** @throws IllegalArgumentException if there are too few or too many, or the value does not take them */
         abstract T of(double[] numbers);
 
         @Override
@@ -38,6 +44,7 @@ final class Adapters {
     static final class Vector extends Reading<Vec3> {
         @Override
         Vec3 of(double[] n) {
+            expect(n, 3);
             return new Vec3(n[0], n[1], n[2]);
         }
     }
@@ -45,6 +52,7 @@ final class Adapters {
     static final class Scale extends Reading<Vec3> {
         @Override
         Vec3 of(double[] n) {
+            expect(n, n.length == 1 ? 1 : 3);
             return n.length == 1 ? new Vec3(n[0], n[0], n[0]) : new Vec3(n[0], n[1], n[2]);
         }
     }
@@ -52,6 +60,7 @@ final class Adapters {
     static final class Color extends Reading<Rgb> {
         @Override
         Rgb of(double[] n) {
+            expect(n, 3);
             return new Rgb(n[0], n[1], n[2]);
         }
     }
@@ -59,6 +68,9 @@ final class Adapters {
     static final class Pair extends Reading<double[]> {
         @Override
         double[] of(double[] n) {
+            expect(n, 2);
+            Require.finite("x", n[0]);
+            Require.finite("y", n[1]);
             return n;
         }
     }

@@ -31,6 +31,7 @@ final class MaterialBean extends Located {
     }
 
     private Pattern pattern() {
+        Require.that(checker == null || checkerboard == null, "a material has one pattern at most; remove one of them");
         Require.that(color == null || (checker == null && checkerboard == null),
                 "a material has either a color or a pattern, not both; remove one of them");
         if (checkerboard != null) {
@@ -45,8 +46,8 @@ final class MaterialBean extends Located {
     /** {@code <checkerboard>}. */
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class CheckerboardBean {
-        @XmlAttribute int columns;
-        @XmlAttribute int rows;
+        @XmlAttribute(required = true) int columns;
+        @XmlAttribute(required = true) int rows;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb even = Rgb.WHITE;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb odd = Rgb.BLACK;
     }
@@ -54,7 +55,7 @@ final class MaterialBean extends Located {
     /** {@code <checker>}. */
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class CheckerBean {
-        @XmlAttribute double size;
+        @XmlAttribute(required = true) double size;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 origin = Vec3.ZERO;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb even = Rgb.WHITE;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb odd = Rgb.BLACK;

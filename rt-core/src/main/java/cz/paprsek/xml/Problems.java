@@ -11,7 +11,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /** The problems of one file as they are found, and what is needed to tell their places. */
-final class Problems {
+class Problems {
     /** Nobody reads more; a file that is no scene at all could have millions. */
     static final int MOST = 100;
     private static final int LONGEST_MESSAGE = 500;

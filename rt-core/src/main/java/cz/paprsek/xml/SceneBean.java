@@ -17,6 +17,8 @@ import jakarta.xml.bind.annotation.XmlAttribute;
 import jakarta.xml.bind.annotation.XmlElement;
 import jakarta.xml.bind.annotation.XmlElements;
 import jakarta.xml.bind.annotation.XmlRootElement;
+import jakarta.xml.bind.annotation.XmlTransient;
+import jakarta.xml.bind.annotation.XmlType;
 import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -29,6 +31,7 @@ import org.jspecify.annotations.Nullable;
 /** {@code <scene>} and what only a scene holds. */
 @XmlRootElement(name = "scene")
 @XmlAccessorType(XmlAccessType.FIELD)
+@XmlType(propOrder = {})
 final class SceneBean extends Located {
     @XmlAttribute String name = "";
     @XmlAttribute List<String> tags = new ArrayList<>();
@@ -53,6 +56,8 @@ final class SceneBean extends Located {
         @XmlElement(name = "difference", type = CsgBean.DifferenceBean.class),
         @XmlElement(name = "intersection", type = CsgBean.IntersectionBean.class)})
     List<ShapeBean> objects = new ArrayList<>();
+    /** Objects of which no bean is kept. */
+    @XmlTransient final List<SceneObject> made = new ArrayList<>();
 
     /** The scene; null, and at least one problem reported, if there is none. */
     @Nullable Scene toScene(Problems problems) {
@@ -63,15 +68,14 @@ final class SceneBean extends Located {
         checkTexts(problems);
         Map<String, Material> named = named(problems);
         List<Light> lamps = made(lights, problems, LightBean::toLight);
-        List<SceneObject> things = made(objects, problems,
-                bean -> new SceneObject(bean.name, bean.toShape(problems), bean.toPlacement(), bean.toMaterial()));
+        made.addAll(made(objects, problems, bean -> bean.toObject(problems)));
         // References to materials that were refused are no fault of those who refer.
         if (Similar.nearest("material", problems.skipped()).isEmpty()) {
-            SceneRules.check(lamps, named, things, (culprit, sentence) -> problems.add(problems.origin(culprit, this), sentence));
+            SceneRules.check(lamps, named, made, (culprit, sentence) -> problems.add(problems.origin(culprit, this), sentence));
         }
         return problems.size() > 0 || eye == null ? null
                 : new Scene(name, description, tags, render.toSettings(), background == null ? Rgb.BLACK : background.color,
-                        ambient == null ? Rgb.BLACK : ambient.color, eye, lamps, named, things);
+                        ambient == null ? Rgb.BLACK : ambient.color, eye, lamps, named, made);
     }
 
     private static <B extends Located, T> List<T> made(List<B> beans, Problems problems, Function<B, T> maker) {
@@ -124,13 +128,13 @@ final class SceneBean extends Located {
     /** {@code <background>} and {@code <ambient>}. */
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class ColoredBean extends Located {
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb color = Rgb.BLACK;
+        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Color.class) Rgb color = Rgb.BLACK;
     }
 
     /** {@code <camera>}. */
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class CameraBean extends Located {
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 position = Vec3.ZERO;
+        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 position = Vec3.ZERO;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 direction;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 target;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 up = Camera.DEFAULT.up();
@@ -149,7 +153,7 @@ final class SceneBean extends Located {
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class LightBean extends Located {
         @XmlAttribute String name = "";
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 position = Vec3.ZERO;
+        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 position = Vec3.ZERO;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb color = Rgb.WHITE;
         @XmlAttribute double intensity = 1;
 

@@ -62,9 +62,7 @@ public final class SceneFiles {
      */
     public static List<Scene> readAll(Path file) throws SceneFileException, IOException {
         checkReadable(file);
-        try (InputStream input = Files.newInputStream(file)) {
-            return SceneReader.read(input, file.toString());
-        }
+        return SceneReader.read(file);
     }
 
     /**

@@ -5,13 +5,17 @@ import jakarta.xml.bind.JAXBContext;
 import jakarta.xml.bind.JAXBException;
 import jakarta.xml.bind.Unmarshaller;
 import java.io.BufferedInputStream;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.SequenceInputStream;
 import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
+import java.util.Optional;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.transform.sax.SAXSource;
@@ -22,19 +26,59 @@ import org.jspecify.annotations.Nullable;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
 
-/** From a file to scenes: bound to beans by {@link Parse} and JAXB, of which the records are made, each of which may still refuse. */
+/**
+ * From a file to scenes: by the {@link QuickReader} if it is good and plain. Else bound to beans by {@link Parse} and JAXB, of which the records are
+ * made, each of which may still refuse: that takes six times as long, and tells every problem.
+ */
 final class SceneReader {
+    /** How much of a stream is kept, in case that it must be read once more. */
+    private static final int MOST_KEPT = 1 << 25;
+
     private SceneReader() {}
 
+    static List<Scene> read(Path file) throws SceneFileException, IOException {
+        if (Files.isRegularFile(file)) {
+            try (InputStream input = open(file)) {
+                Optional<List<Scene>> scenes = QuickReader.read(input);
+                if (scenes.isPresent()) {
+                    return scenes.get();
+                }
+            }
+            try (InputStream input = open(file)) {
+                return thoroughly(input, file.toString());
+            }
+        }
+        try (InputStream input = open(file)) {
+            return read(input, file.toString());
+        }
+    }
+
+    private static InputStream open(Path file) throws IOException {
+        return new LimitedInput(Files.newInputStream(file), file.toString(), SceneFiles.LARGEST);
+    }
+
     static List<Scene> read(InputStream input, String file) throws SceneFileException, IOException {
-        BufferedInputStream buffered = new BufferedInputStream(new LimitedInput(input, file, SceneFiles.LARGEST));
-        Prolog prolog = Prolog.of(buffered);
-        return read(new InputSource(buffered), prolog, file);
+        InputStream limited = new LimitedInput(input, file, SceneFiles.LARGEST);
+        byte[] start = limited.readNBytes(MOST_KEPT);
+        Optional<List<Scene>> scenes = start.length == MOST_KEPT ? Optional.empty() : QuickReader.read(new ByteArrayInputStream(start));
+        return scenes.isPresent() ? scenes.get()
+                : thoroughly(new SequenceInputStream(new ByteArrayInputStream(start), limited), file);
     }
 
     /** As above; what the text says of its encoding does not matter, since it is a text already. */
     static List<Scene> read(String text, String file) throws SceneFileException, IOException {
-        return read(new InputSource(new StringReader(text)), new Prolog(text), file);
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        // Halves of characters, which no bytes stand for, are told apart from question marks.
+        Optional<List<Scene>> scenes = new String(bytes, StandardCharsets.UTF_8).equals(text)
+                ? QuickReader.read(new ByteArrayInputStream(bytes)) : Optional.empty();
+        return scenes.isPresent() ? scenes.get() : read(new InputSource(new StringReader(text)), new Prolog(text), file);
+    }
+
+    /** Without the quick reader. */
+    static List<Scene> thoroughly(InputStream input, String file) throws SceneFileException, IOException {
+        BufferedInputStream buffered = new BufferedInputStream(input);
+        Prolog prolog = Prolog.of(buffered);
+        return read(new InputSource(buffered), prolog, file);
     }
 
     private static List<Scene> read(InputSource input, Prolog prolog, String file) throws SceneFileException, IOException {
@@ -44,7 +88,9 @@ final class SceneReader {
             Object root = bind(input, prolog, problems);
             List<SceneBean> beans = root instanceof DatabaseBean database ? database.scenes
                     : root instanceof SceneBean scene ? List.of(scene) : List.of();
-            checkNames(root instanceof DatabaseBean database ? database.scenes : List.of(), problems);
+            if (root instanceof DatabaseBean database) {
+                beans.forEach(scene -> database.checkName(scene, problems));
+            }
             for (SceneBean bean : beans) {
                 Scene scene = bean.toScene(problems);
                 if (scene != null) {
@@ -56,18 +102,6 @@ final class SceneReader {
         }
         problems.throwIfAny();
         return scenes;
-    }
-
-    /** A scene of a database is found by its name. */
-    private static void checkNames(List<SceneBean> scenes, Problems problems) {
-        Set<String> names = new HashSet<>();
-        for (SceneBean scene : scenes) {
-            if (scene.name.isEmpty()) {
-                problems.add(scene, "a scene in a database needs a name, to be found by");
-            } else if (!names.add(scene.name)) {
-                problems.add(scene, "there is already a scene named \"" + scene.name + "\"; give one of them another name");
-            }
-        }
     }
 
     /** The bean of the root element; null if that is wrong. */

@@ -32,7 +32,7 @@ import java.util.List;
 /** Writes scenes in a fixed order and form: one element a line, attributes equal to their default left out. */
 final class SceneWriter {
     /** As in the schema. */
-    private static final int LONGEST_DESCRIPTION = 100_000;
+    static final int LONGEST_DESCRIPTION = 100_000;
 
     private final XmlText xml = new XmlText();
 

@@ -5,6 +5,7 @@ import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
 import jakarta.xml.bind.annotation.XmlAccessType;
@@ -31,6 +32,10 @@ abstract class ShapeBean extends Located {
      */
     abstract Shape toShape(Problems problems);
 
+    SceneObject toObject(Problems problems) {
+        return new SceneObject(name, toShape(problems), toPlacement(), toMaterial());
+    }
+
     Placement toPlacement() {
         boolean plain = position.equals(Vec3.ZERO) && rotation.equals(Vec3.ZERO) && scale.equals(Vec3.ONE);
         return plain ? Placement.NONE : new Placement(position, rotation, scale);
@@ -39,6 +44,7 @@ abstract class ShapeBean extends Located {
     MaterialSource toMaterial() {
         Require.that(materialName == null || ownMaterial == null,
                 "there is a material attribute and a <material> inside; remove one of them");
+        Require.that(ownMaterial == null || ownMaterial.name.isEmpty(), "a material inside an object has no name");
         return materialName != null ? new MaterialName(materialName)
                 : ownMaterial != null ? ownMaterial.toMaterial() : Inherited.INHERITED;
     }

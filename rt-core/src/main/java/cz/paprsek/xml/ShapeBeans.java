@@ -22,7 +22,7 @@ final class ShapeBeans {
 
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class SphereBean extends ShapeBean {
-        @XmlAttribute double radius;
+        @XmlAttribute(required = true) double radius;
 
         @Override
         Shape toShape(Problems problems) {
@@ -32,8 +32,8 @@ final class ShapeBeans {
 
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class BlockBean extends ShapeBean {
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 min = Vec3.ZERO;
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 max = Vec3.ZERO;
+        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 min = Vec3.ZERO;
+        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 max = Vec3.ZERO;
 
         @Override
         Shape toShape(Problems problems) {
@@ -43,7 +43,7 @@ final class ShapeBeans {
 
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class EllipsoidBean extends ShapeBean {
-        @XmlAttribute(name = "semi-axes") @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 semiAxes = Vec3.ZERO;
+        @XmlAttribute(required = true, name = "semi-axes") @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 semiAxes = Vec3.ZERO;
 
         @Override
         Shape toShape(Problems problems) {
@@ -53,8 +53,8 @@ final class ShapeBeans {
 
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class RectangleBean extends ShapeBean {
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Pair.class) double[] min = {0, 0};
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Pair.class) double[] max = {0, 0};
+        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Pair.class) double[] min = {0, 0};
+        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Pair.class) double[] max = {0, 0};
 
         @Override
         Shape toShape(Problems problems) {
@@ -64,7 +64,7 @@ final class ShapeBeans {
 
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class DiscBean extends ShapeBean {
-        @XmlAttribute double radius;
+        @XmlAttribute(required = true) double radius;
 
         @Override
         Shape toShape(Problems problems) {
@@ -82,8 +82,8 @@ final class ShapeBeans {
 
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class CylinderBean extends ShapeBean {
-        @XmlAttribute double radius;
-        @XmlAttribute double height;
+        @XmlAttribute(required = true) double radius;
+        @XmlAttribute(required = true) double height;
 
         @Override
         Shape toShape(Problems problems) {
@@ -93,9 +93,9 @@ final class ShapeBeans {
 
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class ConeBean extends ShapeBean {
-        @XmlAttribute double radius;
+        @XmlAttribute(required = true) double radius;
         @XmlAttribute(name = "top-radius") double topRadius;
-        @XmlAttribute double height;
+        @XmlAttribute(required = true) double height;
 
         @Override
         Shape toShape(Problems problems) {
@@ -105,8 +105,8 @@ final class ShapeBeans {
 
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class TorusBean extends ShapeBean {
-        @XmlAttribute(name = "major-radius") double majorRadius;
-        @XmlAttribute(name = "minor-radius") double minorRadius;
+        @XmlAttribute(required = true, name = "major-radius") double majorRadius;
+        @XmlAttribute(required = true, name = "minor-radius") double minorRadius;
 
         @Override
         Shape toShape(Problems problems) {

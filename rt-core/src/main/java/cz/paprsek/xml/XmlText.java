@@ -104,7 +104,7 @@ final class XmlText {
     }
 
     /** @source W3C Extensible Markup Language 1.0, section 2.2 */
-    private static boolean isAllowed(int c) {
+    static boolean isAllowed(int c) {
         return c == '\n' || (c >= ' ' && c <= 0xd7ff) || (c >= 0xe000 && c <= 0xfffd) || c >= 0x10000;
     }
 }
