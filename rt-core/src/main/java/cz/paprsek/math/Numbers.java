@@ -27,7 +27,7 @@ public final class Numbers {
     /** Before JDK 19, {@link Double#toString(double)} sometimes gives a digit more than needed; such texts are long, and tried again. */
     private static String shortest(double value) {
         String text = Double.toString(value);
-        if (text.length() < 17 || !Double.isFinite(value)) {
+        if (text.length() < 17 || !Double.isFinite(value) || !isPerhapsTooLong(text, Math.abs(value))) {
             return text;
         }
         for (int digits = 15; digits < 17; digits++) {
@@ -38,5 +38,23 @@ public final class Numbers {
             }
         }
         return text;
+    }
+
+    /** Spares nearly all numbers the long way: whether one of the two texts with a digit less means the same, or it is not easy to tell. */
+    private static boolean isPerhapsTooLong(String text, double value) {
+        long digits = 0;
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            digits = c >= '0' && c <= '9' ? digits * 10 + c - '0' : digits;
+        }
+        int decimals = text.length() - text.indexOf('.') - 2;
+        double power = 1;
+        for (int i = 0; i < decimals; i++) {
+            power *= 10;
+        }
+        long shorter = digits / 10;
+        // Whole numbers up to 2^53 and powers up to 10^22 are exact, so that their quotient is the nearest to the text's meaning.
+        boolean isHard = text.indexOf('E') >= 0 || shorter >= 1L << 53 || decimals > 22;
+        return isHard || shorter / power == value || (shorter + 1) / power == value;
     }
 }

@@ -37,7 +37,16 @@ public final class SceneFiles {
      * @throws IOException if it cannot be read
      */
     public static Scene read(Path file) throws SceneFileException, IOException {
-        return only(readAll(file), file.toString());
+        return read(file, ReadMonitor.NONE);
+    }
+
+    /**
+     * As {@link #read(Path)}, telling how far it is: a million objects take a second or two.
+     *
+     * @throws java.util.concurrent.CancellationException if the monitor cancels
+     */
+    public static Scene read(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
+        return only(readAll(file, monitor), file.toString());
     }
 
     /** As {@link #read(Path)}, from a stream, which is not closed; the name is used in messages only. */
@@ -61,8 +70,17 @@ public final class SceneFiles {
      * @throws IOException if it cannot be read
      */
     public static List<Scene> readAll(Path file) throws SceneFileException, IOException {
+        return readAll(file, ReadMonitor.NONE);
+    }
+
+    /**
+     * As {@link #readAll(Path)}, telling how far it is.
+     *
+     * @throws java.util.concurrent.CancellationException if the monitor cancels
+     */
+    public static List<Scene> readAll(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
         checkReadable(file);
-        return SceneReader.read(file);
+        return SceneReader.read(file, monitor);
     }
 
     /**

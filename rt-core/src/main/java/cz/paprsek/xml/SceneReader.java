@@ -36,25 +36,25 @@ final class SceneReader {
 
     private SceneReader() {}
 
-    static List<Scene> read(Path file) throws SceneFileException, IOException {
+    static List<Scene> read(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
         if (Files.isRegularFile(file)) {
-            try (InputStream input = open(file)) {
+            try (InputStream input = open(file, monitor)) {
                 Optional<List<Scene>> scenes = QuickReader.read(input);
                 if (scenes.isPresent()) {
                     return scenes.get();
                 }
             }
-            try (InputStream input = open(file)) {
+            try (InputStream input = open(file, monitor)) {
                 return thoroughly(input, file.toString());
             }
         }
-        try (InputStream input = open(file)) {
+        try (InputStream input = open(file, monitor)) {
             return read(input, file.toString());
         }
     }
 
-    private static InputStream open(Path file) throws IOException {
-        return new LimitedInput(Files.newInputStream(file), file.toString(), SceneFiles.LARGEST);
+    private static InputStream open(Path file, ReadMonitor monitor) throws IOException {
+        return new LimitedInput(new WatchedInput(file, monitor), file.toString(), SceneFiles.LARGEST);
     }
 
     static List<Scene> read(InputStream input, String file) throws SceneFileException, IOException {

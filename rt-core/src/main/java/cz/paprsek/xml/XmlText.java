@@ -88,6 +88,10 @@ final class XmlText {
     }
 
     private void escape(String value) {
+        if (isPlain(value)) {
+            text.append(value);
+            return;
+        }
         value.codePoints().forEach(c -> {
             switch (c) {
                 case '<' -> text.append("&lt;");
@@ -101,6 +105,16 @@ final class XmlText {
                 }
             }
         });
+    }
+
+    private static boolean isPlain(String value) {
+        for (int i = 0; i < value.length(); i++) {
+            char c = value.charAt(i);
+            if (c < ' ' || c > '~' || c == '<' || c == '>' || c == '&' || c == '"') {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** @source W3C Extensible Markup Language 1.0, section 2.2 */

@@ -101,7 +101,12 @@ final class RandomScenes {
 
     private Placement placement() {
         return random.nextBoolean() ? Placement.NONE
-                : new Placement(vector(), random.nextBoolean() ? Vec3.ZERO : vector(), random.nextBoolean() ? new Vec3(2, 2, 2) : vector());
+                : new Placement(vector(), random.nextBoolean() ? Vec3.ZERO : vector(), random.nextBoolean() ? new Vec3(2, 2, 2) : new Vec3(factor(), -factor(), factor()));
+    }
+
+    /** Not so small or large that a few of them, nested, are out of all proportion. */
+    private double factor() {
+        return 0.3 + 3 * random.nextDouble();
     }
 
     private Rgb color() {
