@@ -50,7 +50,11 @@ final class Bvh {
         for (int i = 0; i < finite.length; i++) {
             BvhBuilder.put(box, i, bounds[finite[i]].padded());
         }
-        return new Bvh(surfaces, opaque, finite, infinite, new BvhBuilder(box, finite, monitor));
+        float[] cost = new float[surfaces.length];
+        for (int i : finite) {
+            cost[i] = (float) surfaces[i].cost();
+        }
+        return new Bvh(surfaces, opaque, finite, infinite, new BvhBuilder(box, finite, cost, monitor));
     }
 
     /** Where a search starts that knows nothing of its ray. */

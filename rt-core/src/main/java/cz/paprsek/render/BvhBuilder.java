@@ -22,14 +22,17 @@ final class BvhBuilder {
     /** The boxes of the records, six numbers each, and what each record is; both are permuted together. */
     private final double[] box;
     private final int[] record;
+    /** By what a record is: the cost of testing it. */
+    private final float[] cost;
     private final RenderMonitor monitor;
     final double[] boxes;
     final int[] child;
     private int root;
 
-    BvhBuilder(double[] box, int[] record, RenderMonitor monitor) {
+    BvhBuilder(double[] box, int[] record, float[] cost, RenderMonitor monitor) {
         this.box = box;
         this.record = record;
+        this.cost = cost;
         this.monitor = monitor;
         int inner = Math.max(0, record.length - 1);
         this.boxes = new double[12 * inner];
@@ -116,8 +119,7 @@ final class BvhBuilder {
     private int split(int start, int end, int depth, Bins bins) {
         int count = end - start;
         if (depth < STEEP && bins.find(box, start, end, count)) {
-            double kept = count;
-            if (count <= Bvh.LEAF && bins.bestCost + NODE_COST >= kept) {
+            if (count <= Bvh.LEAF && (count - bins.bestCost) * meanCost(start, end) <= NODE_COST) {
                 return start;
             }
             int middle = partition(start, end, bins);
@@ -126,6 +128,14 @@ final class BvhBuilder {
             }
         }
         return count <= Bvh.LEAF ? start : start + count / 2;
+    }
+
+    private double meanCost(int start, int end) {
+        double sum = 0;
+        for (int i = start; i < end; i++) {
+            sum += cost[record[i]];
+        }
+        return sum / (end - start);
     }
 
     private int partition(int start, int end, Bins bins) {

@@ -13,7 +13,7 @@ abstract class Convex extends Volume implements Part {
 
     @Override
     public void spans(Ray ray, Spans out) {
-        if (clip(ray)) {
+        if (clip(ray) && ray.enter < ray.max && ray.leave > ray.min) {
             out.add(ray.enter, part, ray.enterFace);
             out.add(ray.leave, part, ray.leaveFace);
         }

@@ -116,18 +116,25 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
             return bounds;
         }
 
+        /** Each operand, what it pushes, and combining that. */
+        @Override
+        public double cost() {
+            return Arrays.stream(operands).mapToDouble(operand -> operand.cost() + 3).sum();
+        }
+
         @Override
         public void spans(Ray ray, Spans out) {
             int left = out.size();
-            for (int i = 0; i < operands.length; i++) {
+            operands[0].spans(ray, out);
+            for (int i = 1; i < operands.length; i++) {
                 int right = out.size();
-                if (right == left && i > 0 && operation != Operation.UNION) {
+                if (operation != Operation.UNION && !out.reaches(left, ray)) {
+                    out.release(left);
                     return;
                 }
-                if (ray.meets(boxes[i])) {
+                // Whoever meets an intersection has met the boxes of all its operands.
+                if (operation == Operation.INTERSECTION || ray.meets(boxes[i])) {
                     operands[i].spans(ray, out);
-                }
-                if (left < right && (right < out.size() || operation == Operation.INTERSECTION)) {
                     out.combine(operation, left, right, ray.scale);
                 }
             }

@@ -26,6 +26,11 @@ abstract class LocalConvex extends Convex {
     }
 
     @Override
+    public double cost() {
+        return 2;
+    }
+
+    @Override
     boolean clip(Ray ray) {
         ray.local.set(ray, toLocal);
         return clip(ray.local, ray);
@@ -44,11 +49,12 @@ abstract class LocalConvex extends Convex {
      * @return whether anything is left
      */
     static boolean narrow(Ray ray, double o, double d, double low, double high, int lowFace) {
-        if (d == 0) {
+        double r = 1 / d;
+        if (Double.isInfinite(r)) {
             return o >= low && o <= high;
         }
-        double atLow = (low - o) / d;
-        double atHigh = (high - o) / d;
+        double atLow = (low - o) * r;
+        double atHigh = (high - o) * r;
         return d > 0 ? narrow(ray, atLow, lowFace, atHigh, lowFace + 1) : narrow(ray, atHigh, lowFace + 1, atLow, lowFace);
     }
 

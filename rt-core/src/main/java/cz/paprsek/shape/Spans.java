@@ -42,6 +42,11 @@ public final class Spans {
         size = mark;
     }
 
+    /** Whether the stretches from {@code mark} on reach between the ray's min and max. */
+    boolean reaches(int mark, Ray ray) {
+        return size > mark && t[mark] < ray.max && t[size - 1] > ray.min;
+    }
+
     /** Pushes a boundary. */
     public void add(double where, int ofPart, int ofFace) {
         if (size == t.length) {
@@ -59,6 +64,25 @@ public final class Spans {
      * @param scale the size of the numbers behind the ray's origin
      */
     void combine(Operation operation, int left, int right, double scale) {
+        if (left == right || right == size || together(t[right - 1], scale) < t[right] || together(t[size - 1], scale) < t[left]) {
+            combineApart(operation, left, right, scale);
+        } else {
+            merge(operation, left, right, scale);
+        }
+    }
+
+    /** Combines two runs of which one is empty, or ends before the other begins. */
+    private void combineApart(Operation operation, int left, int right, double scale) {
+        if (operation == Operation.INTERSECTION) {
+            size = left;
+        } else if (operation == Operation.DIFFERENCE) {
+            size = right;
+        } else if (left < right && right < size && t[right] < t[left]) {
+            merge(operation, left, right, scale);
+        }
+    }
+
+    private void merge(Operation operation, int left, int right, double scale) {
         int end = size;
         grow(end + end - left);
         int a = left;
@@ -68,7 +92,7 @@ public final class Spans {
         boolean inside = false;
         while (a < right || b < end) {
             double first = b == end || (a < right && t[a] <= t[b]) ? t[a] : t[b];
-            double together = Double.isInfinite(first) ? first : first + TIE * (scale + Math.abs(first));
+            double together = together(first, scale);
             int fromA = a;
             while (a < right && t[a] <= together) {
                 a++;
@@ -92,6 +116,11 @@ public final class Spans {
         System.arraycopy(part, end, part, left, count);
         System.arraycopy(face, end, face, left, count);
         size = left + count;
+    }
+
+    /** Up to where boundaries count as lying in the same place as the one at {@code first}. */
+    private static double together(double first, double scale) {
+        return Double.isInfinite(first) ? first : first + TIE * (scale + Math.abs(first));
     }
 
     /** Keeps of the run [from, size) only the boundaries strictly between two values of t. */

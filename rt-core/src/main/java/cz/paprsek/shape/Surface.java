@@ -7,6 +7,11 @@ public abstract class Surface {
     /** The box around it, world space; may be unbounded. */
     public abstract Bounds bounds();
 
+    /** About how long it takes to meet a ray, in units of what a sphere takes. */
+    public double cost() {
+        return 1;
+    }
+
     /** Lowers the ray's max to the first boundary between its min and max, and notes what was hit, if there is one. */
     public abstract void nearest(Ray ray);
 

@@ -54,6 +54,11 @@ public record Torus(double majorRadius, double minorRadius) implements Solid {
             return bounds;
         }
 
+        @Override
+        public double cost() {
+            return 20;
+        }
+
         /**
          * With p the point of the line nearest to the centre and s the way from there in units of the shape, the crossings are the
          * roots of s⁴ + c₂s² + c₁s + c₀ within the ball around the torus. They are bracketed by the turning points, themselves
