@@ -62,6 +62,14 @@ final class Bundle {
         end = atMost;
     }
 
+    /** A length that no d is shorter than; a little below the exact one, so that rounding does not matter. */
+    double shortest() {
+        double x = Math.max(0, Math.max(lowX, -highX));
+        double y = Math.max(0, Math.max(lowY, -highY));
+        double z = Math.max(0, Math.max(lowZ, -highZ));
+        return (1 - 1e-12) * Math.sqrt(x * x + y * y + z * z);
+    }
+
     /** A t before which no line meets the box whose six numbers start at b; infinite if none does at all. */
     double enter(double[] boxes, int b) {
         near = 0;

@@ -17,6 +17,8 @@ import org.jspecify.annotations.Nullable;
 final class Bvh {
     /** The most surfaces in one leaf. */
     static final int LEAF = 8;
+    /** The cost up to which all surfaces of a leaf are tested rather than first its box. */
+    private static final double QUICK = 4;
 
     private final Surface[] surfaces;
     private final boolean[] opaque;
@@ -35,7 +37,7 @@ final class Bvh {
         this.endlessOpaque = pick(allOpaque, infinite);
         this.boxes = builder.boxes;
         this.child = builder.child;
-        this.whole = new Entries();
+        this.whole = new Entries(1);
         if (finite.length > 0) {
             whole.add(builder.root(), Entries.ANYWHERE, 0);
         }
@@ -69,7 +71,7 @@ final class Bvh {
 
     /** The scratch that one worker needs to search the tree. */
     Stack newStack() {
-        return new Stack(depth + 2 + Entries.MOST);
+        return new Stack(depth + 2);
     }
 
     /** Scratch of one worker: nodes still to visit, and where the ray enters their boxes. */
@@ -84,19 +86,6 @@ final class Bvh {
             node = new int[depth];
             near = new int[depth];
         }
-
-        /** Fills the stack with those entries that the ray meets, the first on top; returns how many. */
-        private int push(Entries entries, double[] boxes) {
-            int top = 0;
-            for (int i = entries.size - 1; i >= 0; i--) {
-                int enter = entries.box[i] == Entries.ANYWHERE ? 0 : probe.enter(boxes, entries.box[i]);
-                if (enter != Probe.MISS) {
-                    node[top] = entries.node[i];
-                    near[top++] = enter;
-                }
-            }
-            return top;
-        }
     }
 
     /**
@@ -104,6 +93,7 @@ final class Bvh {
      * leaves, or there would be too many.
      */
     void enter(Bundle bundle, Entries entries) {
+        double unit = bundle.shortest();
         entries.clear();
         if (whole.size > 0) {
             entries.add(whole.node[0], Entries.ANYWHERE, 0);
@@ -111,7 +101,7 @@ final class Bvh {
         int i = 0;
         while (i < entries.size) {
             int node = entries.node[i];
-            if (node < 0 || entries.size == Entries.MOST) {
+            if (node < 0 || entries.isFull()) {
                 i++;
                 continue;
             }
@@ -119,12 +109,24 @@ final class Bvh {
             for (int side = 0; side < 2; side++) {
                 double near = bundle.enter(boxes, 12 * node + 6 * side);
                 if (near < Double.POSITIVE_INFINITY) {
-                    // A leaf is not worth a test of its box for every ray: the bundle is narrow, and has met it.
                     int subtree = child[2 * node + side];
-                    entries.add(subtree, subtree < 0 ? Entries.ANYWHERE : 12 * node + 6 * side, near);
+                    entries.add(subtree, isQuick(subtree) ? Entries.ANYWHERE : 12 * node + 6 * side, near * unit);
                 }
             }
         }
+    }
+
+    /** Whether a leaf takes less time than a test of its box for every ray would: the bundle is narrow, and has met it. */
+    private boolean isQuick(int subtree) {
+        if (subtree >= 0) {
+            return false;
+        }
+        double cost = 0;
+        int start = ~subtree / LEAF;
+        for (int i = start + ~subtree % LEAF; i >= start; i--) {
+            cost += surfaces[i].cost();
+        }
+        return cost <= QUICK;
     }
 
     /** Finds the ray's nearest hit in the given subtrees. */
@@ -132,20 +134,26 @@ final class Bvh {
         for (Surface surface : endless) {
             surface.nearest(ray);
         }
-        if (entries.areLeaves()) {
-            for (int i = 0; i < entries.size; i++) {
+        Probe probe = stack.probe;
+        if (entries.haveBoxes()) {
+            probe.set(ray);
+        }
+        for (int i = 0; i < entries.size && entries.near[i] < ray.max; i++) {
+            if (entries.box[i] == Entries.ANYWHERE || probe.enter(boxes, entries.box[i]) != Probe.MISS) {
                 nearest(ray, entries.node[i], stack);
             }
+        }
+    }
+
+    private void nearest(Ray ray, int subtree, Stack stack) {
+        if (subtree < 0) {
+            meetLeaf(ray, subtree, stack.probe, stack);
             return;
         }
         Probe probe = stack.probe;
-        probe.set(ray);
-        int top = stack.push(entries, boxes);
-        while (top > 0) {
-            int node = stack.node[--top];
-            if (!probe.reaches(stack.near[top])) {
-                continue;
-            }
+        int top = 0;
+        int node = subtree;
+        while (true) {
             while (node >= 0) {
                 stack.visits++;
                 int left = probe.enter(boxes, 12 * node);
@@ -160,10 +168,24 @@ final class Bvh {
                 node = child[first];
             }
             if (node < 0) {
-                nearest(ray, node, stack);
-                probe.end(ray.max);
+                meetLeaf(ray, node, probe, stack);
             }
+            do {
+                if (top == 0) {
+                    return;
+                }
+                node = stack.node[--top];
+            } while (!probe.reaches(stack.near[top]));
         }
+    }
+
+    private void meetLeaf(Ray ray, int leaf, Probe probe, Stack stack) {
+        stack.visits++;
+        int start = ~leaf / LEAF;
+        for (int i = start + ~leaf % LEAF; i >= start; i--) {
+            surfaces[i].nearest(ray);
+        }
+        probe.end(ray.max);
     }
 
     /**
@@ -178,20 +200,29 @@ final class Bvh {
                 return endless[i];
             }
         }
-        if (entries.areLeaves()) {
-            for (int i = 0; i < entries.size; i++) {
+        Probe probe = stack.probe;
+        if (entries.haveBoxes()) {
+            probe.set(ray);
+        }
+        for (int i = 0; i < entries.size; i++) {
+            if (entries.box[i] == Entries.ANYWHERE || probe.enter(boxes, entries.box[i]) != Probe.MISS) {
                 Surface found = occluder(ray, entries.node[i], stack, through);
                 if (found != null) {
                     return found;
                 }
             }
-            return null;
+        }
+        return null;
+    }
+
+    private @Nullable Surface occluder(Ray ray, int subtree, Stack stack, Spans through) {
+        if (subtree < 0) {
+            return leafOccluder(ray, subtree, stack, through);
         }
         Probe probe = stack.probe;
-        probe.set(ray);
-        int top = stack.push(entries, boxes);
-        while (top > 0) {
-            int node = stack.node[--top];
+        int top = 0;
+        int node = subtree;
+        while (true) {
             while (node >= 0) {
                 stack.visits++;
                 boolean left = probe.enter(boxes, 12 * node) != Probe.MISS;
@@ -204,24 +235,19 @@ final class Bvh {
                 node = child[left ? 2 * node : 2 * node + 1];
             }
             if (node < 0) {
-                Surface found = occluder(ray, node, stack, through);
+                Surface found = leafOccluder(ray, node, stack, through);
                 if (found != null) {
                     return found;
                 }
             }
-        }
-        return null;
-    }
-
-    private void nearest(Ray ray, int leaf, Stack stack) {
-        stack.visits++;
-        int start = ~leaf / LEAF;
-        for (int i = start + ~leaf % LEAF; i >= start; i--) {
-            surfaces[i].nearest(ray);
+            if (top == 0) {
+                return null;
+            }
+            node = stack.node[--top];
         }
     }
 
-    private @Nullable Surface occluder(Ray ray, int leaf, Stack stack, Spans through) {
+    private @Nullable Surface leafOccluder(Ray ray, int leaf, Stack stack, Spans through) {
         stack.visits++;
         int start = ~leaf / LEAF;
         for (int i = start + ~leaf % LEAF; i >= start; i--) {

@@ -2,30 +2,41 @@ package cz.paprsek.render;
 
 /** Scratch of one worker: the subtrees of a hierarchy in which a search starts, the nearest first. */
 final class Entries {
-    /** The most subtrees that are worth keeping apart. */
-    static final int MOST = 8;
     /** In place of a box: the subtree is searched without asking. */
     static final int ANYWHERE = -1;
 
-    final int[] node = new int[MOST + 1];
+    final int[] node;
     /** Where the box of each subtree starts in the hierarchy's array. */
-    final int[] box = new int[MOST + 1];
-    private final double[] near = new double[MOST + 1];
+    final int[] box;
+    /** Up to where no ray meets anything in the subtree, as rays measure. */
+    final double[] near;
     int size;
-    private int leaves;
+    private int boxes;
+
+    /** @param most how many subtrees are kept apart at most */
+    Entries(int most) {
+        // One more: a subtree that is opened gives way only after its halves have been added.
+        node = new int[most + 1];
+        box = new int[most + 1];
+        near = new double[most + 1];
+    }
+
+    boolean isFull() {
+        return size == node.length - 1;
+    }
 
     void clear() {
         size = 0;
-        leaves = 0;
+        boxes = 0;
     }
 
-    /** Whether no entry has anything below it to search. */
-    boolean areLeaves() {
-        return leaves == size;
+    /** Whether there is anything else than leaves that are searched without asking. */
+    boolean haveBoxes() {
+        return boxes > 0;
     }
 
     void add(int subtree, int itsBox, double enter) {
-        leaves += subtree < 0 ? 1 : 0;
+        boxes += itsBox == ANYWHERE && subtree < 0 ? 0 : 1;
         int at = size++;
         for (; at > 0 && near[at - 1] > enter; at--) {
             copy(at - 1, at);
@@ -36,7 +47,7 @@ final class Entries {
     }
 
     void remove(int at) {
-        leaves -= node[at] < 0 ? 1 : 0;
+        boxes -= box[at] == ANYWHERE && node[at] < 0 ? 0 : 1;
         size--;
         for (int i = at; i < size; i++) {
             copy(i + 1, i);

@@ -16,6 +16,9 @@ import org.jspecify.annotations.Nullable;
 class Tracer extends Witness {
     /** How many rays are traced between two questions whether to stop. */
     private static final int BATCH = 64;
+    /** Into how many subtrees a block's search is split at most: as measured. Rays from the eye stop at the first that lies behind what they hit. */
+    private static final int MOST_FROM_EYE = 24;
+    private static final int MOST_FROM_LAMP = 8;
 
     private final RenderScene scene;
     private final RenderMonitor monitor;
@@ -33,7 +36,7 @@ class Tracer extends Witness {
     /** What last stood between each light and a point: likely to stand there again. */
     private final @Nullable Surface[] lastOccluder;
     private final Bundle bundle = new Bundle();
-    private final Entries entries = new Entries();
+    private final Entries entries = new Entries(MOST_FROM_EYE);
     private final Entries[] towardsLamp;
     private final Entries[] anywhere;
     private Level[] block = {};
@@ -54,7 +57,7 @@ class Tracer extends Witness {
         this.lamps = scene.lamps();
         this.stack = bvh.newStack();
         this.lastOccluder = new Surface[lamps.length];
-        this.towardsLamp = Stream.generate(Entries::new).limit(lamps.length).toArray(Entries[]::new);
+        this.towardsLamp = Stream.generate(() -> new Entries(MOST_FROM_LAMP)).limit(lamps.length).toArray(Entries[]::new);
         this.anywhere = Stream.generate(bvh::whole).limit(lamps.length).toArray(Entries[]::new);
         this.samples = IntStream.range(0, samplesPerSide).mapToDouble(i -> (i + 0.5) / samplesPerSide).toArray();
         this.levels = new Level[maxDepth];

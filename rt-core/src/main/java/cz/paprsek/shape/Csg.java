@@ -103,12 +103,15 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
         private final Volume[] operands;
         private final Bounds[] boxes;
         private final Bounds bounds;
+        private final double cost;
 
         Placed(Operation operation, Volume[] operands) {
             this.operation = operation;
             this.operands = operands;
             this.boxes = Arrays.stream(operands).map(operand -> operand.bounds().padded()).toArray(Bounds[]::new);
             this.bounds = Arrays.stream(operands).map(Surface::bounds).reduce(operation::bounds).orElseThrow();
+            // To meet each operand, and to combine what it pushes.
+            this.cost = Arrays.stream(operands).mapToDouble(operand -> operand.cost() + 3).sum();
         }
 
         @Override
@@ -116,10 +119,9 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
             return bounds;
         }
 
-        /** Each operand, what it pushes, and combining that. */
         @Override
         public double cost() {
-            return Arrays.stream(operands).mapToDouble(operand -> operand.cost() + 3).sum();
+            return cost;
         }
 
         @Override

@@ -87,6 +87,8 @@ class TextbookTest {
         Spans spans = new Spans();
         Ray ray = new Ray(spans);
         ray.start(from.x(), from.y(), from.z(), direction.x(), direction.y(), direction.z());
+        // What lies before the ray may be left out.
+        ray.min = Double.NEGATIVE_INFINITY;
         solid.place(Affine.IDENTITY, new Parts() {
             @Override
             public <P extends Part> P add(IntFunction<P> maker) {
