@@ -1,5 +1,9 @@
 package cz.paprsek;
 
+import static com.tngtech.archunit.core.domain.JavaCall.Predicates.target;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.equivalentTo;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameMatching;
+import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
@@ -57,4 +61,10 @@ class ArchitectureTest {
 
     @ArchTest
     static final ArchRule NO_STATE_IS_STATIC = fields().that().areStatic().should().beFinal();
+
+    /** What may differ from JDK to JDK in the last bit; {@link StrictMath} has the same functions, and they may not. */
+    @ArchTest
+    static final ArchRule ARITHMETIC_IS_THE_SAME_EVERYWHERE = noClasses().should().callMethodWhere(
+            target(owner(equivalentTo(Math.class)))
+                    .and(target(nameMatching("a?(sin|cos|tan)h?|atan2|exp|expm1|log|log10|log1p|pow|cbrt|hypot"))));
 }

@@ -129,7 +129,7 @@ public record ImageComparison(Unit unit, boolean isGrey, double tolerance, doubl
                     most = Math.max(most, difference(unit, value(first, x, y, channel, isGrey), value(b.image(), x, y, channel, isGrey)));
                 }
                 if (most > tolerance) {
-                    double heat = Math.min(1, Math.log(most / Math.max(tolerance, 1)) / Math.log(1024));
+                    double heat = Math.min(1, StrictMath.log(most / Math.max(tolerance, 1)) / StrictMath.log(1024));
                     map.set(x, y, 1, Math.max(0, 2 * heat - 0.2) / 1.8, Math.max(0, 2 * heat - 1));
                 } else if (most > 0) {
                     map.set(x, y, 0, 0.02, 0.1 + 0.4 * most / tolerance);

@@ -58,7 +58,7 @@ public final class StandardScenes {
     /** Small spheres strewn in a cube, a fiftieth of it full whatever their number; one light. */
     public static Scene cloud(int spheres) {
         Require.within("spheres", spheres, 1, 100_000_000);
-        Sphere sphere = new Sphere(Math.cbrt(0.02 * 8 / (spheres * 4.19)));
+        Sphere sphere = new Sphere(StrictMath.cbrt(0.02 * 8 / (spheres * 4.19)));
         Material[] materials = {GREY, Material.color(220, 120, 80).withDiffusion(0.7), Material.color(90, 140, 220).withDiffusion(0.7)};
         Random random = new Random(SEED);
         List<SceneObject> objects = new ArrayList<>(spheres);
@@ -121,7 +121,7 @@ public final class StandardScenes {
     }
 
     private static Scene strewn(String name, int bodies, Solid body) {
-        double size = Math.cbrt(0.06 * 8 / bodies);
+        double size = StrictMath.cbrt(0.06 * 8 / bodies);
         Random random = new Random(SEED);
         List<SceneObject> objects = new ArrayList<>(bodies);
         for (int i = 0; i < bodies; i++) {

@@ -19,6 +19,7 @@ import java.util.Random;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -68,12 +69,14 @@ class CrossCheckTest {
 
     /** One scene that has most in it: that the recorded pictures are what POV-Ray makes of today's export. */
     @Test
+    @Tag("live")
     void povRayStillMakesTheRecordedPicture() throws Exception {
         Scene scene = SceneFiles.read(FOLDER.resolve("combined-room.xml"));
         compare(scene, live(scene));
     }
 
     @ParameterizedTest
+    @Tag("live")
     @MethodSource("seeds")
     void aFreshSceneIsTheSame(long seed) throws Exception {
         Scene scene = CrossCheckScenes.random(seed);

@@ -12,11 +12,15 @@ import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
 import cz.paprsek.shape.Surface;
 import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -127,6 +131,29 @@ class RendererTest {
                     assertThat(new double[] {block[i].red, block[i].green, block[i].blue}).containsExactly(one.red, one.green, one.blue);
                 }
             }
+        }
+    }
+
+    @Test
+    void theOrderOfBlocksDoesNotMatter() {
+        RenderScene scene = RenderScene.of(SCENE);
+        Eye eye = new Eye(SCENE.camera(), 101, 67);
+        List<Integer> order = new ArrayList<>(IntStream.range(0, 12 * 8).boxed().toList());
+        double[][] first = new double[order.size()][];
+        for (long seed = 0; seed < 4; seed++) {
+            Tracer tracer = new Tracer(scene, 5, 1, RenderMonitor.NONE);
+            for (int block : order) {
+                Level[] levels = tracer.trace(eye, block % 12 * 8, block / 12 * 8, 8, 8);
+                double[] light = new double[192];
+                for (int i = 0; i < 64; i++) {
+                    light[3 * i] = levels[i].red;
+                    light[3 * i + 1] = levels[i].green;
+                    light[3 * i + 2] = levels[i].blue;
+                }
+                first[block] = seed == 0 ? light : first[block];
+                assertThat(light).as("block %d in order %d", block, seed).containsExactly(first[block]);
+            }
+            Collections.shuffle(order, new Random(seed));
         }
     }
 

@@ -1,6 +1,7 @@
 package cz.paprsek.shape;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
@@ -9,7 +10,9 @@ import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class CsgTest {
@@ -62,7 +65,7 @@ class CsgTest {
     }
 
     @ParameterizedTest
-    @org.junit.jupiter.params.provider.MethodSource("nothings")
+    @MethodSource("nothings")
     void aBodyWithoutItselfIsNothing(Solid nothing) {
         Volume volume = nothing.place(Affine.IDENTITY, new TestParts());
         Random random = new Random(3);
@@ -119,6 +122,51 @@ class CsgTest {
             common.nearest(second);
             assertThat(first.max).isEqualTo(second.max);
         }
+    }
+
+    /** Laws of sets, as pairs of bodies that must have the same boundaries. */
+    static Stream<Arguments> laws() {
+        Operand a = Operand.of(new Sphere(1)).at(0.2, 0, 0.1);
+        Operand b = Operand.of(new Torus(0.9, 0.35)).rotated(30, 20, 0);
+        Operand c = Operand.of(new Cone(0.8, 1.5)).at(0, -0.6, 0).rotated(0, 0, 40);
+        return Stream.of(
+                Arguments.of("A ∪ B = B ∪ A", Csg.union(a, b), Csg.union(b, a)),
+                Arguments.of("A ∩ B = B ∩ A", Csg.intersection(a, b), Csg.intersection(b, a)),
+                Arguments.of("(A ∪ B) ∪ C = A ∪ (B ∪ C)", Csg.union(op(Csg.union(a, b)), c), Csg.union(a, op(Csg.union(b, c)))),
+                Arguments.of("A − B − C = A − (B ∪ C)", Csg.difference(a, b, c), Csg.difference(a, op(Csg.union(b, c)))),
+                Arguments.of("A − B = A − (A ∩ B)", Csg.difference(a, b), Csg.difference(a, op(Csg.intersection(a, b)))),
+                Arguments.of("A ∩ B = A − (A − B)", Csg.intersection(a, b), Csg.difference(a, op(Csg.difference(a, b)))),
+                Arguments.of("(A − B) ∪ (A ∩ B) = A", Csg.union(op(Csg.difference(a, b)), op(Csg.intersection(a, b))), Csg.union(a)),
+                Arguments.of("A ∩ (B ∪ C) = (A ∩ B) ∪ (A ∩ C)", Csg.intersection(a, op(Csg.union(b, c))),
+                        Csg.union(op(Csg.intersection(a, b)), op(Csg.intersection(a, c)))));
+    }
+
+    private static Operand op(Solid solid) {
+        return Operand.of(solid);
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("laws")
+    void setsObeyTheirLaws(String law, Solid left, Solid right) {
+        Volume one = left.place(Affine.IDENTITY, new TestParts());
+        Volume other = right.place(Affine.IDENTITY, new TestParts());
+        Spans a = new Spans();
+        Spans b = new Spans();
+        Random random = new Random(13);
+        int crossed = 0;
+        for (int i = 0; i < 20_000; i++) {
+            Ray ray = ray(random);
+            a.release(0);
+            b.release(0);
+            one.spans(ray, a);
+            other.spans(ray, b);
+            assertThat(b.size()).isEqualTo(a.size());
+            for (int k = 0; k < a.size(); k++) {
+                assertThat(b.t(k)).isCloseTo(a.t(k), within(1e-8));
+            }
+            crossed += a.size();
+        }
+        assertThat(crossed).isGreaterThan(5_000);
     }
 
     @Test

@@ -76,7 +76,7 @@ public record Encounter(
 
         /** The angle between the ray and the normal, 0–90. */
         public double angleDegrees() {
-            return Math.toDegrees(Math.acos(Math.min(1, cosine)));
+            return Math.toDegrees(StrictMath.acos(Math.min(1, cosine)));
         }
     }
 }

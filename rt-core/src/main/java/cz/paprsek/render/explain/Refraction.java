@@ -16,16 +16,16 @@ public record Refraction(double from, double to, double cosine, double radicand)
 
     /** θ₁, 0–90. */
     public double angleBeforeDegrees() {
-        return Math.toDegrees(Math.acos(Math.min(1, cosine)));
+        return Math.toDegrees(StrictMath.acos(Math.min(1, cosine)));
     }
 
     /** θ₂, 0–90; not a number if all light is reflected. */
     public double angleBeyondDegrees() {
-        return Math.toDegrees(Math.acos(Math.min(1, Math.sqrt(radicand))));
+        return Math.toDegrees(StrictMath.acos(Math.min(1, Math.sqrt(radicand))));
     }
 
     /** The angle from which on all light is reflected; not a number if n₁ ≤ n₂. */
     public double criticalAngleDegrees() {
-        return from > to ? Math.toDegrees(Math.asin(to / from)) : Double.NaN;
+        return from > to ? Math.toDegrees(StrictMath.asin(to / from)) : Double.NaN;
     }
 }

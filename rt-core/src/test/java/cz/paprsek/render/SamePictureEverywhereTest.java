@@ -1,0 +1,46 @@
+package cz.paprsek.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.image.Image;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.util.HexFormat;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The pictures' digests as recorded: the same to the last bit on every JDK from 17 on, on every machine, for any number of threads. Whoever
+ * changes the order of arithmetic on purpose records the new ones; what they differ in from the old is the cross-check's to judge.
+ */
+class SamePictureEverywhereTest {
+    private static final Path RECORD = Path.of("src/test/resources/pictures.sha256");
+
+    @Test
+    void picturesAreThoseThatWereRecorded() throws Exception {
+        StringBuilder found = new StringBuilder();
+        for (String name : List.of("combined-room", "combined-table", "csg-nested", "glass-shapes", "highlights", "torus")) {
+            Scene scene = SceneFiles.read(Path.of("src/test/resources/crosscheck", name + ".xml"));
+            found.append(digest(scene.withSettings(scene.settings().withSize(200, 150)))).append("  ").append(name).append('\n');
+        }
+        found.append(digest(Scenes.random(21, 60).withSettings(new RenderSettings(200, 150, 6, 2)))).append("  random\n");
+        assertThat(found.toString()).as("digests on Java %s, to be recorded in %s if the change is meant", Runtime.version(), RECORD)
+                .isEqualTo(Files.readString(RECORD));
+    }
+
+    private static String digest(Scene scene) throws Exception {
+        Image image = Renderer.render(scene);
+        ByteBuffer bits = ByteBuffer.allocate(12 * image.width() * image.height());
+        for (int y = 0; y < image.height(); y++) {
+            for (int x = 0; x < image.width(); x++) {
+                bits.putFloat(image.red(x, y)).putFloat(image.green(x, y)).putFloat(image.blue(x, y));
+            }
+        }
+        return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bits.array()));
+    }
+}
