@@ -5,26 +5,37 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.image.Image;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class ShippedScenesTest {
-    static Stream<Path> scenes() throws IOException {
-        try (Stream<Path> files = Files.list(Path.of("../scenes"))) {
-            return files.filter(file -> file.toString().endsWith(".xml")).sorted().toList().stream();
+    static Stream<Arguments> scenes() throws IOException, SceneFileException {
+        List<Path> files;
+        try (Stream<Path> all = Files.list(Path.of("../scenes"))) {
+            files = all.filter(file -> file.toString().endsWith(".xml")).sorted().toList();
         }
+        List<Arguments> scenes = new ArrayList<>();
+        for (Path file : files) {
+            SceneFiles.readAll(file).forEach(scene -> scenes.add(Arguments.of(Named.of(file.getFileName() + ": " + scene.name(), scene))));
+        }
+        return scenes.stream();
     }
 
     @ParameterizedTest
     @MethodSource("scenes")
-    void everySceneRendersToSomethingToLookAt(Path file) throws Exception {
-        Scene scene = SceneFiles.read(file);
+    void everySceneRendersToSomethingToLookAt(Scene scene) {
         Image image = Renderer.render(scene.withSettings(scene.settings().withSize(160, 90).withSamples(1)));
         for (int y = 0; y < 90; y++) {
             for (int x = 0; x < 160; x++) {
@@ -32,6 +43,16 @@ class ShippedScenesTest {
                 assertThat(sum).isFinite().isNotNegative();
             }
         }
+        assertThat(scene.tags()).isNotEmpty();
+        assertThat(scene.description()).isNotEmpty();
         assertThat(Arrays.stream(image.toArgb()).distinct().count()).as("different colours").isGreaterThan(200);
+    }
+
+    @Test
+    void theDatabaseHasScenesEnoughAndIsWrittenAsItWouldBeSaved() throws Exception {
+        Path file = Path.of("../scenes/database.xml");
+        assertThat(SceneFiles.formatAll(SceneFiles.readAll(file))).isEqualTo(Files.readString(file));
+        assertThat(SceneFiles.readDatabase(file).size()).isGreaterThanOrEqualTo(20);
+        assertThat(SceneFiles.examples()).as("what a new database begins with").isEqualTo(SceneFiles.readDatabase(file));
     }
 }

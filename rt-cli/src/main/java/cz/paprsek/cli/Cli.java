@@ -39,6 +39,7 @@ final class Cli {
                 .addSubcommand("bench", new BenchCommand(terminal, stop))
                 .addSubcommand("compare", new CompareCommand(terminal, stop))
                 .addSubcommand("crosscheck", new CrossCheckCommand(terminal, stop))
+                .addSubcommand("db", DbCommand.of(terminal, stop))
                 .addSubcommand("schema", new SchemaCommand(terminal, stop))
                 .addSubcommand("generate-completion", new AutoComplete.GenerateCompletion())
                 .addSubcommand("help", new CommandLine.HelpCommand());
@@ -54,7 +55,6 @@ final class Cli {
         root.getCommandSpec().addOption(
                 OptionSpec.builder("-V", "--version").versionHelp(true).description("Prints the version and exits.").build());
         describe(root);
-        root.getSubcommands().values().forEach(Cli::describe);
         return root;
     }
 
@@ -65,6 +65,7 @@ final class Cli {
         }
         spec.usageMessage().exitCodeListHeading("%nExit codes:%n").exitCodeList(ExitCode.explained())
                 .commandListHeading("%nCommands:%n").abbreviateSynopsis(true).sortOptions(false);
+        command.getSubcommands().values().forEach(Cli::describe);
     }
 
     private int failed(Exception failure, CommandLine command, CommandLine.ParseResult parsed) {

@@ -9,7 +9,6 @@ import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
-import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.util.List;
 
@@ -30,10 +29,10 @@ record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, boolean resume, 
     }
 
     private Outcome run(Target target) {
-        String file = target.scene().toString();
+        String file = target.source().label();
         try {
             long begin = System.nanoTime();
-            Scene scene = SceneFiles.read(target.scene());
+            Scene scene = target.source().read();
             return render(target, scene, begin);
         } catch (SceneFileException e) {
             return fail(target, Outcome.BAD_SCENE, e.problems().stream().map(Problem::toString).toList());
@@ -51,16 +50,16 @@ record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, boolean resume, 
         try {
             options = wishes.applyTo(scene.settings());
         } catch (IllegalArgumentException refused) {
-            return fail(target, Outcome.WRONG_USAGE, List.of(target.scene() + ": " + refused.getMessage()));
+            return fail(target, Outcome.WRONG_USAGE, List.of(target.source().label() + ": " + refused.getMessage()));
         }
         RenderResult result;
         Image image;
         try (Tiles tiles = resume ? Tiles.kept(target, scene, options, terminal) : Tiles.NOT_KEPT) {
-            try (Progress monitor = progress.start(target.scene().toString(), options, stop)) {
+            try (Progress monitor = progress.start(target.source().label(), options, stop)) {
                 result = Renderer.render(scene, options, tiles.around(monitor));
             }
             if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
-                return fail(target, Outcome.INTERRUPTED, List.of(target.scene() + ": interrupted, no picture written"));
+                return fail(target, Outcome.INTERRUPTED, List.of(target.source().label() + ": interrupted, no picture written"));
             }
             image = result.image();
             stop.guard(() -> write(target, image));
@@ -69,7 +68,7 @@ record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, boolean resume, 
             return fail(target, Outcome.WRONG_USAGE, List.of(String.valueOf(e.getMessage())));
         } catch (IOException e) {
             return stop.requested()
-                    ? fail(target, Outcome.INTERRUPTED, List.of(target.scene() + ": interrupted, no picture written"))
+                    ? fail(target, Outcome.INTERRUPTED, List.of(target.source().label() + ": interrupted, no picture written"))
                     : fail(target, Outcome.FAILED, List.of(Failures.sentence(target.shown(), e)));
         }
         report.done(target, scene.name(), image.width(), image.height(), result.stats(), (System.nanoTime() - begin) / 1e9);

@@ -1,7 +1,10 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.query.Filter;
+import cz.paprsek.query.SceneTables;
 import cz.paprsek.render.Tile;
+import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -13,7 +16,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "render",
         description = {
-            "Renders scene files to pictures.",
+            "Renders scene files, and the scenes of databases, to pictures.",
             "One scene that fails does not stop the others; the exit code is that of the worst. A picture is written whole or not at all."
         },
         footer = {
@@ -22,6 +25,7 @@ import picocli.CommandLine.Parameters;
             "  rt-cli render showcase.xml                     to showcase.png in the working directory",
             "  rt-cli render showcase.xml -o a.jpg --size 1920x1080 --samples 3",
             "  rt-cli render 'scenes/*.xml' -o 'out/{name}-small.png' --size 320x180",
+            "  rt-cli render database.xml --where 'exists(torus)' -o pictures/",
             "  rt-cli render a.xml --format ppm16 -o -        16-bit linear light to standard output",
             "  rt-cli render a.xml b.xml --json --quiet       one JSON object a line, nothing else"
         })
@@ -33,9 +37,12 @@ final class RenderCommand implements Callable<Integer> {
             description = "Scene files. Patterns with * ? [] {} and ** are expanded, also when quoted.")
     private List<String> scenes;
 
+    @Option(names = "--where", paramLabel = "FILTER", description = "Only scenes that match; 'rt-cli db --help' explains filters.")
+    private Optional<String> where;
+
     @Option(names = {"-o", "--output"}, paramLabel = "FILE|DIR|PATTERN", description = {
         "A file, for one scene; its ending says the format. A directory (which exists or ends in /), or a pattern in which {name} "
-                + "stands for the scene's file name; their directories are made. - is standard output.",
+                + "stands for the scene's file name, or in a database its own; their directories are made. - is standard output.",
         "Default: {name}.png in the working directory."})
     private Optional<String> output;
 
@@ -90,8 +97,17 @@ final class RenderCommand implements Callable<Integer> {
             throw new WrongUsage("--resume needs a file for the picture, to keep the tiles beside it");
         }
         Wishes wishes = new Wishes(size, maxDepth, samples, region, threads);
-        List<Target> targets = new Targets(output, format, raw).of(SceneArguments.files(scenes));
+        List<Target> targets = new Targets(output, format, raw).of(sources());
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
         return new RenderBatch(terminal, stop, wishes, resume, progress, Report.of(terminal, json, quiet)).run(targets);
+    }
+
+    private List<SceneSource> sources() {
+        Optional<Filter<Scene>> filter = where.map(text -> DbAction.filter("--where", Optional.of(text), SceneTables.SCENE));
+        List<SceneSource> sources = SceneSource.all(SceneArguments.files(scenes), filter);
+        if (sources.isEmpty()) {
+            throw new WrongUsage("no scene " + where.map(text -> "matches " + text).orElse("is in " + String.join(", ", scenes)));
+        }
+        return sources;
     }
 }

@@ -43,7 +43,7 @@ interface Report {
     record AsText(Terminal terminal, boolean quiet) implements Report {
         @Override
         public void done(Target target, String scene, int width, int height, RenderStats stats, double totalSeconds) {
-            String line = String.format(Locale.ROOT, "%s -> %s  %dx%d  %.2f s  %.1f Mray/s", target.scene(), target.shown(), width, height,
+            String line = String.format(Locale.ROOT, "%s -> %s  %dx%d  %.2f s  %.1f Mray/s", target.source().label(), target.shown(), width, height,
                     totalSeconds, stats.rays() / 1e6 / Math.max(stats.traceSeconds(), 1e-9));
             if (!quiet && target.file().isPresent()) {
                 terminal.result(line);

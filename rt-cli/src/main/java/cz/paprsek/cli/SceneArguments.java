@@ -12,6 +12,7 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
@@ -34,6 +35,13 @@ final class SceneArguments {
             }
         }
         return List.copyOf(files.values());
+    }
+
+    /** A file's name without folder and ending. */
+    static String nameOf(Path file) {
+        String name = Objects.requireNonNullElse(file.getFileName(), file).toString();
+        int dot = name.lastIndexOf('.');
+        return dot > 0 ? name.substring(0, dot) : name;
     }
 
     private static boolean exists(String word) {

@@ -7,10 +7,15 @@ import java.util.Optional;
 /**
  * Where the picture of a scene goes.
  *
- * @param scene the scene's file
+ * @param source where the scene comes from
  * @param file the picture's file; none for standard output
  */
-record Target(Path scene, Optional<Path> file, ImageFormat format) {
+record Target(SceneSource source, Optional<Path> file, ImageFormat format) {
+
+    /** The scene's file. */
+    Path scene() {
+        return source.file();
+    }
 
     /** The picture's file as the user would name it. */
     String shown() {

@@ -23,7 +23,7 @@ record Targets(Optional<String> output, Optional<ImageFormat> format, boolean ra
     static final String NAME = "{name}";
 
     /** @throws WrongUsage if two pictures would go to one file, or a file cannot be written */
-    List<Target> of(List<Path> scenes) {
+    List<Target> of(List<SceneSource> scenes) {
         if (scenes.size() > 1 && output.isPresent() && !isDirectory() && !isPattern()) {
             throw new WrongUsage(scenes.size() + " scenes do not fit into " + shown()
                     + "; name a directory, or a pattern such as " + NAME + ".png");
@@ -33,13 +33,11 @@ record Targets(Optional<String> output, Optional<ImageFormat> format, boolean ra
         return targets;
     }
 
-    private Target of(Path scene) {
+    private Target of(SceneSource scene) {
         if (output.equals(Optional.of("-"))) {
             return new Target(scene, Optional.empty(), format(Optional.empty()));
         }
-        String fileName = Objects.requireNonNullElse(scene.getFileName(), scene).toString();
-        int dot = fileName.lastIndexOf('.');
-        String name = dot > 0 ? fileName.substring(0, dot) : fileName;
+        String name = scene.name();
         if (output.isEmpty() || isDirectory()) {
             ImageFormat chosen = format(Optional.empty());
             return new Target(scene, Optional.of(path(output.orElse("")).resolve(name + "." + chosen.extension())), chosen);

@@ -31,7 +31,7 @@ interface Tiles extends AutoCloseable {
         Checkpoint checkpoint = Checkpoint.open(picture, scene, options);
         long pixels = (long) options.region().width() * options.region().height();
         if (checkpoint.pixels() > 0) {
-            terminal.message(target.scene() + ": going on, " + 100 * checkpoint.pixels() / pixels + " % is done already");
+            terminal.message(target.source().label() + ": going on, " + 100 * checkpoint.pixels() / pixels + " % is done already");
         }
         return new Tiles() {
             @Override

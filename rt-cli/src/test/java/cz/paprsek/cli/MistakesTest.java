@@ -37,7 +37,7 @@ class MistakesTest {
     void callWithoutCommandSaysWhatThereIs() {
         Run run = Run.cli();
         assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err()).contains("say what to do: render, validate, info, convert, bench, compare, crosscheck, schema, generate-completion, help");
+        assertThat(run.err()).contains("say what to do: render, validate, info, convert, bench, compare, crosscheck, db, schema, generate-completion, help");
     }
 
     @ParameterizedTest

@@ -35,28 +35,28 @@ public final class Column<R> {
         this.values = values;
     }
 
-    static <R> Column<R> number(String name, ToDoubleFunction<R> value) {
+    public static <R> Column<R> number(String name, ToDoubleFunction<R> value) {
         return new Column<>(name, Type.NUMBER, (row, test) -> test.test(new Value.Scalar(value.applyAsDouble(row))));
     }
 
-    static <R> Column<R> text(String name, Function<R, String> value) {
+    public static <R> Column<R> text(String name, Function<R, String> value) {
         return new Column<>(name, Type.TEXT, (row, test) -> test.test(new Value.Text(value.apply(row))));
     }
 
-    static <R> Column<R> texts(String name, Function<R, List<String>> value) {
+    public static <R> Column<R> texts(String name, Function<R, List<String>> value) {
         return new Column<>(name, Type.TEXT, (row, test) -> value.apply(row).stream().anyMatch(text -> test.test(new Value.Text(text))));
     }
 
-    static <R> Column<R> vector(String name, Function<R, Vec3> value) {
+    public static <R> Column<R> vector(String name, Function<R, Vec3> value) {
         return new Column<>(name, Type.VECTOR, (row, test) -> test.test(new Value.Triple(value.apply(row))));
     }
 
     /** For rows that may have none. */
-    static <R> Column<R> vectors(String name, Function<R, Optional<Vec3>> value) {
+    public static <R> Column<R> vectors(String name, Function<R, Optional<Vec3>> value) {
         return new Column<>(name, Type.VECTOR, (row, test) -> value.apply(row).filter(vector -> test.test(new Value.Triple(vector))).isPresent());
     }
 
-    static <R> Column<R> color(String name, Function<R, Optional<Rgb>> value) {
+    public static <R> Column<R> color(String name, Function<R, Optional<Rgb>> value) {
         return new Column<>(name, Type.COLOR, (row, test) -> value.apply(row)
                 .filter(color -> test.test(new Value.Triple(new Vec3(color.red(), color.green(), color.blue())))).isPresent());
     }

@@ -39,7 +39,8 @@ public record Table<R>(String name, List<Column<R>> columns, List<Relation<R, ?>
         return names;
     }
 
-    Optional<Column<R>> ownColumn(String called) {
+    /** One of this table only, or one of its three numbers. */
+    public Optional<Column<R>> ownColumn(String called) {
         int dot = called.indexOf('.');
         if (dot >= 0) {
             return ownColumn(called.substring(0, dot)).flatMap(column -> column.part(called.substring(dot + 1)));

@@ -137,6 +137,15 @@ public final class SceneFiles {
         return new SceneWriter().database(scenes);
     }
 
+    /** A database with a test scene and examples of everything that scenes may have. */
+    public static SceneDatabase examples() {
+        try (InputStream input = Objects.requireNonNull(SceneFiles.class.getResourceAsStream("database.xml"), "database.xml is missing")) {
+            return SceneDatabase.of(SceneReader.read(input, "examples"));
+        } catch (IOException | SceneFileException e) {
+            throw new IllegalStateException("the examples in the program's own jar cannot be read", e);
+        }
+    }
+
     /** The schema of scene files, an XSD. */
     public static String schema() {
         try (InputStream input = Objects.requireNonNull(SceneFiles.class.getResourceAsStream("scene.xsd"), "scene.xsd is missing")) {
