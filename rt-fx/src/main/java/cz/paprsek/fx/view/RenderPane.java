@@ -1,0 +1,166 @@
+package cz.paprsek.fx.view;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFiles;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.scene.Scene;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import javafx.beans.binding.Bindings;
+import javafx.concurrent.Task;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.TabPane;
+import javafx.scene.input.Clipboard;
+import javafx.scene.input.ClipboardContent;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+
+/** Renders the model's scene, picture by picture, each in a tab of its own, while editing goes on; saves, copies and compares them. */
+public final class RenderPane extends BorderPane {
+    private final EditorModel model;
+    private final Texts texts;
+    private final PictureChooser chooser;
+    private final RenderForm form;
+    private final TabPane tabs = new TabPane();
+    private final ComparisonBox comparison;
+    private final Label message = new Label();
+    private Consumer<Optional<PicturePoint>> onPointed = point -> {};
+    private Consumer<PicturePoint> onClicked = point -> {};
+    private int count;
+
+    public RenderPane(EditorModel model, Texts texts, PictureChooser chooser) {
+        this.model = model;
+        this.texts = texts;
+        this.chooser = chooser;
+        this.form = new RenderForm(texts);
+        this.comparison = new ComparisonBox(tabs, texts);
+        form.set(model.scene().settings());
+        Button render = button("render.start", () -> render(form.options()));
+        render.setDefaultButton(true);
+        render.disableProperty().bind(form.valid().not());
+        form.getChildren().add(render);
+        tabs.setId("renders");
+        tabs.setTabClosingPolicy(TabPane.TabClosingPolicy.ALL_TABS);
+        message.setId("render-message");
+        HBox.setHgrow(message, Priority.ALWAYS);
+        message.setMaxWidth(Double.MAX_VALUE);
+        Node[] tools = {
+            ofPicture(button("render.save", this::save)), ofPicture(button("render.copy", this::copy)),
+            ofPicture(button("render.fit", () -> shown().ifPresent(tab -> tab.view().fit()))),
+            ofPicture(button("render.actual", () -> shown().ifPresent(tab -> tab.view().actualSize()))), comparison, message
+        };
+        HBox toolbar = new HBox(6, tools);
+        toolbar.setAlignment(Pos.CENTER_LEFT);
+        VBox top = new VBox(8, form, toolbar);
+        top.getStyleClass().add("render-tools");
+        setId("render-pane");
+        setTop(top);
+        setCenter(tabs);
+    }
+
+    /** Fills the form with what the scene asks for, and renders. */
+    public void renderAsTheSceneAsks() {
+        form.set(model.scene().settings());
+        render(form.options());
+    }
+
+    /** Is told where in a picture the mouse is, and when it leaves. */
+    public void setOnPointed(Consumer<Optional<PicturePoint>> listener) {
+        onPointed = listener;
+    }
+
+    /** Is told of clicks on a picture. */
+    public void setOnClicked(Consumer<PicturePoint> listener) {
+        onClicked = listener;
+    }
+
+    /** Cancels all that runs. */
+    public void cancelAll() {
+        tabs.getTabs().forEach(tab -> ((RenderTab) tab).task().cancel());
+    }
+
+    private void render(RenderOptions options) {
+        message.setText("");
+        Scene scene = model.scene();
+        RenderTask task;
+        try {
+            task = new RenderTask(scene, options);
+        } catch (ArithmeticException | OutOfMemoryError tooLarge) {
+            message.setText(texts.of("render.too-large", options.settings().width(), options.settings().height()));
+            return;
+        }
+        RenderTab tab = new RenderTab(++count + ": " + options.settings().width() + " × " + options.settings().height(), task, texts);
+        tab.pointedProperty().addListener((property, old, now) -> onPointed.accept(now));
+        tab.setOnClicked(point -> onClicked.accept(point));
+        tabs.getTabs().add(tab);
+        tabs.getSelectionModel().select(tab);
+        start(task, "paprsek-render");
+    }
+
+    private void save() {
+        Optional<RenderTab> tab = shown();
+        Optional<Image> image = tab.flatMap(shown -> shown.task().image());
+        if (image.isEmpty()) {
+            message.setText(texts.of("render.nothing"));
+            return;
+        }
+        String name = tab.map(shown -> shown.task().scene().name()).filter(Predicate.not(String::isBlank)).orElse("picture");
+        chooser.choose(getScene().getWindow(), name.replaceAll("[\\\\/:*?\"<>|]", "-") + ".png").ifPresent(file -> write(image.get(), file));
+    }
+
+    private void write(Image image, Path file) {
+        Task<Boolean> writing = new Task<>() {
+            @Override
+            protected Boolean call() throws Exception {
+                ImageFiles.write(image, file);
+                return true;
+            }
+        };
+        message.setText(texts.of("render.saving", file.getFileName()));
+        writing.setOnSucceeded(event -> message.setText(texts.of("render.saved", file.getFileName())));
+        writing.setOnFailed(event -> message.setText(texts.of("render.not-saved", file.getFileName(), Faults.sentence(writing.getException()))));
+        start(writing, "paprsek-save-picture");
+    }
+
+    private void copy() {
+        shown().ifPresent(tab -> {
+            ClipboardContent content = new ClipboardContent();
+            content.putImage(tab.task().buffer().image());
+            Clipboard.getSystemClipboard().setContent(content);
+            message.setText(texts.of("render.copied"));
+        });
+    }
+
+    private Optional<RenderTab> shown() {
+        return Optional.ofNullable((RenderTab) tabs.getSelectionModel().getSelectedItem());
+    }
+
+    private Button button(String key, Runnable action) {
+        Button button = new Button(texts.of(key));
+        button.setId(key.replace('.', '-'));
+        button.setMinWidth(Region.USE_PREF_SIZE);
+        button.setOnAction(event -> action.run());
+        return button;
+    }
+
+    /** Makes a button work only if there is a picture. */
+    private Button ofPicture(Button button) {
+        button.disableProperty().bind(Bindings.isEmpty(tabs.getTabs()));
+        return button;
+    }
+
+    private static void start(Task<?> task, String name) {
+        Thread thread = new Thread(task, name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+}
