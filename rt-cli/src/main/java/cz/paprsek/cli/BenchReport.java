@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.io.Json;
 import java.util.Locale;
 
 /** Shows what was measured: a table, row by row, or a JSON object a line. */

@@ -1,6 +1,7 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.render.RenderMode;
 import cz.paprsek.render.Tile;
 import cz.paprsek.scene.Similar;
 import java.util.ArrayList;
@@ -35,6 +36,7 @@ final class Cli {
                 .addSubcommand("render", new RenderCommand(terminal, stop))
                 .addSubcommand("validate", new ValidateCommand(terminal, stop))
                 .addSubcommand("info", new InfoCommand(terminal, stop))
+                .addSubcommand("explain", new ExplainCommand(terminal, stop))
                 .addSubcommand("convert", new ConvertCommand(terminal, stop))
                 .addSubcommand("bench", new BenchCommand(terminal, stop))
                 .addSubcommand("compare", new CompareCommand(terminal, stop))
@@ -44,6 +46,8 @@ final class Cli {
                 .addSubcommand("generate-completion", new AutoComplete.GenerateCompletion())
                 .addSubcommand("help", new CommandLine.HelpCommand());
         root.registerConverter(Size.class, Size::parse);
+        root.registerConverter(RenderMode.class, Modes::parse);
+        root.registerConverter(PixelPlace.class, PixelPlace::parse);
         root.registerConverter(Tile.class, Region::parse);
         root.registerConverter(ImageFormat.class, Formats::parse);
         root.registerConverter(Share.class, Share::parse);

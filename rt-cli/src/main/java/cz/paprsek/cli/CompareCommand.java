@@ -4,6 +4,7 @@ import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.StoredImage;
+import cz.paprsek.io.Json;
 import cz.paprsek.math.Numbers;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.io.Json;
 import cz.paprsek.io.PlainText;
 import cz.paprsek.math.Numbers;
 import cz.paprsek.query.Column;

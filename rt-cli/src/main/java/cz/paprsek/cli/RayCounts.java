@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.io.Json;
 import cz.paprsek.render.RenderStats;
 
 /** Rays by kind, as scripts read them. */

@@ -13,7 +13,7 @@ import java.io.IOException;
 import java.util.List;
 
 /** Renders scenes one after the other, each on all threads; one that fails does not stop the next. */
-record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, boolean resume, Progress.Maker progress, Report report) {
+record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, boolean resume, Progress.Maker progress, Report report) {
 
     /** The exit code of the worst. */
     int run(List<Target> targets) {
@@ -32,8 +32,9 @@ record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, boolean resume, 
         String file = target.source().label();
         try {
             long begin = System.nanoTime();
-            Scene scene = target.source().read();
-            return render(target, scene, begin);
+            return render(target, view.of(target.source().read()), begin);
+        } catch (WrongUsage e) {
+            return fail(target, Outcome.WRONG_USAGE, List.of(file + ": " + e.getMessage()));
         } catch (SceneFileException e) {
             return fail(target, Outcome.BAD_SCENE, e.problems().stream().map(Problem::toString).toList());
         } catch (IOException e) {
@@ -48,7 +49,7 @@ record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, boolean resume, 
     private Outcome render(Target target, Scene scene, long begin) {
         RenderOptions options;
         try {
-            options = wishes.applyTo(scene.settings());
+            options = wishes.applyTo(scene.settings()).withMode(view.mode());
         } catch (IllegalArgumentException refused) {
             return fail(target, Outcome.WRONG_USAGE, List.of(target.source().label() + ": " + refused.getMessage()));
         }
@@ -61,7 +62,7 @@ record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, boolean resume, 
             if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
                 return fail(target, Outcome.INTERRUPTED, List.of(target.source().label() + ": interrupted, no picture written"));
             }
-            image = result.image();
+            image = view.finished(result.image());
             stop.guard(() -> write(target, image));
             tiles.discard();
         } catch (WrongUsage e) {

@@ -3,6 +3,7 @@ package cz.paprsek.cli;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.query.Filter;
 import cz.paprsek.query.SceneTables;
+import cz.paprsek.render.RenderMode;
 import cz.paprsek.render.Tile;
 import cz.paprsek.scene.Scene;
 import java.util.List;
@@ -27,6 +28,7 @@ import picocli.CommandLine.Parameters;
             "  rt-cli render 'scenes/*.xml' -o 'out/{name}-small.png' --size 320x180",
             "  rt-cli render database.xml --where 'exists(torus)' -o pictures/",
             "  rt-cli render a.xml --format ppm16 -o -        16-bit linear light to standard output",
+            "  rt-cli render a.xml --mode nodes -o cost.png    where the time goes: nodes visited per pixel",
             "  rt-cli render a.xml b.xml --json --quiet       one JSON object a line, nothing else"
         })
 final class RenderCommand implements Callable<Integer> {
@@ -68,6 +70,17 @@ final class RenderCommand implements Callable<Integer> {
             "Levels of reflected and refracted rays, 1-250; the ray from the eye is level 1. Default: the scene's.")
     private Optional<Integer> maxDepth;
 
+    @Option(names = "--mode", paramLabel = "MODE", defaultValue = "shaded", completionCandidates = Modes.class, description = {
+        "What the picture shows: ${COMPLETION-CANDIDATES}.",
+        "rays and nodes are counts per pixel, on a scale of colours that is drawn below the picture."})
+    private RenderMode mode;
+
+    @Option(names = "--light", paramLabel = "LIGHT", description = "Lights only this light: its name, or its number from 1.")
+    private Optional<String> light;
+
+    @Option(names = "--no-legend", description = "Leaves away the scale of colours, so that the picture has the size asked for.")
+    private boolean noLegend;
+
     @Option(names = "--threads", paramLabel = "N", description =
             "Threads to render with, 1-1024; the picture is the same for any number. Default: all processors.")
     private Optional<Integer> threads;
@@ -99,7 +112,8 @@ final class RenderCommand implements Callable<Integer> {
         Wishes wishes = new Wishes(size, maxDepth, samples, region, threads);
         List<Target> targets = new Targets(output, format, raw).of(sources());
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
-        return new RenderBatch(terminal, stop, wishes, resume, progress, Report.of(terminal, json, quiet)).run(targets);
+        View view = new View(mode, light, !noLegend);
+        return new RenderBatch(terminal, stop, wishes, view, resume, progress, Report.of(terminal, json, quiet)).run(targets);
     }
 
     private List<SceneSource> sources() {

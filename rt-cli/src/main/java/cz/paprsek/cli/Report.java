@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.io.Json;
 import cz.paprsek.render.RenderStats;
 import java.util.List;
 import java.util.Locale;

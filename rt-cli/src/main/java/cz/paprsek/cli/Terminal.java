@@ -24,10 +24,9 @@ record Terminal(PrintWriter out, PrintWriter err, OutputStream bytes, boolean in
 
     /** The process's own streams. */
     static Terminal system() {
-        // Known from JDK 19 on; before, it is the default.
-        Charset charset = Charset.forName(System.getProperty("stdout.encoding", Charset.defaultCharset().name()));
+        Charset charset = charset();
         return new Terminal(new PrintWriter(System.out, true, charset), new PrintWriter(System.err, true, charset),
-                new FileOutputStream(FileDescriptor.out), messagesAreWatched());
+                new FileOutputStream(FileDescriptor.out), isWatched(2));
     }
 
     /** Prints a line of results. */
@@ -42,13 +41,24 @@ record Terminal(PrintWriter out, PrintWriter err, OutputStream bytes, boolean in
         err.flush();
     }
 
-    /** Standard error by itself where the system can tell; otherwise, what Java knows about all streams together. */
-    private static boolean messagesAreWatched() {
+    /** The letters that the process's own standard output can show. */
+    static Charset charset() {
+        // Known from JDK 19 on; before, it is the default.
+        return Charset.forName(System.getProperty("stdout.encoding", Charset.defaultCharset().name()));
+    }
+
+    /** Whether somebody watches the results on a terminal of the process's own. */
+    static boolean resultsAreWatched() {
+        return isWatched(1);
+    }
+
+    /** A stream by itself where the system can tell; otherwise, what Java knows about all streams together. */
+    private static boolean isWatched(int descriptor) {
         if ("dumb".equals(System.getenv("TERM"))) {
             return false;
         }
         try {
-            String device = Files.readSymbolicLink(Path.of("/proc/self/fd/2")).toString();
+            String device = Files.readSymbolicLink(Path.of("/proc/self/fd/" + descriptor)).toString();
             return device.startsWith("/dev/pts/") || device.startsWith("/dev/tty") || device.equals("/dev/console");
         } catch (IOException | UnsupportedOperationException noSuchLinks) {
             return consoleIsTerminal();

@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.io.Json;
 import cz.paprsek.xml.Problem;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -16,6 +16,7 @@ final class Draft {
     final Encounter.Place place;
     private final Material material;
     private final LinearRgb color;
+    private final LinearRgb ambientLight;
     /** What the rounding errors of rays that start here are relative to. */
     final double size;
     final List<LightTerm> lights = new ArrayList<>();
@@ -24,11 +25,12 @@ final class Draft {
     private Optional<TracedRay> refracted = Optional.empty();
 
     /** @param ray the ray so far, without an encounter; its light is the ambient term */
-    Draft(TracedRay ray, Encounter.Place place, Material material, LinearRgb color, double size) {
+    Draft(TracedRay ray, Encounter.Place place, Material material, LinearRgb color, LinearRgb ambientLight, double size) {
         this.ray = ray;
         this.place = place;
         this.material = material;
         this.color = color;
+        this.ambientLight = ambientLight;
         this.size = size;
     }
 
@@ -42,7 +44,7 @@ final class Draft {
 
     TracedRay finished(LinearRgb light, int maxDepth) {
         boolean cutOff = ray.level() == maxDepth && (material.reflection() > 0 || material.transparency() > 0);
-        Encounter encounter = new Encounter(place, material, color, ray.light(), lights, refraction, reflected, refracted, cutOff);
+        Encounter encounter = new Encounter(place, material, color, ambientLight, ray.light(), lights, refraction, reflected, refracted, cutOff);
         return new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.of(encounter), light);
     }
 }

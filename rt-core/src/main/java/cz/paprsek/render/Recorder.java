@@ -24,6 +24,7 @@ import java.util.Optional;
 final class Recorder extends Tracer {
     private final RenderScene scene;
     private final int maxDepth;
+    private final LinearRgb ambient;
     private final ShadowWalk shadowWalk;
     private final Map<Integer, List<PartNames.Name>> names = new HashMap<>();
     private final List<TracedRay> trees = new ArrayList<>();
@@ -35,6 +36,7 @@ final class Recorder extends Tracer {
         super(scene, maxDepth, samplesPerSide, RenderMonitor.NONE);
         this.scene = scene;
         this.maxDepth = maxDepth;
+        this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());
         this.shadowWalk = new ShadowWalk(scene, this::path);
     }
 
@@ -65,7 +67,7 @@ final class Recorder extends Tracer {
                 ray.max, new Vec3(hit.px, hit.py, hit.pz), leaving ? towardsViewer.negated() : towardsViewer, towardsViewer,
                 hit.u, hit.v, cosine, new Vec3(mirrorX, mirrorY, mirrorZ));
         open.push(new Draft(begin(level), place, scene.parts().finish(ray.part).material,
-                new LinearRgb(level.colorRed, level.colorGreen, level.colorBlue), size));
+                new LinearRgb(level.colorRed, level.colorGreen, level.colorBlue), ambient, size));
     }
 
     @Override

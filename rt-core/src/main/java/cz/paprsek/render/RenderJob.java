@@ -16,6 +16,7 @@ final class RenderJob implements RenderMonitor {
     private final RenderMonitor monitor;
     private final Image image;
     private final Eye eye;
+    private final DepthRange depths;
     private final int block;
     private final int columns;
     private final int tiles;
@@ -32,6 +33,8 @@ final class RenderJob implements RenderMonitor {
         this.monitor = monitor;
         Tile region = options.region();
         image = new Image(region.width(), region.height());
+        depths = options.mode() == RenderMode.DEPTH
+                ? DepthRange.of(scene, eye, options.settings().width(), options.settings().height()) : DepthRange.NONE;
         block = Math.max(1, TOGETHER / options.settings().samples());
         columns = (region.width() + SIDE - 1) / SIDE;
         tiles = columns * ((region.height() + SIDE - 1) / SIDE);
@@ -60,9 +63,19 @@ final class RenderJob implements RenderMonitor {
 
     /** Renders tiles until none is left or the job is stopped. */
     void work() {
-        Tracer tracer = new Tracer(scene, options.settings().maxDepth(), options.settings().samples(), this);
+        Tracer tracer;
+        Blocks blocks;
+        if (options.mode() == RenderMode.SHADED) {
+            Tracer shading = new Tracer(scene, options.settings().maxDepth(), options.settings().samples(), this);
+            tracer = shading;
+            blocks = (x, y, width, height) -> renderBlock(x, y, width, height, shading);
+        } else {
+            ModeTracer showing = new ModeTracer(scene, options.mode(), options.settings().maxDepth(), depths, this);
+            tracer = showing;
+            blocks = (x, y, width, height) -> showBlock(x, y, width, height, showing);
+        }
         for (int i = next.getAndIncrement(); i < tiles && !cancelled(); i = next.getAndIncrement()) {
-            render(tile(i), tracer);
+            render(tile(i), tracer, blocks);
         }
         add(tracer);
     }
@@ -90,7 +103,7 @@ final class RenderJob implements RenderMonitor {
         return new Tile(x, y, Math.min(SIDE, image.width() - x), Math.min(SIDE, image.height() - y));
     }
 
-    private void render(Tile tile, Tracer tracer) {
+    private void render(Tile tile, Tracer tracer, Blocks blocks) {
         int x = tile.x();
         int y = tile.y();
         long raysBefore = tracer.rays();
@@ -101,7 +114,7 @@ final class RenderJob implements RenderMonitor {
             }
             for (y = tile.y(); y < tile.y() + tile.height(); y += block) {
                 for (x = tile.x(); x < tile.x() + tile.width(); x += block) {
-                    renderBlock(x, y, Math.min(block, tile.x() + tile.width() - x), Math.min(block, tile.y() + tile.height() - y), tracer);
+                    blocks.render(x, y, Math.min(block, tile.x() + tile.width() - x), Math.min(block, tile.y() + tile.height() - y));
                     if (tracer.cancelled) {
                         return;
                     }
@@ -112,6 +125,21 @@ final class RenderJob implements RenderMonitor {
         } catch (RuntimeException | StackOverflowError e) {
             stopped = true;
             failure.compareAndSet(null, new IllegalStateException("rendering failed at pixel " + x + ", " + y + ": " + e, e));
+        }
+    }
+
+    /** Renders a block of pixels of the image. */
+    @FunctionalInterface
+    private interface Blocks {
+        void render(int x, int y, int width, int height);
+    }
+
+    private void showBlock(int x, int y, int width, int height, ModeTracer tracer) {
+        for (int i = 0; i < width * height && !tracer.cancelled; i++) {
+            int column = x + i % width;
+            int row = y + i / width;
+            Level shown = tracer.pixel(eye, options.region().x() + column, options.region().y() + row, options.settings().samples());
+            image.set(column, row, shown.red, shown.green, shown.blue);
         }
     }
 

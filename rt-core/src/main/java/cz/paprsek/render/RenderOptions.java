@@ -9,9 +9,10 @@ import cz.paprsek.scene.Scene;
  *
  * @param settings size, depth and samples of the whole picture
  * @param region the part of the picture to compute; the image that results has the region's size
+ * @param mode what the picture shows
  * @param threads how many workers, 1–1024; the picture does not depend on it
  */
-public record RenderOptions(RenderSettings settings, Tile region, int threads) {
+public record RenderOptions(RenderSettings settings, Tile region, RenderMode mode, int threads) {
 
     /** @throws IllegalArgumentException if the region does not lie inside the picture */
     public RenderOptions {
@@ -23,7 +24,7 @@ public record RenderOptions(RenderSettings settings, Tile region, int threads) {
 
     /** The whole picture, on all processors. */
     public static RenderOptions of(RenderSettings settings) {
-        return new RenderOptions(settings, new Tile(0, 0, settings.width(), settings.height()),
+        return new RenderOptions(settings, new Tile(0, 0, settings.width(), settings.height()), RenderMode.SHADED,
                 Runtime.getRuntime().availableProcessors());
     }
 
@@ -33,10 +34,14 @@ public record RenderOptions(RenderSettings settings, Tile region, int threads) {
     }
 
     public RenderOptions withThreads(int count) {
-        return new RenderOptions(settings, region, count);
+        return new RenderOptions(settings, region, mode, count);
     }
 
     public RenderOptions withRegion(Tile part) {
-        return new RenderOptions(settings, part, threads);
+        return new RenderOptions(settings, part, mode, threads);
+    }
+
+    public RenderOptions withMode(RenderMode shown) {
+        return new RenderOptions(settings, region, shown, threads);
     }
 }

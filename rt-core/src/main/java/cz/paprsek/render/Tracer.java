@@ -145,6 +145,11 @@ class Tracer extends Witness {
         return levels[0];
     }
 
+    /** Finds what the ray of {@link #alone} hits. */
+    final void findAlone() {
+        find(levels[0], bvh.whole());
+    }
+
     final void traceAlone() {
         primary++;
         trace(0);
@@ -161,6 +166,11 @@ class Tracer extends Witness {
         }
         find(level, bvh.whole());
         shade(level, depth, anywhere);
+    }
+
+    /** Nodes of the hierarchy visited so far, those of bundles not counted. */
+    final long nodeVisits() {
+        return stack.visits;
     }
 
     /** Rays of all kinds traced so far. */

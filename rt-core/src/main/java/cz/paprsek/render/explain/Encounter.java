@@ -12,7 +12,8 @@ import java.util.Optional;
  * @param place where
  * @param material what the surface is made of
  * @param color C, the surface's colour at this point
- * @param ambient the ambient term, ambient light · C
+ * @param ambientLight A, the scene's light that reaches every point alike
+ * @param ambient the ambient term, A·C
  * @param lights the term of each light; empty if the material shows no light that falls on it
  * @param refraction what becomes of the ray at a transparent surface; empty at an opaque one, and where the depth ends
  * @param reflected the mirrored ray
@@ -23,6 +24,7 @@ public record Encounter(
         Place place,
         Material material,
         LinearRgb color,
+        LinearRgb ambientLight,
         LinearRgb ambient,
         List<LightTerm> lights,
         Optional<Refraction> refraction,

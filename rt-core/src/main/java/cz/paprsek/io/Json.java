@@ -1,7 +1,8 @@
-package cz.paprsek.cli;
+package cz.paprsek.io;
 
 import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Vec3;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.stream.Collectors;
 
@@ -9,39 +10,43 @@ import java.util.stream.Collectors;
  * A JSON object in the making, members in the order they are added. Only ASCII: what is not is escaped, so that neither a terminal nor a
  * pipe with another encoding can misread it.
  */
-final class Json {
+public final class Json {
     private final StringBuilder members = new StringBuilder();
 
-    Json with(String name, String value) {
+    public Json with(String name, String value) {
         return member(name, quoted(value));
     }
 
-    Json with(String name, long value) {
+    public Json with(String name, long value) {
         return member(name, Long.toString(value));
     }
 
-    Json with(String name, boolean value) {
+    public Json with(String name, boolean value) {
         return member(name, Boolean.toString(value));
     }
 
     /** A number; {@code null} for one that JSON cannot write. */
-    Json with(String name, double value) {
+    public Json with(String name, double value) {
         return member(name, number(value));
     }
 
-    Json with(String name, Vec3 value) {
-        return member(name, "[" + number(value.x()) + "," + number(value.y()) + "," + number(value.z()) + "]");
+    public Json with(String name, Vec3 value) {
+        return withNumbers(name, value.x(), value.y(), value.z());
     }
 
-    Json with(String name, Json value) {
+    public Json with(String name, Json value) {
         return member(name, value.toString());
     }
 
-    Json with(String name, Collection<Json> values) {
+    public Json with(String name, Collection<Json> values) {
         return member(name, values.stream().map(Json::toString).collect(Collectors.joining(",", "[", "]")));
     }
 
-    Json withTexts(String name, Collection<String> values) {
+    public Json withNumbers(String name, double... values) {
+        return member(name, Arrays.stream(values).mapToObj(Json::number).collect(Collectors.joining(",", "[", "]")));
+    }
+
+    public Json withTexts(String name, Collection<String> values) {
         return member(name, values.stream().map(Json::quoted).collect(Collectors.joining(",", "[", "]")));
     }
 

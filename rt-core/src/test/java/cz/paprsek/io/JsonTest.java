@@ -1,4 +1,4 @@
-package cz.paprsek.cli;
+package cz.paprsek.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,0 +1,119 @@
+package cz.paprsek.cli;
+
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.explain.Decoration;
+import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.TreeJson;
+import cz.paprsek.render.explain.TreeText;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Says why a pixel has its colour. */
+@Command(
+        name = "explain",
+        description = {
+            "Says why a pixel of the picture has its colour: every ray behind it, what it hits, and what each light, the mirrored and the "
+                    + "refracted ray add, with formula, numbers and result.",
+            "Rays are named by how they came about: E from the eye, then R for reflected and T for transmitted, so that ETR is what is "
+                    + "reflected inside the first body of glass."
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  rt-cli explain scenes/glass.xml 250,300              a pixel on the glass ball",
+            "  rt-cli explain scenes/glass.xml 83,100 --size 320x180 | less",
+            "  rt-cli explain scenes/glass.xml 250,300 --json       the tree for a script, numbers in full"
+        })
+final class ExplainCommand implements Callable<Integer> {
+    private static final double SMALLEST_SHARE = 0.01;
+
+    private final Terminal terminal;
+    private final Stop stop;
+
+    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file.")
+    private Path file;
+
+    @Parameters(index = "1", paramLabel = "COLUMN,ROW", description = "The pixel, from 0,0 at the top left.")
+    private PixelPlace place;
+
+    @Option(names = "--size", paramLabel = "WxH", description = "Width and height of the picture in pixels. Default: the scene's.")
+    private Optional<Size> size;
+
+    @Option(names = "--samples", paramLabel = "N", description =
+            "Rays along each side of the pixel, 1-16; with more than 1 there is a tree for each ray. Default: 1, whatever the scene says.")
+    private Optional<Integer> samples;
+
+    @Option(names = "--max-depth", paramLabel = "N", description = "Levels of reflected and refracted rays, 1-250. Default: the scene's.")
+    private Optional<Integer> maxDepth;
+
+    @Option(names = "--all", description = "Shows all rays, also those whose share in the pixel's light is below 1 percent.")
+    private boolean all;
+
+    @Option(names = "--color", paramLabel = "WHEN", defaultValue = "auto",
+            description = "${COMPLETION-CANDIDATES}. Default: auto, on a terminal unless NO_COLOR is set.")
+    private When color;
+
+    @Option(names = "--json", description = "Prints the tree as a JSON object.")
+    private boolean json;
+
+    /** When to use colours. */
+    enum When { auto, always, never }
+
+    ExplainCommand(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        this.stop = stop;
+    }
+
+    @Override
+    public Integer call() {
+        Wishes wishes = new Wishes(size, maxDepth, Optional.of(samples.orElse(1)), Optional.empty(), Optional.empty());
+        try {
+            Scene scene = SceneFiles.read(file);
+            show(pixel(scene, wishes));
+            return stop.requested() ? ExitCode.INTERRUPTED : ExitCode.DONE;
+        } catch (SceneFileException e) {
+            e.problems().forEach(problem -> terminal.message(problem.toString()));
+            return ExitCode.BAD_SCENE;
+        } catch (IOException e) {
+            terminal.message(Failures.sentence(file.toString(), e));
+            return ExitCode.BAD_SCENE;
+        }
+    }
+
+    private Pixel pixel(Scene scene, Wishes wishes) {
+        try {
+            return RenderScene.of(scene).explain(wishes.applyTo(scene.settings()).settings(), place.column(), place.row());
+        } catch (IllegalArgumentException refused) {
+            throw new WrongUsage(file + ": " + refused.getMessage());
+        }
+    }
+
+    private void show(Pixel pixel) {
+        if (json) {
+            terminal.result(TreeJson.of(pixel).toString());
+            return;
+        }
+        double smallest = all ? 0 : SMALLEST_SHARE;
+        if (isColored()) {
+            TreeText.lines(pixel, smallest, AnsiDecoration.ofSystem()).forEach(line -> terminal.out().println(Letters.fit(line)));
+        } else {
+            TreeText.lines(pixel, smallest, Decoration.NONE).forEach(line -> terminal.result(Letters.fit(line)));
+        }
+    }
+
+    private boolean isColored() {
+        return switch (color) {
+            case always -> true;
+            case never -> false;
+            case auto -> System.getenv().getOrDefault("NO_COLOR", "").isEmpty() && Terminal.resultsAreWatched();
+        };
+    }
+}

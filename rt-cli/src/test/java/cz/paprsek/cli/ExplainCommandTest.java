@@ -1,0 +1,91 @@
+package cz.paprsek.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ExplainCommandTest {
+    @TempDir
+    Path folder;
+
+    private Path file;
+
+    @BeforeEach
+    void writeAScene() throws IOException {
+        file = Scenes.ball(folder.resolve("ball.xml"));
+    }
+
+    @Test
+    void aPixelIsExplained() {
+        Run run = Run.cli("explain", file, "8,4", "--color", "never");
+        assertThat(run.code()).isZero();
+        assertThat(run.out()).startsWith("E  from the eye, hits sphere #1  100 %\n").contains("pixel 8, 4: the light of E = ");
+        assertThat(Run.cli("explain", file, "0,0").out()).contains("nothing: the background");
+    }
+
+    @Test
+    void coloursAreAddedOnRequestAndNeverToPipes() {
+        assertThat(Run.cli("explain", file, "8,4", "--color", "always").out()).contains("\u001b[1;33mE  from the eye").contains("\u001b[48;");
+        assertThat(Run.cli("explain", file, "8,4", "--color", "never").out()).doesNotContain("\u001b");
+    }
+
+    @Test
+    void namesFromTheFileCannotCommandTheTerminal() throws IOException {
+        Path evil = Scenes.scene(folder.resolve("evil.xml"), "<sphere name=\"&#x9b;31mred\" radius=\"1\" position=\"0 1 0\"/>");
+        assertThat(Run.cli("explain", evil, "8,4", "--color", "always").out()).contains("\\u009b31mred").doesNotContain("\u009b");
+    }
+
+    @Test
+    void aTreeForAScriptIsOneLine() {
+        assertThat(Run.cli("explain", file, "8,4", "--size", "32x16", "--json").out())
+                .startsWith("{\"column\":8,\"row\":4,").hasLineCount(1);
+    }
+
+    @Test
+    void mistakesAreToldInOneLine() throws IOException {
+        assertThat(Run.cli("explain", file, "16,0").code()).isEqualTo(ExitCode.WRONG_USAGE);
+        assertThat(Run.cli("explain", file, "16,0").err()).contains("pixel 16,0 must lie inside the picture of 16 × 8 pixels");
+        assertThat(Run.cli("explain", file, "8;4").err()).contains("expected COLUMN,ROW of a pixel such as 320,180, but found '8;4'");
+        assertThat(Run.cli("explain", folder.resolve("no.xml"), "1,1").code()).isEqualTo(ExitCode.BAD_SCENE);
+        assertThat(Run.cli("explain", Scenes.broken(folder.resolve("bad.xml")), "1,1").err()).contains("bad.xml:2:");
+    }
+
+    @Test
+    void mathematicsIsSpeltOutWhereTheTerminalHasNoSuchLetters() {
+        assertThat(Letters.fit("│ 0.9·0.5²⁰ − sin θ₁ = 1.2·10⁻³°", StandardCharsets.US_ASCII.newEncoder()))
+                .isEqualTo("| 0.9*0.5^20 - sin theta1 = 1.2*10^-3 deg");
+        assertThat(Letters.fit("│ θ²⁰", StandardCharsets.UTF_8.newEncoder())).isEqualTo("│ θ²⁰");
+    }
+
+    @Test
+    void picturesToLearnFromHaveAMode() {
+        Path picture = folder.resolve("normals.ppm");
+        assertThat(Run.cli("render", file, "--mode", "normals", "-o", picture).code()).isZero();
+        assertThat(picture).exists();
+        assertThat(Run.cli("render", file, "--mode", "rays", "-o", picture).out()).as("with its legend").contains("16x32");
+        assertThat(Run.cli("render", file, "--mode", "rays", "--no-legend", "-o", picture).out()).contains("16x8");
+        assertThat(Run.cli("render", file, "--mode", "norms").err()).contains("expected one of shaded, normals, depth");
+    }
+
+    @Test
+    void oneLightOnlyIsChosenByNameOrNumber() throws IOException {
+        Path lamps = Scenes.scene(folder.resolve("lamps.xml"), "<point-light name=\"key\" position=\"2 3 4\"/><point-light position=\"-2 3 4\"/>"
+                + "<sphere radius=\"1\" position=\"0 1 0\"/>");
+        assertThat(Run.cli("render", lamps, "--light", "key", "-o", folder.resolve("a.ppm")).code()).isZero();
+        assertThat(Run.cli("render", lamps, "--light", "2", "-o", folder.resolve("b.ppm")).code()).isZero();
+        assertThat(folder.resolve("a.ppm")).content(StandardCharsets.ISO_8859_1).isNotEqualTo(content(folder.resolve("b.ppm")));
+        Run wrong = Run.cli("render", lamps, "--light", "3", "-o", folder.resolve("c.ppm"));
+        assertThat(wrong.code()).isEqualTo(ExitCode.WRONG_USAGE);
+        assertThat(wrong.err()).contains("there is no light \"3\"; this scene has lights 1 to 2, named key");
+    }
+
+    private static String content(Path picture) throws IOException {
+        return Files.readString(picture, StandardCharsets.ISO_8859_1);
+    }
+}

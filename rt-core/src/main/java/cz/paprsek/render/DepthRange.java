@@ -1,0 +1,38 @@
+package cz.paprsek.render;
+
+import cz.paprsek.material.Rgb;
+
+/** The distances that the eye sees in a picture, by which depths become brightnesses. */
+record DepthRange(double nearest, double farthest) {
+    /** For pictures that show no depths. */
+    static final DepthRange NONE = new DepthRange(0, 0);
+
+    /** Rays along each side of the picture that are asked for their distance: a coarse grid is enough for a good contrast. */
+    private static final int GRID = 64;
+    /** What nothing but the background is darker than, as an sRGB channel. */
+    private static final double DARKEST = 25;
+
+    /** Looks through a grid of points all over the picture. */
+    static DepthRange of(RenderScene scene, Eye eye, int width, int height) {
+        Tracer tracer = new Tracer(scene, 1, 1, RenderMonitor.NONE);
+        double nearest = Double.POSITIVE_INFINITY;
+        double farthest = 0;
+        for (int row = 0; row < GRID; row++) {
+            for (int column = 0; column < GRID; column++) {
+                eye.start(tracer.alone().ray, (column + 0.5) * width / GRID, (row + 0.5) * height / GRID);
+                tracer.findAlone();
+                if (tracer.alone().ray.part >= 0) {
+                    nearest = Math.min(nearest, tracer.alone().ray.max);
+                    farthest = Math.max(farthest, tracer.alone().ray.max);
+                }
+            }
+        }
+        return new DepthRange(nearest, farthest);
+    }
+
+    /** Light that is encoded as 255 where it is nearest, falling evenly with the distance. */
+    double brightness(double distance) {
+        double share = farthest > nearest ? (farthest - distance) / (farthest - nearest) : 1;
+        return Rgb.linear(DARKEST + (255 - DARKEST) * Math.min(1, Math.max(0, share)));
+    }
+}

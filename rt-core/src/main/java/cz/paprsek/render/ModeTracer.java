@@ -1,0 +1,100 @@
+package cz.paprsek.render;
+
+import cz.paprsek.material.Rgb;
+import cz.paprsek.shape.Hit;
+import java.util.Arrays;
+
+/** The tracer that renders pictures, watched for what a mode other than shaded shows of each pixel. */
+final class ModeTracer extends Tracer {
+    private final RenderMode mode;
+    private final RenderScene scene;
+    private final DepthRange range;
+    private final double[] all = new double[3];
+    private final double[] arrived = new double[3];
+    private double red;
+    private double green;
+    private double blue;
+
+    ModeTracer(RenderScene scene, RenderMode mode, int maxDepth, DepthRange range, RenderMonitor monitor) {
+        super(scene, mode.scale().isPresent() ? maxDepth : 1, 1, monitor);
+        this.mode = mode;
+        this.scene = scene;
+        this.range = range;
+        for (Lamp lamp : scene.lamps()) {
+            all[0] += lamp.red();
+            all[1] += lamp.green();
+            all[2] += lamp.blue();
+        }
+    }
+
+    /** Renders a pixel by samples × samples rays; the colour is in the level returned. */
+    Level pixel(Eye eye, int x, int y, int samples) {
+        red = 0;
+        green = 0;
+        blue = 0;
+        long rays = rays();
+        long nodes = nodeVisits();
+        for (int row = 0; row < samples; row++) {
+            for (int column = 0; column < samples; column++) {
+                Arrays.fill(arrived, 0);
+                eye.start(alone().ray, x + (column + 0.5) / samples, y + (row + 0.5) / samples);
+                scene.enterMediaAroundCamera(alone().media);
+                traceAlone();
+                if (mode == RenderMode.SHADOWS) {
+                    add(share(0), share(1), share(2));
+                }
+            }
+        }
+        Level result = alone();
+        if (mode.scale().isPresent()) {
+            Rgb heat = mode.scale().get().color(mode == RenderMode.RAYS ? rays() - rays : nodeVisits() - nodes);
+            result.light(heat.linearRed(), heat.linearGreen(), heat.linearBlue());
+        } else {
+            double k = 1.0 / (samples * samples);
+            result.light(k * red, k * green, k * blue);
+        }
+        return result;
+    }
+
+    private double share(int channel) {
+        return all[channel] > 0 ? arrived[channel] / all[channel] : 0;
+    }
+
+    @Override
+    void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
+        Hit hit = level.hit;
+        switch (mode) {
+            case NORMALS -> add(encoded(hit.nx), encoded(hit.ny), encoded(hit.nz));
+            case DEPTH -> add(range.brightness(level.ray.max), range.brightness(level.ray.max), range.brightness(level.ray.max));
+            case OBJECTS -> add(ObjectColors.of(scene.parts().object(level.ray.part)));
+            case SHADED, RAYS, NODES, SHADOWS -> {
+                // What these show is known when the pixel is done.
+            }
+        }
+    }
+
+    @Override
+    void sought(int lamp, double x, double y, double z, double distance, double facing, double visibility) {
+        if (mode == RenderMode.SHADOWS) {
+            Lamp light = scene.lamps()[lamp];
+            arrived[0] += visibility * light.red();
+            arrived[1] += visibility * light.green();
+            arrived[2] += visibility * light.blue();
+        }
+    }
+
+    private void add(Rgb color) {
+        add(color.linearRed(), color.linearGreen(), color.linearBlue());
+    }
+
+    private void add(double r, double g, double b) {
+        red += r;
+        green += g;
+        blue += b;
+    }
+
+    /** A component of a normal, −1 to 1, as light that is encoded as 0–255. */
+    private static double encoded(double component) {
+        return Rgb.linear(Math.min(255, Math.max(0, 127.5 * (component + 1))));
+    }
+}

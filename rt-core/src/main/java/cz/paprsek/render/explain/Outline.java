@@ -1,0 +1,56 @@
+package cz.paprsek.render.explain;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A ray with a name, and the rays that it gives rise to; each can be written out as a worked exercise.
+ *
+ * @param name how the ray came about, letter by letter: E from the eye, R reflected, T transmitted
+ * @param share of the ray's light in that of the ray from the eye: the product of the weights on the way, 0–1 for most materials
+ * @param children the rays whose light is part of its own
+ */
+public record Outline(String name, TracedRay ray, double share, List<Outline> children) {
+    public Outline {
+        children = List.copyOf(children);
+    }
+
+    /** The outline of a ray from the eye. */
+    public static Outline of(TracedRay ray) {
+        return of("E", ray, 1);
+    }
+
+    private static Outline of(String name, TracedRay ray, double share) {
+        List<Outline> children = new ArrayList<>();
+        for (TracedRay child : ray.children()) {
+            children.add(of(name + (child.kind() == TracedRay.Kind.REFLECTED ? "R" : "T"), child, share * child.weight()));
+        }
+        return new Outline(name, ray, share, children);
+    }
+
+    /** How the ray's light comes about, line by line. */
+    public List<Step> steps() {
+        return new Exercise(name, ray).steps();
+    }
+
+    /** What the ray is and meets, in one line. */
+    public String headline() {
+        String kind = switch (ray.kind()) {
+            case PRIMARY -> "from the eye";
+            case REFLECTED -> "reflected";
+            case REFRACTED -> "refracted";
+        };
+        return kind + (ray.medium().name().isEmpty() ? "" : ", inside " + ray.medium().name())
+                + ray.encounter().map(met -> ", hits " + met.place().surface()).orElse(", sees the background");
+    }
+
+    /** The {@link #share} in percent, for people. */
+    public String percent() {
+        return Figures.of(100 * share) + " %";
+    }
+
+    /** How many rays there are below this one. */
+    public int descendants() {
+        return children.stream().mapToInt(child -> 1 + child.descendants()).sum();
+    }
+}

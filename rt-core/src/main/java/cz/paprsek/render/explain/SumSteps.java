@@ -1,0 +1,26 @@
+package cz.paprsek.render.explain;
+
+import cz.paprsek.render.explain.Step.Topic;
+import java.util.List;
+
+/** Writes the terms of a ray's light one below the other, and their sum, as the end of a worked exercise. */
+record SumSteps(String name, TracedRay ray, Encounter met, List<Step> steps) {
+
+    void write() {
+        int before = steps.size();
+        term("ambient", met.ambient());
+        met.lights().forEach(light -> term("light " + light.name(), light.added()));
+        met.reflected().ifPresent(child -> term("mirrored, from " + name + "R", child.light().times(child.weight())));
+        met.refracted().ifPresent(child -> term("shining through, from " + name + "T", child.light().times(child.weight())));
+        if (steps.size() == before + 1) {
+            steps.remove(before);
+        }
+        steps.add(new Step(Topic.SUM, "light of " + name, "", "", Figures.of(ray.light())));
+    }
+
+    private void term(String what, LinearRgb light) {
+        if (!light.equals(LinearRgb.BLACK)) {
+            steps.add(new Step(Topic.SUM, "", "+ " + what, "", Figures.of(light)));
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package cz.paprsek.render.explain;
+
+import cz.paprsek.io.Json;
+import cz.paprsek.material.Material;
+import cz.paprsek.render.explain.LightTerm.Obstacle;
+import java.util.Locale;
+
+/** A pixel's tree as a JSON object, every number in full; colours are linear. */
+public final class TreeJson {
+    private TreeJson() {}
+
+    public static Json of(Pixel pixel) {
+        return color(new Json().with("column", pixel.column()).with("row", pixel.row()), "light", pixel.light())
+                .with("rays", pixel.rays().stream().map(TreeJson::of).toList());
+    }
+
+    /** A ray and all that it gives rise to. */
+    public static Json of(TracedRay ray) {
+        Json json = new Json()
+                .with("kind", ray.kind().name().toLowerCase(Locale.ROOT))
+                .with("level", ray.level())
+                .with("weight", ray.weight())
+                .with("origin", ray.origin())
+                .with("direction", ray.direction())
+                .with("medium", new Json().with("name", ray.medium().name()).with("refractive-index", ray.medium().refractiveIndex()));
+        color(json, "light", ray.light());
+        ray.encounter().ifPresent(met -> json.with("hit", of(met)));
+        return json;
+    }
+
+    private static Json of(Encounter met) {
+        Json json = of(met.place()).with("material", of(met.material()));
+        color(json, "color", met.color());
+        color(json, "ambient-light", met.ambientLight());
+        color(json, "ambient", met.ambient());
+        json.with("lights", met.lights().stream().map(TreeJson::of).toList());
+        met.refraction().ifPresent(bend -> json.with("refraction", of(bend)));
+        met.reflected().ifPresent(ray -> json.with("reflected", of(ray)));
+        met.refracted().ifPresent(ray -> json.with("refracted", of(ray)));
+        return json.with("cut-off", met.cutOff());
+    }
+
+    private static Json of(Encounter.Place place) {
+        return new Json()
+                .with("surface", of(place.surface()))
+                .with("face", place.face())
+                .with("flipped", place.flipped())
+                .with("from-inside", place.fromInside())
+                .with("distance", place.distance())
+                .with("point", place.point())
+                .with("normal", place.normal())
+                .with("normal-towards-viewer", place.towardsViewer())
+                .withNumbers("uv", place.u(), place.v())
+                .with("cosine", place.cosine())
+                .with("angle-degrees", place.angleDegrees())
+                .with("mirrored", place.mirrored());
+    }
+
+    private static Json of(SurfacePath path) {
+        return new Json()
+                .withNumbers("path", path.numbers().stream().mapToDouble(Integer::doubleValue).toArray())
+                .withTexts("names", path.labels());
+    }
+
+    private static Json of(Material material) {
+        return new Json()
+                .with("diffusion", material.diffusion())
+                .with("specular", material.specular())
+                .with("shininess", material.shininess())
+                .with("reflection", material.reflection())
+                .with("transparency", material.transparency())
+                .with("refractive-index", material.refractiveIndex());
+    }
+
+    private static Json of(LightTerm term) {
+        Json json = new Json()
+                .with("light", term.light())
+                .with("name", term.name())
+                .with("position", term.position());
+        color(json, "intensity", term.intensity())
+                .with("direction", term.direction())
+                .with("distance", term.distance())
+                .with("n-dot-l", term.facing())
+                .with("r-dot-l", term.alignment())
+                .with("visibility", term.visibility())
+                .with("obstacles", term.obstacles().stream().map(TreeJson::of).toList())
+                .with("diffuse", term.diffuse())
+                .with("highlight", term.highlight());
+        return color(json, "added", term.added());
+    }
+
+    private static Json of(Obstacle obstacle) {
+        return new Json()
+                .with("surface", of(obstacle.surface()))
+                .with("distance", obstacle.distance())
+                .with("transparency", obstacle.transparency());
+    }
+
+    private static Json of(Refraction bend) {
+        return new Json()
+                .with("n1", bend.from())
+                .with("n2", bend.to())
+                .with("angle-degrees", bend.angleBeforeDegrees())
+                .with("angle-beyond-degrees", bend.angleBeyondDegrees())
+                .with("critical-angle-degrees", bend.criticalAngleDegrees())
+                .with("total", bend.isTotal());
+    }
+
+    private static Json color(Json json, String name, LinearRgb light) {
+        return json.withNumbers(name, light.red(), light.green(), light.blue());
+    }
+}

@@ -1,0 +1,109 @@
+package cz.paprsek.render.explain;
+
+import cz.paprsek.math.Numbers;
+import java.util.ArrayList;
+import java.util.List;
+
+/** A pixel's tree as lines of text: every ray a worked exercise, in columns, the rays it gives rise to below it. */
+public final class TreeText {
+    /** The column of formulas is not made wider than this for the sake of a few long ones. */
+    private static final int WIDEST_FORMULA = 32;
+    private static final int NAME = 14;
+
+    private final Decoration decoration;
+    private final double smallestShare;
+    private final List<String> lines = new ArrayList<>();
+    private int nameWidth = NAME;
+    private int formulaWidth;
+
+    private TreeText(Decoration decoration, double smallestShare) {
+        this.decoration = decoration;
+        this.smallestShare = smallestShare;
+    }
+
+    /**
+     * The tree without line ends.
+     *
+     * @param smallestShare rays of a {@linkplain Outline#share share} below this are only mentioned; 0 for none
+     */
+    public static List<String> lines(Pixel pixel, double smallestShare, Decoration decoration) {
+        TreeText text = new TreeText(decoration, smallestShare);
+        List<Outline> outlines = pixel.rays().stream().map(Outline::of).toList();
+        outlines.forEach(text::measure);
+        for (int i = 0; i < outlines.size(); i++) {
+            if (outlines.size() > 1) {
+                text.lines.add("ray " + (i + 1) + " of " + outlines.size());
+            }
+            text.ray(outlines.get(i), "", "");
+            text.lines.add("");
+        }
+        text.total(pixel);
+        return text.lines;
+    }
+
+    private void measure(Outline outline) {
+        if (isMentionedOnly(outline)) {
+            return;
+        }
+        for (Step step : outline.steps()) {
+            nameWidth = Math.max(nameWidth, length(step.name()));
+            if (!step.result().isEmpty()) {
+                formulaWidth = Math.max(formulaWidth, Math.min(WIDEST_FORMULA, length(step.formula())));
+            }
+        }
+        outline.children().forEach(this::measure);
+    }
+
+    private boolean isMentionedOnly(Outline outline) {
+        return outline.share() < smallestShare && outline.ray().level() > 1;
+    }
+
+    private void ray(Outline outline, String first, String rest) {
+        TracedRay ray = outline.ray();
+        String patch = decoration.patch(ray.light());
+        lines.add(decoration.branch(first) + decoration.headline(ray.kind(), outline.name() + "  " + outline.headline())
+                + "  " + outline.percent() + (patch.isEmpty() ? "" : "  " + patch));
+        if (isMentionedOnly(outline)) {
+            int below = outline.descendants();
+            lines.add(decoration.branch(rest + "  ") + "too small a share to be shown" + (below > 0 ? ", with " + below + " more below it" : ""));
+            return;
+        }
+        List<Outline> children = outline.children();
+        for (Step step : outline.steps()) {
+            lines.add((decoration.branch(rest + (children.isEmpty() ? "  " : "│ ")) + line(step)).stripTrailing());
+        }
+        for (int i = 0; i < children.size(); i++) {
+            boolean isLast = i == children.size() - 1;
+            lines.add(decoration.branch(rest + "│"));
+            ray(children.get(i), rest + (isLast ? "└─" : "├─"), rest + (isLast ? "  " : "│ "));
+        }
+    }
+
+    private String line(Step step) {
+        return decoration.name(step.topic(), padded(step.name(), nameWidth)) + " "
+                + decoration.formula(step.result().isEmpty() ? step.formula() : padded(step.formula(), formulaWidth))
+                + decoration.numbers(step.numbers().isEmpty() ? "" : " = " + step.numbers())
+                + (step.result().isEmpty() ? "" : " = " + decoration.result(step.topic(), step.result()));
+    }
+
+    private void total(Pixel pixel) {
+        LinearRgb light = pixel.light();
+        int rays = pixel.rays().size();
+        String patch = decoration.patch(light);
+        lines.add("pixel " + pixel.column() + ", " + pixel.row() + ": " + (rays > 1 ? "the average of " + rays + " rays" : "the light of E")
+                + " = " + Figures.of(light) + ", in sRGB " + srgb(light.shown().red()) + " " + srgb(light.shown().green()) + " "
+                + srgb(light.shown().blue()) + (patch.isEmpty() ? "" : "  " + patch));
+    }
+
+    private static String srgb(double channel) {
+        return Numbers.text(Math.rint(channel));
+    }
+
+    private static String padded(String text, int width) {
+        return text + " ".repeat(Math.max(0, width - length(text)));
+    }
+
+    private static int length(String text) {
+        return text.codePointCount(0, text.length());
+    }
+}

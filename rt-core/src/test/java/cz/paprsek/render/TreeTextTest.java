@@ -1,0 +1,128 @@
+package cz.paprsek.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.Decoration;
+import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.TreeJson;
+import cz.paprsek.render.explain.TreeText;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Sphere;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class TreeTextTest {
+    /** The eye looks at a ball of glass before a wall with a hole. */
+    private static Scene glassBall() {
+        return Scene.EMPTY.withSettings(new RenderSettings(1, 1, 3, 1))
+                .withCamera(Camera.looking(new Vec3(0, 0, 5), new Vec3(0, 0, -1)))
+                .withBackground(Rgb.WHITE)
+                .plus(Light.at(0, 0, 9).named("lamp"))
+                .plus(SceneObject.of(new Sphere(1)).named("ball").madeOf(Material.color(Rgb.WHITE).withDiffusion(0.1).withHighlight(0.5, 20)
+                        .withReflection(0.05).withTransparency(0.8, 1.5)))
+                .plus(SceneObject.of(Csg.difference(Operand.of(new Block(new Vec3(-3, -3, -4), new Vec3(3, 3, -3))),
+                        Operand.of(new Sphere(0.5)).at(0, 0, -3).named("hole"))).named("wall"));
+    }
+
+    private static String text(Scene scene, double smallestShare) {
+        return String.join("\n", TreeText.lines(RenderScene.of(scene).explain(0, 0), smallestShare, Decoration.NONE));
+    }
+
+    @Test
+    void aTreeReadsLikeAWorkedExercise() {
+        assertThat(text(glassBall(), 0.1).replaceAll(" +", " ").replaceAll("(?m)^ | $", "")).startsWith("""
+                E from the eye, hits sphere "ball" 100 %
+                │ ray o = (0, 0, 5)
+                │ d = (0, 0, −1)
+                │ medium outside of all solids, refractive index 1
+                │ hits sphere "ball", from outside
+                │ distance t = 4
+                │ point P = o + t·d = (0, 0, 5) + 4·(0, 0, −1) = (0, 0, 1)
+                │ normal N = (0, 0, 1)
+                │ angle cos θ₁ = −d·N = −(0, 0, −1)·(0, 0, 1) = 1, θ₁ = 0°
+                │ material kD 0.1, kS 0.5, n 20, kR 0.05, kT 0.8, refractive index 1.5
+                │ colour C = (1, 1, 1)
+                │ ambient A·C = (0, 0, 0)·(1, 1, 1) = (0, 0, 0)
+                │ light "lamp" L, towards (0, 0, 9) = (0, 0, 1)
+                │ N·L = (0, 0, 1)·(0, 0, 1) = 1
+                │ V = 1, nothing is in the way
+                │ diffuse D = kD·N·L = 0.1·1 = 0.1
+                │ R·L = (0, 0, 1)·(0, 0, 1) = 1
+                │ highlight S = kS·max(0, R·L)ⁿ = 0.5·1²⁰ = 0.5
+                │ V·I·(D·C + S) = 1·(1, 1, 1)·(0.1·C + 0.5) = (0.6, 0.6, 0.6)
+                │ reflection R = d + 2·cos θ₁·N = d + 2·N = (0, 0, 1)
+                │ kR · light of ER = 0.05·(1, 1, 1) = (0.05, 0.05, 0.05)
+                │ refraction η = n₁/n₂ = 1 / 1.5 = 0.6667
+                │ sin θ₂ = η·sin θ₁ = 0.6667 · sin 0° = 0, θ₂ = 0°
+                │ T = η·d + (η·cos θ₁ − cos θ₂)·N = 0.6667·d + (0.6667 − 1)·N = (0, 0, −1)
+                │ kT · light of ET = 0.8·(0.89, 0.89, 0.89) = (0.712, 0.712, 0.712)
+                │ + light "lamp" = (0.6, 0.6, 0.6)
+                │ + mirrored, from ER = (0.05, 0.05, 0.05)
+                │ + shining through, from ET = (0.712, 0.712, 0.712)
+                │ light of E = (1.36, 1.36, 1.36)
+                │
+                ├─ER reflected, sees the background 5 %
+                │ too small a share to be shown
+                │
+                └─ET refracted, inside sphere "ball", hits sphere "ball" 80 %
+                │ ray o = (0, 0, 1)
+                │ d = (0, 0, −1)
+                │ medium sphere "ball", refractive index 1.5
+                │ hits sphere "ball", from inside
+                │ distance t = 2
+                │ point P = o + t·d = (0, 0, 1) + 2·(0, 0, −1) = (0, 0, −1)
+                │ normal N, turned round = (0, 0, 1)
+                │ angle cos θ₁ = −d·N = −(0, 0, −1)·(0, 0, 1) = 1, θ₁ = 0°
+                │ material kD 0.1, kS 0.5, n 20, kR 0.05, kT 0.8, refractive index 1.5
+                │ colour C = (1, 1, 1)
+                │ ambient A·C = (0, 0, 0)·(1, 1, 1) = (0, 0, 0)
+                │ light "lamp" L, towards (0, 0, 9) = (0, 0, 1)
+                │ N·L = (0, 0, 1)·(0, 0, 1) = 1
+                │ through sphere "ball" at 2, kT 0.8
+                │ V = 0.8
+                """);
+    }
+
+    @Test
+    void aHoleIsNamedByItsPath() {
+        assertThat(text(glassBall(), 0)).contains("difference \"wall\" › sphere \"hole\", the wall of a hole, from outside");
+    }
+
+    @Test
+    void theEndOfTheDepthIsTold() {
+        assertThat(text(glassBall(), 0)).contains("level 3 is the last: what would be mirrored or shine through is black");
+    }
+
+    @Test
+    void severalRaysOfAPixelFollowEachOther() {
+        Scene scene = glassBall();
+        assertThat(text(scene.withSettings(scene.settings().withSamples(2)), 0.5))
+                .startsWith("ray 1 of 4\nE  from the eye").contains("\nray 4 of 4\n")
+                .containsPattern("\npixel 0, 0: the average of 4 rays = \\(.*\\), in sRGB \\d+ \\d+ \\d+$");
+    }
+
+    @Test
+    void jsonHasTheWholeTree() {
+        Pixel pixel = RenderScene.of(glassBall()).explain(0, 0);
+        String json = TreeJson.of(pixel).toString();
+        assertThat(json).startsWith("{\"column\":0,\"row\":0,\"light\":[")
+                .contains("\"surface\":{\"path\":[0],\"names\":[\"sphere \\\"ball\\\"\"]}")
+                .contains("\"refraction\":{\"n1\":1,\"n2\":1.5,\"angle-degrees\":0,\"angle-beyond-degrees\":0,"
+                        + "\"critical-angle-degrees\":null,\"total\":false}");
+        assertThat(List.of(json.split("\"kind\":", -1))).hasSize(1 + rays(pixel.rays()));
+    }
+
+    private static int rays(List<cz.paprsek.render.explain.TracedRay> rays) {
+        return rays.stream().mapToInt(ray -> 1 + rays(ray.children())).sum();
+    }
+}
