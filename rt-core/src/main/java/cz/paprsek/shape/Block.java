@@ -5,6 +5,7 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import java.util.List;
 
 /** A box with faces perpendicular to the axes, from its minimum to its maximum corner. */
 public record Block(Vec3 min, Vec3 max) implements Solid {
@@ -27,6 +28,11 @@ public record Block(Vec3 min, Vec3 max) implements Solid {
     @Override
     public Bounds bounds() {
         return Bounds.of(min, max);
+    }
+
+    @Override
+    public List<Curve> outline(Vec3 along, int steps) {
+        return Outlines.box(min, max);
     }
 
     @Override

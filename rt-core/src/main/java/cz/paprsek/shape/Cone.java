@@ -4,6 +4,7 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import java.util.List;
 
 /** A closed cone about the y axis: {@code radius} at y = 0, {@code topRadius} at y = height; pointed if that is 0. */
 public record Cone(double radius, double topRadius, double height) implements Solid {
@@ -28,6 +29,11 @@ public record Cone(double radius, double topRadius, double height) implements So
     public Bounds bounds() {
         double widest = Math.max(radius, topRadius);
         return new Bounds(-widest, 0, -widest, widest, height, widest);
+    }
+
+    @Override
+    public List<Curve> outline(Vec3 along, int steps) {
+        return Outlines.round(radius, topRadius, height, along, steps);
     }
 
     @Override

@@ -3,6 +3,7 @@ package cz.paprsek.shape;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -80,6 +81,11 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
                 .map(operand -> operand.solid().bounds().transformed(operand.placement().toParent()))
                 .reduce(operation::bounds)
                 .orElseThrow();
+    }
+
+    @Override
+    public List<Curve> outline(Vec3 along, int steps) {
+        return List.of();
     }
 
     @Override

@@ -3,6 +3,8 @@ package cz.paprsek.shape;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
+import java.util.List;
 
 /** A closed cylinder about the y axis, from y = 0 to y = height. */
 public record Cylinder(double radius, double height) implements Solid {
@@ -19,6 +21,11 @@ public record Cylinder(double radius, double height) implements Solid {
     @Override
     public Bounds bounds() {
         return new Bounds(-radius, 0, -radius, radius, height, radius);
+    }
+
+    @Override
+    public List<Curve> outline(Vec3 along, int steps) {
+        return Outlines.round(radius, radius, height, along, steps);
     }
 
     @Override

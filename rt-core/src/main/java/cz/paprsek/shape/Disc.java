@@ -3,6 +3,8 @@ package cz.paprsek.shape;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
+import java.util.List;
 
 /** A disc in the plane z = 0 about the origin, facing +z, seen from both sides. It has no inside. */
 public record Disc(double radius) implements Shape {
@@ -13,6 +15,11 @@ public record Disc(double radius) implements Shape {
     @Override
     public Bounds bounds() {
         return new Bounds(-radius, -radius, 0, radius, radius, 0);
+    }
+
+    @Override
+    public List<Curve> outline(Vec3 along, int steps) {
+        return List.of(Outlines.circle(Vec3.ZERO, new Vec3(radius, 0, 0), new Vec3(0, radius, 0), steps));
     }
 
     @Override

@@ -4,6 +4,7 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import java.util.List;
 
 /** An ellipsoid about the origin with semi-axes along x, y and z. */
 public record Ellipsoid(Vec3 semiAxes) implements Solid {
@@ -16,6 +17,11 @@ public record Ellipsoid(Vec3 semiAxes) implements Solid {
     @Override
     public Bounds bounds() {
         return Bounds.around(Vec3.ZERO, semiAxes);
+    }
+
+    @Override
+    public List<Curve> outline(Vec3 along, int steps) {
+        return List.of(Outlines.ellipsoid(semiAxes, along, steps));
     }
 
     @Override

@@ -2,13 +2,24 @@ package cz.paprsek.shape;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
+import java.util.List;
 
 /** The solid half-space y ≤ 0: ground without end, or a knife for CSG. */
 public record Plane() implements Solid {
+    /** How far its outline is drawn, own units. */
+    private static final double FAR = 1e5;
+
     @Override
     public Bounds bounds() {
         double inf = Double.POSITIVE_INFINITY;
         return new Bounds(-inf, -inf, -inf, inf, 0, inf);
+    }
+
+    @Override
+    public List<Curve> outline(Vec3 along, int steps) {
+        return List.of(Curve.through(new Vec3(-FAR, 0, -FAR), new Vec3(FAR, 0, -FAR), new Vec3(FAR, 0, FAR), new Vec3(-FAR, 0, FAR),
+                new Vec3(-FAR, 0, -FAR)));
     }
 
     @Override

@@ -4,6 +4,8 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
+import java.util.List;
 
 /** A rectangle in the plane z = 0, facing +z, seen from both sides. It has no inside. */
 public record Rectangle(double minX, double minY, double maxX, double maxY) implements Shape {
@@ -21,6 +23,11 @@ public record Rectangle(double minX, double minY, double maxX, double maxY) impl
     @Override
     public Bounds bounds() {
         return new Bounds(minX, minY, 0, maxX, maxY, 0);
+    }
+
+    @Override
+    public List<Curve> outline(Vec3 along, int steps) {
+        return List.of(Outlines.loop(minX, minY, maxX, maxY, 0));
     }
 
     @Override

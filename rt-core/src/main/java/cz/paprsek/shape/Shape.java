@@ -2,6 +2,8 @@ package cz.paprsek.shape;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
+import java.util.List;
 import java.util.Locale;
 
 /** The geometry of one thing, in its own space: a {@link Solid} or a surface without an inside. */
@@ -19,6 +21,15 @@ public sealed interface Shape permits Solid, Rectangle, Disc {
 
     /** The box around the shape in its own space; may be unbounded. */
     Bounds bounds();
+
+    /**
+     * The lines that draw the shape as seen from far away: its silhouette and its edges, in its own space. None for an operation, whose
+     * operands draw it.
+     *
+     * @param along where the view goes, own space, any length but 0
+     * @param steps of how many straight pieces a full circle is made
+     */
+    List<Curve> outline(Vec3 along, int steps);
 
     /**
      * The shape made ready for rays.

@@ -4,6 +4,7 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import java.util.List;
 
 /** A ball about the origin. */
 public record Sphere(double radius) implements Solid {
@@ -14,6 +15,11 @@ public record Sphere(double radius) implements Solid {
     @Override
     public Bounds bounds() {
         return Bounds.around(Vec3.ZERO, new Vec3(radius, radius, radius));
+    }
+
+    @Override
+    public List<Curve> outline(Vec3 along, int steps) {
+        return List.of(Outlines.ellipsoid(new Vec3(radius, radius, radius), along, steps));
     }
 
     @Override

@@ -4,6 +4,7 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import java.util.List;
 
 /**
  * A ring about the y axis.
@@ -23,6 +24,11 @@ public record Torus(double majorRadius, double minorRadius) implements Solid {
     public Bounds bounds() {
         double outer = majorRadius + minorRadius;
         return new Bounds(-outer, -minorRadius, -outer, outer, minorRadius, outer);
+    }
+
+    @Override
+    public List<Curve> outline(Vec3 along, int steps) {
+        return Outlines.ring(majorRadius, minorRadius, along, steps);
     }
 
     @Override

@@ -5,6 +5,7 @@ import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.Theme;
 import java.util.Locale;
 import javafx.application.Application;
+import javafx.beans.property.SimpleObjectProperty;
 import javafx.scene.Scene;
 import javafx.stage.Stage;
 
@@ -12,7 +13,7 @@ import javafx.stage.Stage;
 public final class EditorApp extends Application {
     @Override
     public void start(Stage stage) {
-        MainWindow window = new MainWindow(new EditorModel(cz.paprsek.scene.Scene.EMPTY), Texts.in(Locale.getDefault()));
+        MainWindow window = new MainWindow(new EditorModel(cz.paprsek.scene.Scene.EMPTY), Texts.in(Locale.getDefault()), new SimpleObjectProperty<>(Theme.LIGHT));
         Scene scene = new Scene(window.root(), 1280, 800);
         Theme.LIGHT.applyTo(scene);
         stage.setScene(scene);

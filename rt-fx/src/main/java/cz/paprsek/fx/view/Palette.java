@@ -18,7 +18,7 @@ import javafx.scene.paint.Color;
  * @param light lights
  * @param camera the camera and its view
  */
-record Palette(Color background, Color minor, Color major, Color text, Color x, Color y, Color z, Color outline, Color ghost, Color selected,
+public record Palette(Color background, Color minor, Color major, Color text, Color x, Color y, Color z, Color outline, Color ghost, Color selected,
         Color light, Color camera) {
     static final Palette LIGHT = new Palette(
             Color.web("#ffffff"), Color.web("#eef0f3"), Color.web("#d5dae1"), Color.web("#57606a"),

@@ -17,7 +17,7 @@ public enum Theme {
     }
 
     /** The colours of what is drawn rather than made of controls. */
-    Palette palette() {
+    public Palette palette() {
         return this == LIGHT ? Palette.LIGHT : Palette.DARK;
     }
 

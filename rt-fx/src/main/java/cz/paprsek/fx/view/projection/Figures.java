@@ -1,0 +1,84 @@
+package cz.paprsek.fx.view.projection;
+
+import cz.paprsek.fx.model.Body;
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.fx.model.Item.LightAt;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import java.util.Collection;
+import java.util.IdentityHashMap;
+import java.util.List;
+
+/** The figures of a scene's objects in one projection, each made once and kept as long as its object is in the scene. */
+final class Figures {
+    /** From how many objects on circles are drawn coarsely. */
+    private static final int MANY = 2000;
+
+    private final Axes axes;
+    private IdentityHashMap<SceneObject, Figure> known = new IdentityHashMap<>();
+    private Scene scene = Scene.EMPTY;
+
+    Figures(Axes axes) {
+        this.axes = axes;
+    }
+
+    void show(Scene fresh) {
+        if (fresh.objects().equals(scene.objects()) && fresh.lights().equals(scene.lights())) {
+            scene = fresh;
+            return;
+        }
+        scene = fresh;
+        boolean coarse = fresh.objects().size() > MANY;
+        IdentityHashMap<SceneObject, Figure> next = new IdentityHashMap<>();
+        for (SceneObject object : fresh.objects()) {
+            Figure figure = known.get(object);
+            next.put(object, figure == null ? Figure.of(Body.of(object), axes, coarse) : figure);
+        }
+        known = next;
+    }
+
+    Scene scene() {
+        return scene;
+    }
+
+    List<SceneObject> objects() {
+        return scene.objects();
+    }
+
+    Figure of(SceneObject object) {
+        return known.computeIfAbsent(object, missing -> Figure.of(Body.of(missing), axes, false));
+    }
+
+    Figure of(BodyAt at) {
+        return of(scene.objects().get(at.path().get(0))).at(at.path().subList(1, at.path().size()));
+    }
+
+    /** The box around an item; a point for lights and the camera. */
+    Box box(Item item) {
+        if (item instanceof LightAt light) {
+            return Box.EMPTY.with(axes.u(scene.lights().get(light.index()).position()), axes.v(scene.lights().get(light.index()).position()));
+        }
+        if (item instanceof BodyAt body) {
+            return of(body).box();
+        }
+        return Box.EMPTY.with(axes.u(scene.camera().position()), axes.v(scene.camera().position()));
+    }
+
+    Box box(Collection<? extends Item> items) {
+        return items.stream().filter(item -> EditorState.exists(scene, item)).map(this::box).reduce(Box.EMPTY, Box::union);
+    }
+
+    /** The box around all that is not hidden. */
+    Box boxOfAll(EditorState state) {
+        Box box = box(Item.CAMERA);
+        for (int i = 0; i < scene.objects().size(); i++) {
+            box = state.isHidden(Item.body(i)) ? box : box.union(of(scene.objects().get(i)).box());
+        }
+        for (int i = 0; i < scene.lights().size(); i++) {
+            box = state.isHidden(Item.light(i)) ? box : box.union(box(Item.light(i)));
+        }
+        return box;
+    }
+}

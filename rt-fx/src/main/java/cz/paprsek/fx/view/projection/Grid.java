@@ -1,0 +1,128 @@
+package cz.paprsek.fx.view.projection;
+
+import cz.paprsek.fx.view.Palette;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.paint.Color;
+import javafx.scene.text.Font;
+import javafx.scene.text.TextAlignment;
+
+/** Lines at round numbers, as far apart as the zoom allows, with labels; and the axes. */
+final class Grid {
+    /** How near fine lines may come, pixels. */
+    private static final double CLOSEST = 14;
+    private static final Font FONT = Font.font("System", 10);
+
+    private Grid() {}
+
+    /** The distance of fine lines: 1, 2 or 5 times a power of ten, scene units. */
+    static double step(double scale) {
+        double least = CLOSEST / scale;
+        double power = Math.pow(10, Math.floor(Math.log10(least)));
+        for (double factor : new double[] {1, 2, 5}) {
+            if (factor * power >= least * (1 - 1e-9)) {
+                return factor * power;
+            }
+        }
+        return 10 * power;
+    }
+
+    static void draw(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
+        g.setFill(palette.background());
+        g.fillRect(0, 0, view.width(), view.height());
+        double step = step(view.scale());
+        lines(g, view, step, palette.minor());
+        lines(g, view, 5 * step, palette.major());
+        g.setLineWidth(1);
+        axis(g, view, axes, palette);
+        labels(g, view, axes, 5 * step, palette.text());
+    }
+
+    private static void lines(GraphicsContext g, Viewport view, double step, Color color) {
+        g.setStroke(color);
+        g.setLineWidth(1);
+        g.beginPath();
+        for (long i = first(view.u(0), step); i * step <= view.u(view.width()); i++) {
+            double x = crisp(view.x(i * step));
+            g.moveTo(x, 0);
+            g.lineTo(x, view.height());
+        }
+        for (long i = first(view.v(view.height()), step); i * step <= view.v(0); i++) {
+            double y = crisp(view.y(i * step));
+            g.moveTo(0, y);
+            g.lineTo(view.width(), y);
+        }
+        g.stroke();
+    }
+
+    private static void axis(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
+        double x = crisp(view.x(0));
+        double y = crisp(view.y(0));
+        g.setStroke(color(axes.up(), palette));
+        g.strokeLine(x, 0, x, view.height());
+        g.setStroke(color(axes.right(), palette));
+        g.strokeLine(0, y, view.width(), y);
+    }
+
+    private static void labels(GraphicsContext g, Viewport view, Axes axes, double step, Color color) {
+        g.setFont(FONT);
+        g.setFill(color);
+        // Wide numbers need more room than the lines have.
+        long skip = step * view.scale() < 55 ? 2 : 1;
+        g.setTextAlign(TextAlignment.CENTER);
+        for (long i = first(view.u(0), skip * step); i * skip * step <= view.u(view.width()); i++) {
+            double x = view.x(i * skip * step);
+            if (x > 34 && x < view.width() - 16) {
+                g.fillText(number(axes.worldU(i * skip * step), step), x, view.height() - 4);
+            }
+        }
+        g.setTextAlign(TextAlignment.LEFT);
+        for (long i = first(view.v(view.height()), skip * step); i * skip * step <= view.v(0); i++) {
+            double y = view.y(i * skip * step);
+            if (y > 12 && y < view.height() - 16) {
+                g.fillText(number(axes.worldV(i * skip * step), step), 4, y + 3);
+            }
+        }
+        g.setFont(Font.font("System", javafx.scene.text.FontWeight.BOLD, 11));
+    }
+
+    /** The names of the axes, where these leave the pane. */
+    static void names(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
+        double x = Math.max(14, Math.min(view.width() - 14, view.x(0)));
+        double y = Math.max(18, Math.min(view.height() - 22, view.y(0)));
+        g.setTextAlign(TextAlignment.CENTER);
+        g.setFill(color(axes.right(), palette));
+        boolean rightwards = axes.worldU(1) > 0;
+        g.fillText(axes.right().name().toLowerCase(java.util.Locale.ROOT), rightwards ? view.width() - 10 : 10, y - 5);
+        g.setFill(color(axes.up(), palette));
+        boolean upwards = axes.worldV(1) > 0;
+        g.fillText(axes.up().name().toLowerCase(java.util.Locale.ROOT), x + 9, upwards ? 14 : view.height() - 20);
+    }
+
+    static Color color(Axes.Axis axis, Palette palette) {
+        return switch (axis) {
+            case X -> palette.x();
+            case Y -> palette.y();
+            case Z -> palette.z();
+        };
+    }
+
+    private static long first(double from, double step) {
+        return (long) Math.ceil(from / step);
+    }
+
+    /** In the middle of a pixel, so that a line of width 1 is not smeared over two. */
+    private static double crisp(double x) {
+        return Math.floor(x) + 0.5;
+    }
+
+    /** A multiple of the step without the rounding errors of multiplying. */
+    private static String number(double value, double step) {
+        if (value == 0) {
+            return "0";
+        }
+        int digits = Math.max(1, (int) Math.ceil(Math.log10(Math.abs(value) / step)) + 3);
+        return new BigDecimal(value).round(new MathContext(digits)).stripTrailingZeros().toPlainString().replace('-', '−');
+    }
+}

@@ -1,0 +1,222 @@
+package cz.paprsek.fx.view.projection;
+
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.view.Palette;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import java.util.ArrayList;
+import java.util.List;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.paint.Color;
+import javafx.scene.text.Font;
+import javafx.scene.text.TextAlignment;
+
+/** Draws figures, lights and the camera. */
+final class Painter {
+    private static final Font NAME_FONT = Font.font("System", 11);
+    /** Smaller things are drawn as a dot, pixels. */
+    private static final double DOT = 2.5;
+
+    private final GraphicsContext g;
+    private final Viewport view;
+    private final Axes axes;
+    private final Palette palette;
+
+    Painter(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
+        this.g = g;
+        this.view = view;
+        this.axes = axes;
+        this.palette = palette;
+    }
+
+    /** All objects and lights that are neither selected nor hidden. */
+    void rest(EditorState state, Figures figures) {
+        List<Figure> ghosts = new ArrayList<>();
+        g.setLineWidth(1.2);
+        g.beginPath();
+        List<SceneObject> objects = figures.objects();
+        boolean anyHidden = !state.hidden().isEmpty();
+        boolean anySelected = !state.selection().isEmpty();
+        for (int i = 0; i < objects.size(); i++) {
+            Figure figure = figures.of(objects.get(i));
+            if (isInSight(figure)) {
+                Item item = anyHidden || anySelected || !figure.operands().isEmpty() ? Item.body(i) : Item.CAMERA;
+                trace(state, figure, item, ghosts);
+            }
+        }
+        g.setStroke(palette.outline());
+        g.stroke();
+        ghosts(ghosts, palette.ghost());
+        Scene scene = figures.scene();
+        for (int i = 0; i < scene.lights().size(); i++) {
+            if (!state.isHidden(Item.light(i)) && !state.selection().contains(Item.light(i))) {
+                light(scene.lights().get(i), palette.light());
+            }
+        }
+    }
+
+    /** The objects and lights that are selected. */
+    void selected(EditorState state, Figures figures) {
+        List<Figure> ghosts = new ArrayList<>();
+        g.setLineWidth(1.8);
+        g.beginPath();
+        for (Item item : state.selection()) {
+            if (item instanceof Item.BodyAt body && !state.isHidden(item)) {
+                whole(figures.of(body), ghosts);
+            }
+        }
+        g.setStroke(palette.selected());
+        g.stroke();
+        ghosts(ghosts, palette.selected());
+        Scene scene = figures.scene();
+        for (Item item : state.selection()) {
+            if (item instanceof Item.LightAt light && !state.isHidden(item)) {
+                light(scene.lights().get(light.index()), palette.selected());
+            }
+        }
+    }
+
+    void handles(Box box, boolean canTurn) {
+        if (box.isEmpty()) {
+            return;
+        }
+        g.setLineWidth(1);
+        g.setStroke(palette.selected());
+        g.setFill(palette.background());
+        if (canTurn) {
+            g.strokeLine(Handle.TOP.x(view, box), Handle.TOP.y(view, box), Handle.TURN.x(view, box), Handle.TURN.y(view, box));
+        }
+        for (Handle handle : Handle.values()) {
+            double x = Math.floor(handle.x(view, box)) + 0.5;
+            double y = Math.floor(handle.y(view, box)) + 0.5;
+            if (handle == Handle.TURN && canTurn) {
+                g.fillOval(x - 4.5, y - 4.5, 9, 9);
+                g.strokeOval(x - 4.5, y - 4.5, 9, 9);
+            } else if (handle != Handle.TURN) {
+                g.fillRect(x - 3, y - 3, 6, 6);
+                g.strokeRect(x - 3, y - 3, 6, 6);
+            }
+        }
+    }
+
+    /** A name beside a box. */
+    void name(String text, Box box) {
+        g.setFont(NAME_FONT);
+        g.setFill(palette.selected());
+        g.setTextAlign(TextAlignment.LEFT);
+        double x = Math.min(view.width() - 60, Math.max(4, view.x(box.maxU()) + 14));
+        g.fillText(text, x, Math.min(view.height() - 22, Math.max(26, view.y(box.minV()) + 4)));
+    }
+
+    private boolean isInSight(Figure figure) {
+        return figure.box().isEmpty() || view.shows(figure.box());
+    }
+
+    /** Adds a figure to the path, without what of it is selected or hidden. */
+    private void trace(EditorState state, Figure figure, Item item, List<Figure> ghosts) {
+        if (state.hidden().contains(item) || state.selection().contains(item) && !item.equals(Item.CAMERA)) {
+            return;
+        }
+        if (figure.operands().isEmpty()) {
+            leaf(figure, ghosts);
+        }
+        for (int i = 0; i < figure.operands().size(); i++) {
+            trace(state, figure.operands().get(i), ((Item.BodyAt) item).child(i), ghosts);
+        }
+    }
+
+    private void whole(Figure figure, List<Figure> ghosts) {
+        if (figure.operands().isEmpty()) {
+            leaf(figure, ghosts);
+        }
+        figure.operands().forEach(operand -> whole(operand, ghosts));
+    }
+
+    private void leaf(Figure figure, List<Figure> ghosts) {
+        if (figure.ghost()) {
+            ghosts.add(figure);
+        } else if (!figure.box().isEmpty() && Math.max(figure.box().width(), figure.box().height()) * view.scale() < DOT) {
+            double x = view.x(figure.box().centreU());
+            double y = view.y(figure.box().centreV());
+            g.moveTo(x - 0.7, y);
+            g.lineTo(x + 0.7, y);
+        } else {
+            lines(figure);
+        }
+    }
+
+    private void lines(Figure figure) {
+        for (double[] line : figure.lines()) {
+            g.moveTo(view.x(line[0]), view.y(line[1]));
+            for (int i = 2; i < line.length; i += 2) {
+                g.lineTo(view.x(line[i]), view.y(line[i + 1]));
+            }
+        }
+    }
+
+    private void ghosts(List<Figure> ghosts, Color color) {
+        if (ghosts.isEmpty()) {
+            return;
+        }
+        g.setLineWidth(1);
+        g.setLineDashes(4, 3);
+        g.setStroke(color);
+        g.beginPath();
+        ghosts.forEach(this::lines);
+        g.stroke();
+        g.setLineDashes();
+    }
+
+    private void light(Light light, Color color) {
+        double x = view.x(axes.u(light.position()));
+        double y = view.y(axes.v(light.position()));
+        g.setStroke(color);
+        g.setLineWidth(1.5);
+        g.strokeOval(x - 4, y - 4, 8, 8);
+        for (int i = 0; i < 8; i++) {
+            double dx = Math.cos(i * Math.PI / 4);
+            double dy = Math.sin(i * Math.PI / 4);
+            g.strokeLine(x + 6 * dx, y + 6 * dy, x + 9 * dx, y + 9 * dy);
+        }
+    }
+
+    /** The camera and what it sees; with the point it looks at, to be grabbed, if it is selected. */
+    void camera(Scene scene, boolean isSelected) {
+        CameraSketch sketch = CameraSketch.of(scene);
+        double x = x(sketch.eye());
+        double y = y(sketch.eye());
+        g.setStroke(isSelected ? palette.selected() : palette.camera());
+        g.setLineWidth(1);
+        g.setGlobalAlpha(isSelected ? 1 : 0.55);
+        List<Vec3> corners = sketch.corners();
+        for (int i = 0; i < corners.size(); i++) {
+            Vec3 next = corners.get((i + 1) % corners.size());
+            g.strokeLine(x, y, x(corners.get(i)), y(corners.get(i)));
+            g.strokeLine(x(corners.get(i)), y(corners.get(i)), x(next), y(next));
+        }
+        g.setGlobalAlpha(1);
+        g.setLineWidth(1.5);
+        g.setFill(palette.background());
+        g.fillRect(x - 7, y - 5, 14, 10);
+        g.strokeRect(x - 7, y - 5, 14, 10);
+        g.strokeOval(x - 3, y - 3, 6, 6);
+        if (isSelected) {
+            double aimX = x(sketch.aim());
+            double aimY = y(sketch.aim());
+            g.strokeOval(aimX - 5, aimY - 5, 10, 10);
+            g.strokeLine(aimX - 8, aimY, aimX + 8, aimY);
+            g.strokeLine(aimX, aimY - 8, aimX, aimY + 8);
+        }
+    }
+
+    private double x(Vec3 p) {
+        return view.x(axes.u(p));
+    }
+
+    private double y(Vec3 p) {
+        return view.y(axes.v(p));
+    }
+}

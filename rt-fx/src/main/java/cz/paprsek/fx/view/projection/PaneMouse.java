@@ -1,0 +1,271 @@
+package cz.paprsek.fx.view.projection;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.fx.view.ItemNames;
+import cz.paprsek.math.Vec3;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javafx.scene.Cursor;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
+import org.jspecify.annotations.Nullable;
+
+/** What the mouse does in a projection. */
+final class PaneMouse {
+    /** How far the mouse goes before a click becomes a drag, pixels. */
+    private static final double SLACK = 3;
+    private static final double ZOOM_PER_NOTCH = 1.15;
+
+    private final ProjectionPane pane;
+    private final EditorModel model;
+    private boolean spaceHeld;
+    private double pressX;
+    private double pressY;
+    private double lastX;
+    private double lastY;
+    private List<Item> pressedOn = List.of();
+    private List<Item> clickedOn = List.of();
+    private boolean panning;
+    private boolean pressed;
+    private @Nullable Drag drag;
+    private Drag.Keys keys = new Drag.Keys(false, false);
+
+    PaneMouse(ProjectionPane pane) {
+        this.pane = pane;
+        this.model = pane.model();
+        pane.setOnMousePressed(this::pressed);
+        pane.setOnMouseDragged(this::dragged);
+        pane.setOnMouseReleased(this::released);
+        pane.setOnMouseMoved(this::moved);
+        pane.setOnMouseExited(event -> pane.setPointed(Optional.empty()));
+        pane.setOnScroll(this::scrolled);
+        pane.setOnZoom(event -> pane.show(pane.view().zoomed(event.getZoomFactor(), event.getX(), event.getY())));
+        pane.addEventHandler(KeyEvent.KEY_PRESSED, this::keyPressed);
+        pane.addEventHandler(KeyEvent.KEY_RELEASED, this::keyReleased);
+    }
+
+    private void pressed(MouseEvent event) {
+        pane.requestFocus();
+        event.consume();
+        if (drag != null) {
+            return;
+        }
+        pressX = event.getX();
+        pressY = event.getY();
+        lastX = pressX;
+        lastY = pressY;
+        panning = event.getButton() == MouseButton.MIDDLE || event.getButton() == MouseButton.PRIMARY && spaceHeld;
+        pressed = event.getButton() == MouseButton.PRIMARY && !spaceHeld;
+        if (panning) {
+            pane.setHoverCursor(Cursor.CLOSED_HAND);
+        } else if (pressed) {
+            pressedOn = pane.picker().at(model.state(), pane.view(), pressX, pressY);
+        }
+    }
+
+    private void dragged(MouseEvent event) {
+        event.consume();
+        point(event);
+        if (panning) {
+            pane.show(pane.view().panned(event.getX() - lastX, event.getY() - lastY));
+        }
+        lastX = event.getX();
+        lastY = event.getY();
+        if (!pressed) {
+            return;
+        }
+        if (drag == null && Math.hypot(lastX - pressX, lastY - pressY) > SLACK) {
+            setDrag(begin(event));
+        }
+        keys = new Drag.Keys(event.isShortcutDown(), event.isShiftDown());
+        follow();
+    }
+
+    private void released(MouseEvent event) {
+        event.consume();
+        boolean wasClick = pressed && drag == null;
+        if (drag != null) {
+            drag.end();
+            setDrag(null);
+        } else if (wasClick) {
+            click(event);
+        }
+        panning = false;
+        pressed = false;
+        pane.setHoverCursor(Cursor.DEFAULT);
+    }
+
+    private void click(MouseEvent event) {
+        boolean more = event.isShiftDown() || event.isShortcutDown();
+        if (pressedOn.isEmpty()) {
+            if (!more) {
+                model.select();
+            }
+        } else if (more) {
+            Set<Item> selection = new LinkedHashSet<>(model.selection());
+            if (!selection.remove(pressedOn.get(0))) {
+                selection.add(pressedOn.get(0));
+            }
+            model.select(selection);
+        } else {
+            model.select(pressedOn.get(next()));
+        }
+        clickedOn = pressedOn;
+    }
+
+    /** The first thing under the mouse; if the last click was on the same things, the one after that selected. */
+    private int next() {
+        if (!clickedOn.equals(pressedOn) || model.selection().size() != 1) {
+            return 0;
+        }
+        return (pressedOn.indexOf(model.selection().iterator().next()) + 1) % pressedOn.size();
+    }
+
+    private Drag begin(MouseEvent event) {
+        Optional<Handle> handle = pane.handleAt(pressX, pressY);
+        if (handle.isPresent()) {
+            return begin(handle.get());
+        }
+        if (isOnAim(pressX, pressY)) {
+            return new AimDrag(model.begin(Label.of(Edit.CAMERA)), pane.axes(), pane.view(), CameraSketch.of(model.scene()).aim(), pane.snaps(),
+                    pressX, pressY);
+        }
+        if (pressedOn.isEmpty()) {
+            Set<Item> before = event.isShiftDown() ? model.selection() : Set.of();
+            return new BandDrag(model, pane.picker(), pane.view(), before, pane.theme().palette().selected(), pressX, pressY);
+        }
+        if (pressedOn.stream().noneMatch(model.selection()::contains)) {
+            model.select(pressedOn.get(0));
+        }
+        return beginMove();
+    }
+
+    private Drag beginMove() {
+        Set<Item> items = pane.movable();
+        Box box = pane.figures().box(items);
+        return new MoveDrag(model.begin(label(Edit.MOVE, items)), items, pane.axes(), pane.view(), box, reference(items, box), others(items),
+                pane.snaps(), pane.theme().palette().selected(), pressX, pressY);
+    }
+
+    private Drag begin(Handle handle) {
+        Set<Item> items = pane.movable();
+        Box box = pane.handleBox();
+        return handle == Handle.TURN
+                ? new TurnDrag(model.begin(label(Edit.ROTATE, items)), items, pane.axes(), pane.view(), box, pane.snaps(),
+                        pane.theme().palette().selected(), pressX, pressY)
+                : new ResizeDrag(model.begin(label(Edit.RESIZE, items)), items, pane.axes(), pane.view(), box, handle, pane.snaps(), pressX, pressY);
+    }
+
+    private Label label(Edit edit, Set<Item> items) {
+        return Label.of(edit, ItemNames.of(model.scene(), items, pane.texts()));
+    }
+
+    /** What is put on the grid: where a single object says it is, else the corner of the box. */
+    private Box reference(Set<Item> items, Box box) {
+        if (items.size() == 1 && items.iterator().next() instanceof Item.BodyAt body) {
+            Vec3 origin = cz.paprsek.fx.model.Bodies.toWorld(model.scene(), body).point(Vec3.ZERO);
+            return Box.EMPTY.with(pane.axes().u(origin), pane.axes().v(origin));
+        }
+        return box.isEmpty() ? Box.EMPTY.with(0, 0) : box;
+    }
+
+    private Snapping others(Set<Item> moving) {
+        Figures figures = pane.figures();
+        Set<Integer> objects = new java.util.HashSet<>();
+        cz.paprsek.fx.model.Items.bodies(moving).forEach(body -> objects.add(body.object().index()));
+        Stream<Box> boxes = IntStream.range(0, figures.objects().size())
+                .filter(i -> !objects.contains(i) && !model.state().isHidden(Item.body(i)))
+                .mapToObj(i -> figures.of(figures.objects().get(i)).box());
+        return new Snapping(boxes.filter(box -> pane.view().shows(box)));
+    }
+
+    private boolean isOnAim(double x, double y) {
+        Vec3 aim = CameraSketch.of(model.scene()).aim();
+        return model.selection().contains(Item.CAMERA) && pane.toPane(aim).distance(x, y) <= 8;
+    }
+
+    private void moved(MouseEvent event) {
+        point(event);
+        lastX = event.getX();
+        lastY = event.getY();
+        Optional<Handle> handle = pane.handleAt(lastX, lastY);
+        pane.setHoverCursor(spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElse(isOnAim(lastX, lastY) ? Cursor.CROSSHAIR : Cursor.DEFAULT));
+    }
+
+    private void point(MouseEvent event) {
+        pane.setPointed(Optional.of(pane.axes().vector(pane.view().u(event.getX()), pane.view().v(event.getY()))));
+    }
+
+    private void scrolled(ScrollEvent event) {
+        event.consume();
+        if (event.isInertia() || event.getDeltaY() == 0 && event.getDeltaX() == 0) {
+            return;
+        }
+        if (event.isShiftDown()) {
+            pane.show(pane.view().panned(event.getDeltaX() + event.getDeltaY(), 0));
+        } else if (drag == null) {
+            double notches = event.getMultiplierY() == 0 ? Math.signum(event.getDeltaY()) : event.getDeltaY() / 40;
+            pane.show(pane.view().zoomed(Math.pow(ZOOM_PER_NOTCH, notches), event.getX(), event.getY()));
+        }
+    }
+
+    private void keyPressed(KeyEvent event) {
+        if (event.getCode() == KeyCode.SPACE) {
+            spaceHeld = true;
+            event.consume();
+        } else if (event.getCode() == KeyCode.ESCAPE && (drag != null || pressed)) {
+            if (drag != null) {
+                drag.cancel();
+            }
+            setDrag(null);
+            pressed = false;
+            event.consume();
+        } else {
+            keysChanged(event, event.getCode() == KeyCode.SHIFT || event.isShiftDown());
+        }
+    }
+
+    private void keyReleased(KeyEvent event) {
+        if (event.getCode() == KeyCode.SPACE) {
+            spaceHeld = false;
+        } else {
+            keysChanged(event, event.isShiftDown() && event.getCode() != KeyCode.SHIFT);
+        }
+    }
+
+    /** A key held or let go in mid-drag counts at once, not with the next movement only. */
+    private void keysChanged(KeyEvent event, boolean straight) {
+        if (drag != null) {
+            keys = new Drag.Keys(event.isShortcutDown(), straight);
+            follow();
+        }
+    }
+
+    private void follow() {
+        if (drag == null) {
+            return;
+        }
+        try {
+            drag.to(lastX, lastY, keys);
+        } catch (IllegalArgumentException refused) {
+            // A place that no scene can have, such as the camera on its own target: the last possible one stays shown.
+            pane.setHoverCursor(Cursor.DISAPPEAR);
+        }
+        pane.requestLayout();
+    }
+
+    private void setDrag(@Nullable Drag value) {
+        drag = value;
+        pane.setDrag(value);
+    }
+}

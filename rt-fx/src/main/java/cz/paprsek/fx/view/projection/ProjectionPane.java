@@ -1,0 +1,265 @@
+package cz.paprsek.fx.view.projection;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Items;
+import cz.paprsek.fx.view.ItemNames;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.Theme;
+import cz.paprsek.math.Vec3;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.value.ObservableValue;
+import javafx.scene.Cursor;
+import javafx.scene.canvas.Canvas;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.layout.Region;
+import javafx.scene.shape.Rectangle;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The scene seen along an axis, without perspective. What is not selected is drawn on one canvas, what is, and the camera, on another above
+ * it, so that a drag among ten thousand objects redraws only what moves.
+ */
+public final class ProjectionPane extends Region {
+    /** All on which the lower canvas depends, besides the objects. */
+    private record Look(Viewport view, Theme theme, Set<Item> selection, Set<Item> hidden) {}
+
+    private final EditorModel model;
+    private final Texts texts;
+    private final Axes axes;
+    private final ObservableValue<Theme> theme;
+    private final BooleanProperty snapping;
+    private final Canvas lower = new Canvas();
+    private final Canvas upper = new Canvas();
+    private final Figures figures;
+    private final Picker picker;
+    private final ReadOnlyObjectWrapper<Optional<Vec3>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
+    private Viewport view = new Viewport(0, 0, 40, 0, 0);
+    private boolean fitted;
+    private @Nullable Look drawnLook;
+    private List<?> drawnObjects = List.of();
+    private List<?> drawnLights = List.of();
+    private @Nullable Drag drag;
+
+    /** @param snapping whether drags keep to the grid and to other objects */
+    public ProjectionPane(EditorModel model, Texts texts, Axes axes, ObservableValue<Theme> theme, BooleanProperty snapping) {
+        this.model = model;
+        this.texts = texts;
+        this.axes = axes;
+        this.theme = theme;
+        this.snapping = snapping;
+        this.figures = new Figures(axes);
+        this.picker = new Picker(axes, figures);
+        figures.show(model.scene());
+        setFocusTraversable(true);
+        setMinSize(0, 0);
+        getStyleClass().add("projection");
+        getChildren().addAll(lower, upper);
+        Rectangle clip = new Rectangle();
+        clip.widthProperty().bind(widthProperty());
+        clip.heightProperty().bind(heightProperty());
+        setClip(clip);
+        model.stateProperty().addListener((property, old, now) -> requestLayout());
+        theme.addListener((property, old, now) -> requestLayout());
+        new PaneMouse(this);
+        new PaneKeys(this);
+    }
+
+    /** Where in the world the mouse points: in the plane of the projection, 0 along the third axis. Empty if it is elsewhere. */
+    public ReadOnlyObjectProperty<Optional<Vec3>> pointedProperty() {
+        return pointed.getReadOnlyProperty();
+    }
+
+    public Axes axes() {
+        return axes;
+    }
+
+    /** What is in the middle of the pane, 0 along the third axis, world space. */
+    public Vec3 centre() {
+        return axes.vector(view.centreU(), view.centreV());
+    }
+
+    /** Shows everything that has an end. */
+    public void fitAll() {
+        figures.show(model.scene());
+        show(view.fitting(figures.boxOfAll(model.state())));
+    }
+
+    /** Shows what is selected as large as possible, or everything if nothing is. */
+    public void fitSelection() {
+        if (model.selection().isEmpty()) {
+            fitAll();
+        } else {
+            figures.show(model.scene());
+            show(view.fitting(figures.box(model.selection())));
+        }
+    }
+
+    /** Zooms about the middle. */
+    public void zoom(double factor) {
+        show(view.zoomed(factor, getWidth() / 2, getHeight() / 2));
+    }
+
+    /** Shows a point of the world on the pane: its coordinates there, pixels. */
+    public javafx.geometry.Point2D toPane(Vec3 point) {
+        return new javafx.geometry.Point2D(view.x(axes.u(point)), view.y(axes.v(point)));
+    }
+
+    EditorModel model() {
+        return model;
+    }
+
+    Texts texts() {
+        return texts;
+    }
+
+    Theme theme() {
+        return theme.getValue();
+    }
+
+    Viewport view() {
+        return view;
+    }
+
+    Figures figures() {
+        figures.show(model.scene());
+        return figures;
+    }
+
+    Picker picker() {
+        figures.show(model.scene());
+        return picker;
+    }
+
+    boolean snaps() {
+        return snapping.get();
+    }
+
+    void show(Viewport fresh) {
+        view = fresh;
+        requestLayout();
+    }
+
+    void setDrag(@Nullable Drag value) {
+        drag = value;
+        requestLayout();
+    }
+
+    void setPointed(Optional<Vec3> value) {
+        pointed.set(value);
+    }
+
+    /** What can be moved of what is selected. */
+    Set<Item> movable() {
+        Set<Item> items = new HashSet<>(model.selection());
+        items.removeIf(model.state()::isLocked);
+        return items;
+    }
+
+    /** The box of the handles; empty if there is nothing to resize. */
+    Box handleBox() {
+        return Items.bodies(movable()).isEmpty() ? Box.EMPTY : figures().box(movable());
+    }
+
+    /** What the handles of an empty or invisible box cannot do. */
+    Optional<Handle> handleAt(double x, double y) {
+        return Handle.at(view, handleBox(), x, y);
+    }
+
+    void setHoverCursor(Cursor cursor) {
+        if (!Objects.equals(getCursor(), cursor)) {
+            setCursor(cursor);
+        }
+    }
+
+    @Override
+    protected void layoutChildren() {
+        double width = getWidth();
+        double height = getHeight();
+        if (width <= 0 || height <= 0) {
+            return;
+        }
+        lower.setWidth(width);
+        lower.setHeight(height);
+        upper.setWidth(width);
+        upper.setHeight(height);
+        view = view.withSize(width, height);
+        figures.show(model.scene());
+        if (!fitted) {
+            fitted = true;
+            view = view.fitting(figures.boxOfAll(model.state()));
+        }
+        EditorState state = model.state();
+        Look look = new Look(view, theme(), Set.copyOf(state.selection()), state.hidden());
+        if (!look.equals(drawnLook) || !sameRest(state)) {
+            drawRest(state);
+            drawnLook = look;
+            drawnObjects = state.scene().objects();
+            drawnLights = state.scene().lights();
+        }
+        drawSelection(state);
+    }
+
+    /** Whether all that is not selected is what has been drawn. */
+    private boolean sameRest(EditorState state) {
+        return sameExcept(state.scene().objects(), drawnObjects, selectedObjects(state))
+                && sameExcept(state.scene().lights(), drawnLights, selectedLights(state));
+    }
+
+    private static boolean sameExcept(List<?> now, List<?> drawn, Set<Integer> selected) {
+        if (now.size() != drawn.size()) {
+            return false;
+        }
+        for (int i = 0; i < now.size(); i++) {
+            if (!now.get(i).equals(drawn.get(i)) && !selected.contains(i)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static Set<Integer> selectedObjects(EditorState state) {
+        Set<Integer> indices = new HashSet<>();
+        Items.bodies(state.selection()).stream().filter(body -> body.depth() == 0).forEach(body -> indices.add(body.index()));
+        return indices;
+    }
+
+    private static Set<Integer> selectedLights(EditorState state) {
+        Set<Integer> indices = new HashSet<>();
+        Items.lights(state.selection()).forEach(light -> indices.add(light.index()));
+        return indices;
+    }
+
+    private void drawRest(EditorState state) {
+        GraphicsContext g = lower.getGraphicsContext2D();
+        Grid.draw(g, view, axes, theme().palette());
+        new Painter(g, view, axes, theme().palette()).rest(state, figures);
+        Grid.names(g, view, axes, theme().palette());
+    }
+
+    private void drawSelection(EditorState state) {
+        GraphicsContext g = upper.getGraphicsContext2D();
+        g.clearRect(0, 0, upper.getWidth(), upper.getHeight());
+        Painter painter = new Painter(g, view, axes, theme().palette());
+        painter.camera(state.scene(), state.selection().contains(Item.CAMERA));
+        if (!state.selection().isEmpty()) {
+            painter.selected(state, figures);
+            painter.handles(handleBox(), true);
+            Box box = figures.box(state.selection());
+            if (!box.isEmpty() && view.shows(box)) {
+                painter.name(ItemNames.of(state.scene(), state.selection(), texts), box);
+            }
+        }
+        if (drag != null) {
+            drag.draw(g);
+        }
+    }
+}

@@ -1,0 +1,73 @@
+package cz.paprsek.fx.view.projection;
+
+import cz.paprsek.fx.model.Gesture;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Moves;
+import cz.paprsek.math.Vec3;
+import java.util.Set;
+
+/** Stretches items from the side or corner opposite to the handle. */
+final class ResizeDrag implements Drag {
+    /** As small as a thing can be made in one go. */
+    private static final double SMALLEST = 1e-3;
+
+    private final Gesture gesture;
+    private final Set<Item> items;
+    private final Axes axes;
+    private final Viewport view;
+    private final Box box;
+    private final Handle handle;
+    private final boolean snaps;
+    private final double startX;
+    private final double startY;
+
+    ResizeDrag(Gesture gesture, Set<Item> items, Axes axes, Viewport view, Box box, Handle handle, boolean snaps, double startX,
+            double startY) {
+        this.gesture = gesture;
+        this.items = items;
+        this.axes = axes;
+        this.view = view;
+        this.box = box;
+        this.handle = handle;
+        this.snaps = snaps;
+        this.startX = startX;
+        this.startY = startY;
+    }
+
+    @Override
+    public void to(double x, double y, Keys keys) {
+        boolean snap = snaps && !keys.free();
+        double alongU = factor(handle.alongU(), box.minU(), box.maxU(), (x - startX) / view.scale(), snap);
+        double alongV = factor(handle.alongV(), box.minV(), box.maxV(), (startY - y) / view.scale(), snap);
+        boolean corner = handle.alongU() != 0 && handle.alongV() != 0;
+        boolean even = keys.straight() && corner;
+        double evenly = Math.abs(alongU - 1) > Math.abs(alongV - 1) ? alongU : alongV;
+        Vec3 factors = even ? new Vec3(evenly, evenly, evenly) : axes.factors(alongU, alongV);
+        double pivotU = pivot(handle.alongU(), box.minU(), box.maxU());
+        double pivotV = pivot(handle.alongV(), box.minV(), box.maxV());
+        gesture.preview(scene -> Moves.scaled(scene, items, axes.vector(pivotU, pivotV), factors));
+    }
+
+    private double factor(int side, double min, double max, double by, boolean snap) {
+        if (side == 0 || max - min <= 0) {
+            return 1;
+        }
+        double old = side > 0 ? max : min;
+        double fresh = snap ? Snapping.toGrid(old + by, Grid.step(view.scale())) : old + by;
+        return Math.max(SMALLEST, side > 0 ? (fresh - min) / (max - min) : (max - fresh) / (max - min));
+    }
+
+    private static double pivot(int side, double min, double max) {
+        return side == 0 ? (min + max) / 2 : side > 0 ? min : max;
+    }
+
+    @Override
+    public void end() {
+        gesture.commit();
+    }
+
+    @Override
+    public void cancel() {
+        gesture.cancel();
+    }
+}

@@ -1,0 +1,73 @@
+package cz.paprsek.fx.view.projection;
+
+import java.util.Arrays;
+import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+
+/** Draws what is moved to the grid, and to the sides and middles of other objects, which come first. */
+final class Snapping {
+    /** How near it must come, pixels. */
+    private static final double REACH = 6;
+
+    /** Sides and middles of others along u and along v, sorted. */
+    private final double[] us;
+    private final double[] vs;
+
+    Snapping(Stream<Box> others) {
+        Box[] boxes = others.filter(box -> !box.isEmpty()).toArray(Box[]::new);
+        us = Arrays.stream(boxes).flatMapToDouble(box -> DoubleStream.of(box.minU(), box.centreU(), box.maxU())).sorted().toArray();
+        vs = Arrays.stream(boxes).flatMapToDouble(box -> DoubleStream.of(box.minV(), box.centreV(), box.maxV())).sorted().toArray();
+    }
+
+    /**
+     * A movement along one axis.
+     *
+     * @param by how far
+     * @param guide where what is moved is in line with another object; NaN if it is not
+     */
+    record Move(double by, double guide) {}
+
+    Move alongU(Box box, double by, double reference, Viewport view) {
+        return move(us, new double[] {box.minU(), box.centreU(), box.maxU()}, by, reference, view);
+    }
+
+    Move alongV(Box box, double by, double reference, Viewport view) {
+        return move(vs, new double[] {box.minV(), box.centreV(), box.maxV()}, by, reference, view);
+    }
+
+    private static Move move(double[] targets, double[] own, double by, double reference, Viewport view) {
+        double reach = REACH / view.scale();
+        double best = Double.NaN;
+        double guide = Double.NaN;
+        for (double place : own) {
+            OptionalDouble near = nearest(targets, place + by);
+            if (near.isPresent() && Math.abs(near.getAsDouble() - place - by) <= reach) {
+                reach = Math.abs(near.getAsDouble() - place - by);
+                guide = near.getAsDouble();
+                best = guide - place;
+            }
+        }
+        return Double.isNaN(best) ? new Move(toGrid(reference + by, Grid.step(view.scale())) - reference, Double.NaN) : new Move(best, guide);
+    }
+
+    /** The nearest multiple of the step, as the nearest decimal. */
+    static double toGrid(double value, double step) {
+        double count = Math.rint(value / step);
+        // A step below 1 is no binary fraction, but its reciprocal is a whole number.
+        return step < 1 ? count / Math.rint(1 / step) : count * step;
+    }
+
+    private static OptionalDouble nearest(double[] sorted, double value) {
+        if (sorted.length == 0) {
+            return OptionalDouble.empty();
+        }
+        int i = Arrays.binarySearch(sorted, value);
+        if (i >= 0) {
+            return OptionalDouble.of(value);
+        }
+        int above = Math.min(-i - 1, sorted.length - 1);
+        int below = Math.max(above - 1, 0);
+        return OptionalDouble.of(value - sorted[below] < sorted[above] - value ? sorted[below] : sorted[above]);
+    }
+}

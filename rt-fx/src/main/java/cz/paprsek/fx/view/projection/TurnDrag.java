@@ -1,0 +1,74 @@
+package cz.paprsek.fx.view.projection;
+
+import cz.paprsek.fx.model.Gesture;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Moves;
+import cz.paprsek.math.Numbers;
+import java.util.Set;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.paint.Color;
+
+/** Turns items about the axis that points at the viewer, through the middle of their box. */
+final class TurnDrag implements Drag {
+    private static final double SNAP_DEGREES = 15;
+    /** Angles of a free hand are of this coarseness, so that they can be read. */
+    private static final double FREE_DEGREES = 0.5;
+
+    private final Gesture gesture;
+    private final Set<Item> items;
+    private final Axes axes;
+    private final Viewport view;
+    private final Box box;
+    private final boolean snaps;
+    private final Color color;
+    private final double startAngle;
+    private double degrees;
+    private double mouseX;
+    private double mouseY;
+
+    TurnDrag(Gesture gesture, Set<Item> items, Axes axes, Viewport view, Box box, boolean snaps, Color color, double startX, double startY) {
+        this.gesture = gesture;
+        this.items = items;
+        this.axes = axes;
+        this.view = view;
+        this.box = box;
+        this.snaps = snaps;
+        this.color = color;
+        this.startAngle = angle(startX, startY);
+        this.mouseX = startX;
+        this.mouseY = startY;
+    }
+
+    @Override
+    public void to(double x, double y, Keys keys) {
+        mouseX = x;
+        mouseY = y;
+        double grain = snaps && !keys.free() ? SNAP_DEGREES : FREE_DEGREES;
+        double turned = Math.toDegrees(angle(x, y) - startAngle);
+        degrees = Math.IEEEremainder(Math.rint(turned / grain) * grain, 360);
+        gesture.preview(scene -> degrees == 0 ? scene
+                : Moves.rotated(scene, items, axes.vector(box.centreU(), box.centreV()), axes.rotation(degrees)));
+    }
+
+    private double angle(double x, double y) {
+        return Math.atan2(view.y(box.centreV()) - y, x - view.x(box.centreU()));
+    }
+
+    @Override
+    public void end() {
+        gesture.commit();
+    }
+
+    @Override
+    public void cancel() {
+        gesture.cancel();
+    }
+
+    @Override
+    public void draw(GraphicsContext g) {
+        g.setStroke(color);
+        g.strokeLine(view.x(box.centreU()), view.y(box.centreV()), mouseX, mouseY);
+        g.setFill(color);
+        g.fillText(Numbers.text(degrees) + "°", mouseX + 12, mouseY - 8);
+    }
+}

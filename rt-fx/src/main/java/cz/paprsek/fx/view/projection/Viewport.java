@@ -1,0 +1,64 @@
+package cz.paprsek.fx.view.projection;
+
+/**
+ * Which part of a projection's plane is shown how large.
+ *
+ * @param centreU what is in the middle of the pane
+ * @param centreV what is in the middle of the pane
+ * @param scale pixels per scene unit
+ * @param width of the pane, pixels
+ * @param height of the pane, pixels
+ */
+record Viewport(double centreU, double centreV, double scale, double width, double height) {
+    static final double LEAST_SCALE = 1e-6;
+    static final double LARGEST_SCALE = 1e9;
+
+    Viewport withSize(double newWidth, double newHeight) {
+        return new Viewport(centreU, centreV, scale, newWidth, newHeight);
+    }
+
+    double x(double u) {
+        return width / 2 + (u - centreU) * scale;
+    }
+
+    double y(double v) {
+        return height / 2 - (v - centreV) * scale;
+    }
+
+    double u(double x) {
+        return centreU + (x - width / 2) / scale;
+    }
+
+    double v(double y) {
+        return centreV - (y - height / 2) / scale;
+    }
+
+    /** Zoomed by a factor; what is at the point stays there. */
+    Viewport zoomed(double factor, double x, double y) {
+        double fresh = Math.max(LEAST_SCALE, Math.min(LARGEST_SCALE, scale * factor));
+        double u = u(x);
+        double v = v(y);
+        return new Viewport(u - (x - width / 2) / fresh, v + (y - height / 2) / fresh, fresh, width, height);
+    }
+
+    /** Moved with the mouse by pixels. */
+    Viewport panned(double dx, double dy) {
+        return new Viewport(centreU - dx / scale, centreV + dy / scale, scale, width, height);
+    }
+
+    /** Showing a box with some air around; a box without extent is put in the middle. */
+    Viewport fitting(Box box) {
+        if (box.isEmpty() || width <= 0 || height <= 0) {
+            return this;
+        }
+        double air = 0.8;
+        double fit = Math.min(air * width / box.width(), air * height / box.height());
+        double fresh = Double.isFinite(fit) ? Math.max(LEAST_SCALE, Math.min(LARGEST_SCALE, fit)) : scale;
+        return new Viewport(box.centreU(), box.centreV(), fresh, width, height);
+    }
+
+    /** Whether a box is in sight at all. */
+    boolean shows(Box box) {
+        return x(box.maxU()) >= 0 && x(box.minU()) <= width && y(box.minV()) >= 0 && y(box.maxV()) <= height;
+    }
+}
