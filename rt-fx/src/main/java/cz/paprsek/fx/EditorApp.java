@@ -1,23 +1,23 @@
 package cz.paprsek.fx;
 
-import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.view.Texts;
-import cz.paprsek.fx.view.Theme;
+import cz.paprsek.fx.model.Settings;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import javafx.application.Application;
-import javafx.beans.property.SimpleObjectProperty;
-import javafx.scene.Scene;
+import javafx.application.Platform;
 import javafx.stage.Stage;
 
 /** The program: one window. */
 public final class EditorApp extends Application {
     @Override
     public void start(Stage stage) {
-        MainWindow window = new MainWindow(new EditorModel(cz.paprsek.scene.Scene.EMPTY), Texts.in(Locale.getDefault()), new SimpleObjectProperty<>(Theme.LIGHT));
-        Scene scene = new Scene(window.root(), 1280, 800);
-        Theme.LIGHT.applyTo(scene);
-        stage.setScene(scene);
-        stage.setTitle("Paprsek");
+        Path home = Path.of(System.getProperty("user.home", "."));
+        Path folder = Settings.folder(System.getenv(), System.getProperty("os.name", ""), home);
+        Editor editor = new Editor(stage, folder, Locale.getDefault(), SystemDialogs::new);
+        Thread.setDefaultUncaughtExceptionHandler((thread, fault) -> Platform.runLater(() -> editor.fault(fault)));
+        List<String> arguments = getParameters().getRaw();
+        editor.start(StartFile.find(arguments, Path.of("").toAbsolutePath(), StartFile.programFolder()), Templates.read("showcase"));
         stage.show();
     }
 }

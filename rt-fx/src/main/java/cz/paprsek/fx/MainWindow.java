@@ -2,56 +2,105 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.view.AddPalette;
+import cz.paprsek.fx.view.ItemNames;
 import cz.paprsek.fx.view.ObjectTree;
-import cz.paprsek.fx.view.PaneGrid;
 import cz.paprsek.fx.view.PropertySheet;
 import cz.paprsek.fx.view.Texts;
-import cz.paprsek.fx.view.Theme;
-import cz.paprsek.fx.view.TitledView;
-import cz.paprsek.fx.view.projection.Axes;
-import cz.paprsek.fx.view.projection.ProjectionPane;
-import cz.paprsek.math.Vec3;
+import java.io.File;
 import java.util.List;
-import javafx.beans.property.BooleanProperty;
-import javafx.beans.property.SimpleBooleanProperty;
-import javafx.beans.value.ObservableValue;
-import javafx.scene.Node;
+import javafx.beans.value.ChangeListener;
+import javafx.beans.value.WeakChangeListener;
 import javafx.scene.Parent;
 import javafx.scene.control.SplitPane;
+import javafx.scene.input.TransferMode;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.Priority;
-import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 
-/** What the window holds, in one language: made anew when the language changes, while the model stays. */
+/** What the window holds, in one language. */
 final class MainWindow {
     private final BorderPane root = new BorderPane();
+    private final Editor editor;
+    private final Views views;
+    private final MessageBar messages;
+    private final ProblemList problems;
+    private final StatusBar status = new StatusBar();
+    /** Held here, because the model, which outlives the window, holds it weakly. */
+    private final ChangeListener<Object> showSelection = (property, old, now) -> showSelection();
 
-    MainWindow(EditorModel model, Texts texts, ObservableValue<Theme> theme) {
-        root.setId("main-window");
-        BooleanProperty snapping = new SimpleBooleanProperty(true);
+    MainWindow(Editor editor) {
+        this.editor = editor;
+        EditorModel model = editor.model();
+        Texts texts = editor.texts();
+        views = new Views(editor);
+        messages = new MessageBar(texts.of("window.close-message"));
+        problems = new ProblemList(texts.of("window.close-message"));
         ObjectTree tree = new ObjectTree(model, texts);
-        AddPalette palette = new AddPalette(model, texts, () -> Vec3.ZERO);
-        VBox.setVgrow(tree, Priority.ALWAYS);
-        PaneGrid grid = new PaneGrid(List.of(
-                view("top", texts.of("view.top"), texts, new ProjectionPane(model, texts, Axes.TOP, theme, snapping)),
-                view("camera", texts.of("view.camera"), texts, new StackPane()),
-                view("front", texts.of("view.front"), texts, new ProjectionPane(model, texts, Axes.FRONT, theme, snapping)),
-                view("right", texts.of("view.right"), texts, new ProjectionPane(model, texts, Axes.RIGHT, theme, snapping))));
         PropertySheet sheet = new PropertySheet(model, texts);
+        AddPalette palette = new AddPalette(model, texts, views::whereUserLooks);
+        Menus menus = new Menus(editor, views, palette);
+        VBox.setVgrow(tree, Priority.ALWAYS);
         VBox left = new VBox(palette, tree);
+        left.setMinWidth(120);
+        sheet.setMinWidth(200);
         SplitPane.setResizableWithParent(left, false);
         SplitPane.setResizableWithParent(sheet, false);
-        SplitPane center = new SplitPane(left, grid, sheet);
-        center.setDividerPositions(0.17, 0.78);
+        SplitPane center = new SplitPane(left, views.root(), sheet);
+        center.setId("columns");
+        center.setDividerPositions(0.17, 0.77);
+        root.setId("main-window");
+        root.getStylesheets().add(String.valueOf(MainWindow.class.getResource("editor.css")));
+        root.setTop(new VBox(menus.menuBar(), menus.toolBar(), messages));
         root.setCenter(center);
+        root.setBottom(new VBox(problems, status));
+        views.setOnPointed(status::showCursor, texts);
+        model.stateProperty().addListener(new WeakChangeListener<>(showSelection));
+        showSelection();
+        acceptFiles();
     }
 
     Parent root() {
         return root;
     }
 
-    private static TitledView view(String name, String caption, Texts texts, Node content) {
-        return new TitledView(name, caption, texts.of("view.maximize"), content);
+    MessageBar messages() {
+        return messages;
+    }
+
+    ProblemList problems() {
+        return problems;
+    }
+
+    StatusBar status() {
+        return status;
+    }
+
+    boolean isPictureComplete() {
+        return views.isPictureComplete();
+    }
+
+    void close() {
+        views.close();
+    }
+
+    private void showSelection() {
+        EditorModel model = editor.model();
+        status.showSelection(ItemNames.of(model.scene(), model.selection(), editor.texts()));
+    }
+
+    /** Opens a scene file that is dropped on the window. */
+    private void acceptFiles() {
+        root.setOnDragOver(event -> {
+            if (event.getDragboard().hasFiles()) {
+                event.acceptTransferModes(TransferMode.COPY);
+            }
+        });
+        root.setOnDragDropped(event -> {
+            List<File> files = event.getDragboard().getFiles();
+            if (event.getDragboard().hasFiles() && !files.isEmpty()) {
+                editor.files().open(files.get(0).toPath());
+                event.setDropCompleted(true);
+            }
+        });
     }
 }

@@ -42,12 +42,12 @@ public final class EditorModel {
     }
 
     public Scene scene() {
-        return scene.get();
+        return state().scene();
     }
 
     /** What is selected, in the order of selecting. */
     public Set<Item> selection() {
-        return selection.get();
+        return state().selection();
     }
 
     /** Changes after every change of any kind. */
@@ -188,13 +188,13 @@ public final class EditorModel {
         show(isStep ? now : ended.start().withSelection(now.selection()));
     }
 
-    /** Sets all properties, the state last, so that who listens to any finds scene and selection fitting each other. */
+    /** Sets all properties, the state first, from which the methods above answer: whoever hears of any change finds all of it. */
     void show(EditorState next) {
+        boolean selectsOthers = !List.copyOf(next.selection()).equals(List.copyOf(selection.get()));
+        state.set(next);
         undoable.set(history.undoable());
         redoable.set(history.redoable());
         unsaved.set(!next.scene().equals(saved));
-        boolean selectsOthers = !List.copyOf(next.selection()).equals(List.copyOf(selection.get()));
-        state.set(next);
         scene.set(next.scene());
         if (selectsOthers) {
             selection.set(next.selection());

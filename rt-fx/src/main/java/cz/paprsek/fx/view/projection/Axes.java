@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
+import java.util.Locale;
 
 /**
  * From where a projection looks. Its plane has u to the right and v up, as the viewer sees it; u and v are axes of the world or, where the
@@ -25,6 +26,10 @@ public enum Axes {
                 case Y -> p.y();
                 case Z -> p.z();
             };
+        }
+
+        String letter() {
+            return name().toLowerCase(Locale.ROOT);
         }
 
         Vec3 times(double length) {
@@ -81,6 +86,11 @@ public enum Axes {
     /** The vector in the plane of the projection. */
     Vec3 vector(double u, double v) {
         return right.times(rightSign * u).plus(up.times(upSign * v));
+    }
+
+    /** The part of a vector that points at the viewer or away. */
+    Vec3 inDepth(Vec3 v) {
+        return towards.times(towards.of(v));
     }
 
     /** A vector with one component along each of the plane's axes, whichever way these run: factors, not lengths. */

@@ -6,6 +6,7 @@ import java.math.MathContext;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 import javafx.scene.text.Font;
+import javafx.scene.text.FontWeight;
 import javafx.scene.text.TextAlignment;
 
 /** Lines at round numbers, as far apart as the zoom allows, with labels; and the axes. */
@@ -84,7 +85,7 @@ final class Grid {
                 g.fillText(number(axes.worldV(i * skip * step), step), 4, y + 3);
             }
         }
-        g.setFont(Font.font("System", javafx.scene.text.FontWeight.BOLD, 11));
+        g.setFont(Font.font("System", FontWeight.BOLD, 11));
     }
 
     /** The names of the axes, where these leave the pane. */
@@ -94,10 +95,10 @@ final class Grid {
         g.setTextAlign(TextAlignment.CENTER);
         g.setFill(color(axes.right(), palette));
         boolean rightwards = axes.worldU(1) > 0;
-        g.fillText(axes.right().name().toLowerCase(java.util.Locale.ROOT), rightwards ? view.width() - 10 : 10, y - 5);
+        g.fillText(axes.right().letter(), rightwards ? view.width() - 10 : 10, y - 5);
         g.setFill(color(axes.up(), palette));
         boolean upwards = axes.worldV(1) > 0;
-        g.fillText(axes.up().name().toLowerCase(java.util.Locale.ROOT), x + 9, upwards ? 14 : view.height() - 20);
+        g.fillText(axes.up().letter(), x + 9, upwards ? 14 : view.height() - 20);
     }
 
     static Color color(Axes.Axis axis, Palette palette) {

@@ -38,13 +38,10 @@ final class Painter {
         g.setLineWidth(1.2);
         g.beginPath();
         List<SceneObject> objects = figures.objects();
-        boolean anyHidden = !state.hidden().isEmpty();
-        boolean anySelected = !state.selection().isEmpty();
         for (int i = 0; i < objects.size(); i++) {
             Figure figure = figures.of(objects.get(i));
             if (isInSight(figure)) {
-                Item item = anyHidden || anySelected || !figure.operands().isEmpty() ? Item.body(i) : Item.CAMERA;
-                trace(state, figure, item, ghosts);
+                trace(state, figure, Item.body(i), ghosts);
             }
         }
         g.setStroke(palette.outline());
@@ -116,15 +113,15 @@ final class Painter {
     }
 
     /** Adds a figure to the path, without what of it is selected or hidden. */
-    private void trace(EditorState state, Figure figure, Item item, List<Figure> ghosts) {
-        if (state.hidden().contains(item) || state.selection().contains(item) && !item.equals(Item.CAMERA)) {
+    private void trace(EditorState state, Figure figure, Item.BodyAt item, List<Figure> ghosts) {
+        if (state.hidden().contains(item) || state.selection().contains(item)) {
             return;
         }
         if (figure.operands().isEmpty()) {
             leaf(figure, ghosts);
         }
         for (int i = 0; i < figure.operands().size(); i++) {
-            trace(state, figure.operands().get(i), ((Item.BodyAt) item).child(i), ghosts);
+            trace(state, figure.operands().get(i), item.child(i), ghosts);
         }
     }
 

@@ -64,7 +64,7 @@ final class PaneMouse {
         pressY = event.getY();
         lastX = pressX;
         lastY = pressY;
-        panning = event.getButton() == MouseButton.MIDDLE || event.getButton() == MouseButton.PRIMARY && spaceHeld;
+        panning = event.getButton() == MouseButton.MIDDLE || (event.getButton() == MouseButton.PRIMARY && spaceHeld);
         pressed = event.getButton() == MouseButton.PRIMARY && !spaceHeld;
         if (panning) {
             pane.setHoverCursor(Cursor.CLOSED_HAND);
@@ -208,7 +208,7 @@ final class PaneMouse {
 
     private void scrolled(ScrollEvent event) {
         event.consume();
-        if (event.isInertia() || event.getDeltaY() == 0 && event.getDeltaX() == 0) {
+        if (event.isInertia() || (event.getDeltaY() == 0 && event.getDeltaX() == 0)) {
             return;
         }
         if (event.isShiftDown()) {

@@ -108,7 +108,7 @@ final class Picker {
     private void collect(EditorState state, BodyAt at, Viewport view, double u, double v, List<Candidate> found) {
         Figure figure = figures.of(at);
         double reach = LINE / view.scale();
-        if (!canPick(state, at) || !figure.box().isEmpty() && !figure.box().contains(u, v, reach)) {
+        if (!canPick(state, at) || (!figure.box().isEmpty() && !figure.box().contains(u, v, reach))) {
             return;
         }
         double distance = figure.distance(u, v);

@@ -10,6 +10,7 @@ import cz.paprsek.fx.view.Theme;
 import cz.paprsek.math.Vec3;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -82,9 +83,18 @@ public final class ProjectionPane extends Region {
         return axes;
     }
 
-    /** What is in the middle of the pane, 0 along the third axis, world space. */
-    public Vec3 centre() {
-        return axes.vector(view.centreU(), view.centreV());
+    /** What is in the middle of the pane, to the step of the grid, at the depth of another point; world space. */
+    public Vec3 centre(Vec3 depth) {
+        double step = Grid.step(view.scale());
+        return axes.vector(Snapping.toGrid(view.centreU(), step), Snapping.toGrid(view.centreV(), step)).plus(axes.inDepth(depth));
+    }
+
+    /** The two coordinates of a point that this projection shows, to a pixel: "x 1.25   z −3". */
+    public String describe(Vec3 point, Locale locale) {
+        int decimals = Math.max(0, (int) Math.ceil(Math.log10(view.scale())));
+        String format = "%s %." + Math.min(12, decimals) + "f";
+        return String.format(locale, format, axes.right().letter(), axes.right().of(point)) + "   "
+                + String.format(locale, format, axes.up().letter(), axes.up().of(point));
     }
 
     /** Shows everything that has an end. */

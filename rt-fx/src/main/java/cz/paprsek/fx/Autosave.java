@@ -1,0 +1,62 @@
+package cz.paprsek.fx;
+
+import cz.paprsek.fx.model.Document;
+import cz.paprsek.fx.model.Recovery;
+import cz.paprsek.fx.model.SceneSource;
+import cz.paprsek.scene.Scene;
+import java.io.IOException;
+import java.util.Optional;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.Consumer;
+import javafx.animation.KeyFrame;
+import javafx.animation.Timeline;
+import javafx.application.Platform;
+import javafx.util.Duration;
+import org.jspecify.annotations.Nullable;
+
+/** Keeps a copy of what is unsaved every few seconds, while nothing is being dragged. */
+final class Autosave {
+    private static final Duration INTERVAL = Duration.seconds(15);
+
+    private final Document document;
+    private final Recovery recovery;
+    private final Consumer<String> onFault;
+    private final ExecutorService writer = Executors.newSingleThreadExecutor(work -> {
+        Thread thread = new Thread(work, "paprsek-autosave");
+        thread.setDaemon(true);
+        return thread;
+    });
+    private final Timeline timer = new Timeline(new KeyFrame(INTERVAL, event -> keepIfNew()));
+    private @Nullable Scene kept;
+
+    Autosave(Document document, Recovery recovery, Consumer<String> onFault) {
+        this.document = document;
+        this.recovery = recovery;
+        this.onFault = onFault;
+        timer.setCycleCount(Timeline.INDEFINITE);
+        timer.play();
+    }
+
+    /** Keeps a copy now if there is something unsaved that no copy has. */
+    void keepIfNew() {
+        Scene scene = document.model().scene();
+        if (!document.model().unsavedProperty().get() || document.model().gesturingProperty().get() || scene.equals(kept)) {
+            return;
+        }
+        kept = scene;
+        Optional<SceneSource> source = document.sourceProperty().get();
+        writer.execute(() -> {
+            try {
+                recovery.keep(source, scene);
+            } catch (IOException | IllegalArgumentException e) {
+                Platform.runLater(() -> onFault.accept(String.valueOf(e.getMessage())));
+            }
+        });
+    }
+
+    void stop() {
+        timer.stop();
+        writer.shutdown();
+    }
+}

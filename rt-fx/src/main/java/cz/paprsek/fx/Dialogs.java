@@ -1,0 +1,27 @@
+package cz.paprsek.fx;
+
+import cz.paprsek.fx.view.PictureChooser;
+import cz.paprsek.fx.view.Texts;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** Questions that stop everything until they are answered, behind an interface so that tests can answer them. */
+interface Dialogs {
+    /** What to do with unsaved changes. */
+    enum Unsaved { SAVE, DISCARD, STAY }
+
+    /** Asks for a file to open; empty if the user thought better of it. */
+    Optional<Path> fileToOpen(Optional<Path> folder);
+
+    /** Asks where to save; empty if the user thought better of it. */
+    Optional<Path> fileToSave(Optional<Path> suggestion);
+
+    /** Asks what to do with unsaved changes of a scene. */
+    Unsaved aboutUnsaved(String title);
+
+    /** Asks where pictures are to be saved. */
+    PictureChooser pictureChooser(Texts texts);
+
+    /** Shows that the program has a fault; with a way to save a copy of the scene. */
+    void fault(Throwable fault, Runnable saveCopy);
+}

@@ -1,0 +1,227 @@
+package cz.paprsek.fx;
+
+import cz.paprsek.fx.model.Document;
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Recovery;
+import cz.paprsek.fx.model.SceneSource;
+import cz.paprsek.fx.model.Settings;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.Theme;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.Problem;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import javafx.animation.KeyFrame;
+import javafx.animation.Timeline;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.stage.Stage;
+import javafx.stage.WindowEvent;
+import javafx.util.Duration;
+import org.jspecify.annotations.Nullable;
+
+/** One open editor: what lives as long as its stage does, while the window's content is made anew for each language. */
+final class Editor implements Notices {
+    private static final Duration LOOK_AT_DISK = Duration.seconds(2);
+
+    private final Stage stage;
+    private final EditorModel model = new EditorModel(Scene.EMPTY);
+    private final Document document = new Document(model);
+    private final Settings settings;
+    private final FileActions files;
+    private final Autosave autosave;
+    private final Dialogs dialogs;
+    private final RenderWindow renders;
+    private final ObjectProperty<Theme> theme;
+    private final ObjectProperty<Texts> texts;
+    private final BooleanProperty snapping = new SimpleBooleanProperty(true);
+    private final Timeline disk = new Timeline(new KeyFrame(LOOK_AT_DISK, event -> lookAtDisk()));
+    private @Nullable MainWindow window;
+    private boolean inFault;
+
+    /**
+     * @param folder where settings, and copies of scenes without a file, are kept
+     * @param system the system's language, for as long as the user has chosen none
+     * @param asking makes the dialogs
+     */
+    Editor(Stage stage, Path folder, Locale system, DialogMaker asking) {
+        this.stage = stage;
+        this.settings = new Settings(folder, this::say);
+        this.theme = new SimpleObjectProperty<>(settings.get("theme").filter("DARK"::equals).isPresent() ? Theme.DARK : Theme.LIGHT);
+        this.texts = new SimpleObjectProperty<>(Texts.in(settings.get("language").map(Locale::forLanguageTag).orElse(system)));
+        this.dialogs = asking.make(stage, texts::get);
+        Recovery recovery = new Recovery(folder);
+        this.files = new FileActions(document, settings, recovery, dialogs, this, texts::get);
+        this.autosave = new Autosave(document, recovery, this::say);
+        this.renders = new RenderWindow(this, dialogs);
+        stage.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1280, 800));
+        texts.addListener((property, old, now) -> build());
+        theme.addListener((property, old, now) -> {
+            now.applyTo(stage.getScene());
+            settings.set("theme", now.name());
+        });
+        model.unsavedProperty().addListener((property, old, now) -> showTitle());
+        document.sourceProperty().addListener((property, old, now) -> showTitle());
+        stage.focusedProperty().addListener((property, old, now) -> lookAtDisk());
+        stage.setOnCloseRequest(this::closing);
+        disk.setCycleCount(Timeline.INDEFINITE);
+        disk.play();
+        build();
+    }
+
+    /** Makes dialogs for a window. */
+    @FunctionalInterface
+    interface DialogMaker {
+        Dialogs make(Stage owner, java.util.function.Supplier<Texts> texts);
+    }
+
+    EditorModel model() {
+        return model;
+    }
+
+    Document document() {
+        return document;
+    }
+
+    FileActions files() {
+        return files;
+    }
+
+    Settings settings() {
+        return settings;
+    }
+
+    ObjectProperty<Theme> theme() {
+        return theme;
+    }
+
+    Texts texts() {
+        return texts.get();
+    }
+
+    BooleanProperty snapping() {
+        return snapping;
+    }
+
+    Stage stage() {
+        return stage;
+    }
+
+    /** Whether the live picture shows the scene in full quality. */
+    boolean isPictureComplete() {
+        return window != null && window.isPictureComplete();
+    }
+
+    RenderWindow renders() {
+        return renders;
+    }
+
+    /** Changes the language of the window, now and for later. */
+    void setLanguage(Locale language) {
+        settings.set("language", language.toLanguageTag());
+        texts.set(Texts.in(language));
+    }
+
+    /** Opens what the program was started for: a file, else the given scene without one. */
+    void start(Optional<Path> file, Scene otherwise) {
+        document.openedWithoutFile(otherwise);
+        file.ifPresent(files::open);
+        files.offerUntitled();
+    }
+
+    /** Closes the window unless the user stays because of what is unsaved. */
+    void quit() {
+        WindowEvent request = new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST);
+        stage.fireEvent(request);
+        if (!request.isConsumed()) {
+            stage.close();
+        }
+    }
+
+    /** Ends all that runs, without asking. */
+    void close() {
+        autosave.stop();
+        disk.stop();
+        renders.close();
+        if (window != null) {
+            window.close();
+        }
+    }
+
+    /** A fault of the program: the scene is kept at once, and the user told. */
+    void fault(Throwable fault) {
+        if (inFault) {
+            return;
+        }
+        inFault = true;
+        try {
+            autosave.keepIfNew();
+            dialogs.fault(fault, files::saveAs);
+        } finally {
+            inFault = false;
+        }
+    }
+
+    @Override
+    public void say(String sentence) {
+        if (window != null) {
+            window.status().showMessage(sentence);
+        }
+    }
+
+    @Override
+    public void ask(String sentence, List<MessageBar.Choice> choices) {
+        if (window != null) {
+            window.messages().show(sentence, choices);
+        }
+    }
+
+    @Override
+    public void problems(String header, List<Problem> problems) {
+        if (window != null) {
+            window.problems().show(header, problems);
+        }
+    }
+
+    @Override
+    public void quiet() {
+        if (window != null) {
+            window.messages().hide();
+            window.problems().hide();
+        }
+    }
+
+    private void build() {
+        if (window != null) {
+            window.close();
+        }
+        MainWindow fresh = new MainWindow(this);
+        window = fresh;
+        stage.getScene().setRoot(fresh.root());
+        theme.get().applyTo(stage.getScene());
+        showTitle();
+    }
+
+    private void showTitle() {
+        String name = document.sourceProperty().get().map(SceneSource::title).orElseGet(() -> texts().of("window.untitled"));
+        stage.setTitle((model.unsavedProperty().get() ? "● " : "") + name + " – Paprsek");
+    }
+
+    private void lookAtDisk() {
+        if (!model.gesturingProperty().get()) {
+            files.checkDisk();
+        }
+    }
+
+    private void closing(WindowEvent event) {
+        if (files.mayLeave()) {
+            close();
+        } else {
+            event.consume();
+        }
+    }
+}

@@ -1,0 +1,220 @@
+package cz.paprsek.fx;
+
+import cz.paprsek.fx.model.Document;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.Recovery;
+import cz.paprsek.fx.model.SceneSource;
+import cz.paprsek.fx.model.Settings;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+
+/** New, open, save and reload. What is asked, and what goes wrong, is said here; the files themselves are the model's business. */
+final class FileActions {
+    /** A scene with where it came from. */
+    private record Loaded(SceneSource source, Scene scene, Optional<Path> left) {}
+
+    private final Document document;
+    private final Settings settings;
+    private final Recovery recovery;
+    private final Dialogs dialogs;
+    private final Notices notices;
+    private final Supplier<Texts> texts;
+
+    FileActions(Document document, Settings settings, Recovery recovery, Dialogs dialogs, Notices notices, Supplier<Texts> texts) {
+        this.document = document;
+        this.settings = settings;
+        this.recovery = recovery;
+        this.dialogs = dialogs;
+        this.notices = notices;
+        this.texts = texts;
+    }
+
+    /** Starts from a template or example. */
+    void newFrom(String template) {
+        if (mayLeave()) {
+            document.openedWithoutFile(Templates.read(template));
+            notices.quiet();
+        }
+    }
+
+    void open() {
+        Optional<Path> folder = document.sourceProperty().get().map(source -> source.file().getParent())
+                .or(() -> settings.recent().stream().findFirst().map(Path::getParent));
+        dialogs.fileToOpen(folder).ifPresent(this::open);
+    }
+
+    /** Opens a file; if something is wrong with it, says what, and stays with the scene there is. */
+    void open(Path file) {
+        if (mayLeave()) {
+            load(() -> SceneSource.of(file), file);
+        }
+    }
+
+    /** Opens a scene out of a database. */
+    void open(SceneSource source) {
+        if (mayLeave()) {
+            load(() -> source, source.file());
+        }
+    }
+
+    private interface Finding {
+        SceneSource find() throws IOException, SceneFileException;
+    }
+
+    private void load(Finding finding, Path file) {
+        notices.say(texts.get().of("file.opening", file.getFileName()));
+        Background.run("paprsek-open", () -> {
+            SceneSource source = finding.find();
+            return new Loaded(source, source.read(), recovery.left(Optional.of(source)));
+        }, this::opened, fault -> failed(file, fault));
+    }
+
+    private void opened(Loaded loaded) {
+        forgetCopy();
+        document.opened(loaded.source(), loaded.scene());
+        settings.addRecent(loaded.source().file());
+        notices.quiet();
+        notices.say(texts.get().of("file.opened", loaded.source().title()));
+        loaded.left().ifPresent(copy -> offer(Optional.of(loaded.source()), copy));
+    }
+
+    private void failed(Path file, Throwable fault) {
+        if (fault instanceof SceneFileException wrong) {
+            notices.say("");
+            notices.problems(texts.get().of("file.problems", file.getFileName(), wrong.problems().size()), wrong.problems());
+        } else if (fault instanceof IOException) {
+            notices.say(String.valueOf(fault.getMessage()));
+        } else {
+            dialogs.fault(fault, this::saveAs);
+        }
+    }
+
+    /** Offers what an earlier process left that has not been saved. */
+    void offerUntitled() {
+        Background.run("paprsek-recovery", () -> recovery.left(Optional.empty()),
+                left -> left.ifPresent(copy -> offer(Optional.empty(), copy)), fault -> failed(recovery.place(Optional.empty()), fault));
+    }
+
+    private void offer(Optional<SceneSource> source, Path copy) {
+        notices.ask(source.map(known -> texts.get().of("recovery.of", known.title())).orElseGet(() -> texts.get().of("recovery.untitled")), List.of(
+                new MessageBar.Choice("recovery-restore", texts.get().of("recovery.restore"), () -> restore(source, copy)),
+                new MessageBar.Choice("recovery-discard", texts.get().of("recovery.discard"), () -> delete(copy))));
+    }
+
+    private void restore(Optional<SceneSource> source, Path copy) {
+        Background.run("paprsek-restore", () -> SceneFiles.read(copy), scene -> {
+            document.recovered(source, scene);
+            delete(copy);
+        }, fault -> failed(copy, fault));
+    }
+
+    private void delete(Path copy) {
+        try {
+            Files.deleteIfExists(copy);
+        } catch (IOException e) {
+            notices.say(copy + ": " + e.getMessage());
+        }
+    }
+
+    /** Saves where the scene is kept, or asks where; false if it was not saved. */
+    boolean save() {
+        return document.sourceProperty().get().map(this::save).orElseGet(this::saveAs);
+    }
+
+    boolean saveAs() {
+        Optional<Path> suggestion = document.sourceProperty().get().map(SceneSource::file).or(() -> Optional.of(Path.of(fileName())));
+        Optional<Path> chosen = dialogs.fileToSave(suggestion);
+        if (chosen.isEmpty()) {
+            return false;
+        }
+        try {
+            if (Files.exists(chosen.get()) && SceneFiles.isDatabase(chosen.get())) {
+                notices.say(texts.get().of("file.is-database", chosen.get().getFileName()));
+                return false;
+            }
+        } catch (IOException unreadable) {
+            notices.say(String.valueOf(unreadable.getMessage()));
+            return false;
+        }
+        return save(SceneSource.file(chosen.get()));
+    }
+
+    private boolean save(SceneSource source) {
+        Optional<SceneSource> before = document.sourceProperty().get();
+        try {
+            document.save(source);
+            recovery.discard(before);
+        } catch (IOException | SceneFileException | IllegalArgumentException e) {
+            notices.ask(texts.get().of("file.not-saved", source.title(), String.valueOf(e.getMessage())),
+                    List.of(new MessageBar.Choice("save-elsewhere", texts.get().of("file.save-elsewhere"), this::saveAs)));
+            return false;
+        }
+        settings.addRecent(source.file());
+        notices.quiet();
+        notices.say(texts.get().of("file.saved", source.title()));
+        return true;
+    }
+
+    /** Looks whether the file was changed by somebody else: takes it over if nothing is unsaved here, else asks. */
+    void checkDisk() {
+        if (!document.hasChangedOnDisk()) {
+            return;
+        }
+        document.noticeDisk();
+        if (document.model().unsavedProperty().get()) {
+            String title = document.sourceProperty().get().map(SceneSource::title).orElse("");
+            notices.ask(texts.get().of("file.changed", title), List.of(
+                    new MessageBar.Choice("disk-reload", texts.get().of("file.reload"), this::reload),
+                    new MessageBar.Choice("disk-keep", texts.get().of("file.keep"), () -> {})));
+        } else {
+            reload();
+        }
+    }
+
+    /** Takes over what is on disk, as a step that can be undone. */
+    void reload() {
+        document.sourceProperty().get().ifPresent(source -> Background.run("paprsek-reload", source::read, scene -> {
+            document.reloaded(Label.of(Label.Edit.RELOAD, source.title()), scene);
+            notices.quiet();
+            notices.say(texts.get().of("file.reloaded", source.title()));
+        }, fault -> failed(source.file(), fault)));
+    }
+
+    /** Whether this scene may be left: nothing is unsaved, or the user saves it or gives it up. */
+    boolean mayLeave() {
+        if (!document.model().unsavedProperty().get()) {
+            return true;
+        }
+        String title = document.sourceProperty().get().map(SceneSource::title).orElseGet(() -> texts.get().of("window.untitled"));
+        boolean may = switch (dialogs.aboutUnsaved(title)) {
+            case SAVE -> save();
+            case DISCARD -> true;
+            case STAY -> false;
+        };
+        if (may) {
+            forgetCopy();
+        }
+        return may;
+    }
+
+    private void forgetCopy() {
+        try {
+            recovery.discard(document.sourceProperty().get());
+        } catch (IOException e) {
+            notices.say(String.valueOf(e.getMessage()));
+        }
+    }
+
+    private String fileName() {
+        String name = document.model().scene().name().replaceAll("[^\\p{L}\\p{N}._-]+", "-");
+        return (name.isBlank() || name.equals("-") ? "scene" : name) + ".xml";
+    }
+}

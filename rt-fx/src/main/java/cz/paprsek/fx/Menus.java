@@ -1,0 +1,250 @@
+package cz.paprsek.fx;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.view.AddPalette;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.Theme;
+import cz.paprsek.fx.view.projection.ProjectionPane;
+import cz.paprsek.shape.Csg.Operation;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import javafx.beans.binding.Bindings;
+import javafx.beans.binding.BooleanBinding;
+import javafx.beans.binding.ObjectBinding;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.geometry.Orientation;
+import javafx.scene.control.CheckMenuItem;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.RadioMenuItem;
+import javafx.scene.control.Separator;
+import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.ToggleGroup;
+import javafx.scene.control.ToolBar;
+import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyCombination;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignD;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignM;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignU;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignV;
+
+/** The menus and the toolbar: all commands, with their keys. */
+final class Menus {
+    private final Editor editor;
+    private final Views views;
+    private final AddPalette palette;
+    private final Texts texts;
+    private final FileActions files;
+    private final EditActions edits;
+    private final Command open;
+    private final Command save;
+    private final Command undo;
+    private final Command redo;
+    private final Command duplicate;
+    private final Command delete;
+    private final Command union;
+    private final Command difference;
+    private final Command intersection;
+    private final Command fitAll;
+    private final Command render;
+
+    Menus(Editor editor, Views views, AddPalette palette) {
+        this.editor = editor;
+        this.views = views;
+        this.palette = palette;
+        this.texts = editor.texts();
+        this.files = editor.files();
+        EditorModel model = editor.model();
+        this.edits = new EditActions(model, texts, editor);
+        open = command("file.open", files::open).keys("Shortcut+O").icon(MaterialDesignF.FOLDER_OPEN_OUTLINE);
+        save = command("file.save", files::save).keys("Shortcut+S").icon(MaterialDesignC.CONTENT_SAVE_OUTLINE);
+        undo = history(command("edit-menu.undo", model::undo).keys("Shortcut+Z").icon(MaterialDesignU.UNDO), "undo", model.undoableProperty());
+        redo = history(command("edit-menu.redo", model::redo).keys("Shortcut+Shift+Z").icon(MaterialDesignR.REDO), "redo", model.redoableProperty());
+        duplicate = ofSelection(command("edit-menu.duplicate", edits::duplicate).keys("Shortcut+D").icon(MaterialDesignC.CONTENT_DUPLICATE));
+        delete = ofSelection(command("edit-menu.delete", edits::delete).keys("Delete").icon(MaterialDesignD.DELETE_OUTLINE));
+        union = ofSeveral(command("object.union", () -> edits.combine(Operation.UNION)).keys("Shortcut+Shift+U")
+                .icon(MaterialDesignV.VECTOR_UNION));
+        difference = ofSeveral(command("object.difference", () -> edits.combine(Operation.DIFFERENCE)).keys("Shortcut+Shift+D")
+                .icon(MaterialDesignV.VECTOR_DIFFERENCE_AB));
+        intersection = ofSeveral(command("object.intersection", () -> edits.combine(Operation.INTERSECTION)).keys("Shortcut+Shift+I")
+                .icon(MaterialDesignV.VECTOR_INTERSECTION));
+        fitAll = command("view-menu.fit-all", views::fitAll).keys("Shortcut+0").icon(MaterialDesignF.FIT_TO_PAGE_OUTLINE);
+        render = command("render-menu.render", editor.renders()::render).keys("Shortcut+R").icon(MaterialDesignM.MOVIE_OPEN_OUTLINE);
+    }
+
+    MenuBar menuBar() {
+        MenuBar bar = new MenuBar(fileMenu(), editMenu(), addMenu(), objectMenu(), viewMenu(), renderMenu());
+        bar.setId("menu-bar");
+        return bar;
+    }
+
+    ToolBar toolBar() {
+        ToolBar bar = new ToolBar(
+                open.button(), save.button(), new Separator(Orientation.VERTICAL), undo.button(), redo.button(), new Separator(Orientation.VERTICAL),
+                duplicate.button(), delete.button(), new Separator(Orientation.VERTICAL), union.button(), difference.button(), intersection.button(),
+                new Separator(Orientation.VERTICAL), fitAll.button(), snapButton(), new Separator(Orientation.VERTICAL), render.button());
+        bar.setId("tool-bar");
+        return bar;
+    }
+
+    private Menu fileMenu() {
+        Menu fresh = menu("file.templates");
+        for (String template : Templates.NEW) {
+            fresh.getItems().add(item(texts.of("template." + template), "template-" + template, () -> files.newFrom(template)));
+        }
+        Menu examples = menu("file.examples");
+        for (String example : Templates.EXAMPLES) {
+            examples.getItems().add(item(example, "example-" + example, () -> files.newFrom(example)));
+        }
+        Menu recent = menu("file.recent");
+        // Filled when it opens: the list is another one after every file.
+        recent.getItems().add(new MenuItem());
+        recent.setOnShowing(event -> recent.getItems().setAll(recentItems()));
+        return menu("menu.file", command("file.new", () -> files.newFrom("plain")).keys("Shortcut+N").icon(MaterialDesignF.FILE_OUTLINE).menuItem(),
+                fresh, examples, open.menuItem(), recent, new SeparatorMenuItem(),
+                save.menuItem(), command("file.save-as", files::saveAs).keys("Shortcut+Shift+S").menuItem(),
+                command("file.revert", files::reload).disabledIf(noFile()).menuItem(), new SeparatorMenuItem(),
+                command("file.quit", editor::quit).keys("Shortcut+Q").menuItem());
+    }
+
+    private List<MenuItem> recentItems() {
+        List<Path> recent = editor.settings().recent();
+        if (recent.isEmpty()) {
+            MenuItem none = new MenuItem(texts.of("file.recent.none"));
+            none.setDisable(true);
+            return List.of(none);
+        }
+        return recent.stream().map(path -> item(path.toString(), "recent", () -> files.open(path))).toList();
+    }
+
+    private Menu editMenu() {
+        CheckMenuItem snap = new CheckMenuItem(texts.of("edit-menu.snap"));
+        snap.setId("edit-menu-snap");
+        snap.setAccelerator(KeyCombination.valueOf("Shortcut+Shift+M"));
+        snap.selectedProperty().bindBidirectional(editor.snapping());
+        return menu("menu.edit", undo.menuItem(), redo.menuItem(), new SeparatorMenuItem(),
+                ofSelection(command("edit-menu.cut", edits::cut).keys("Shortcut+X").icon(MaterialDesignC.CONTENT_CUT)).menuItem(),
+                ofSelection(command("edit-menu.copy", edits::copy).keys("Shortcut+C").icon(MaterialDesignC.CONTENT_COPY)).menuItem(),
+                command("edit-menu.paste", edits::paste).keys("Shortcut+V").icon(MaterialDesignC.CONTENT_PASTE).menuItem(),
+                duplicate.menuItem(), delete.menuItem(), new SeparatorMenuItem(),
+                command("edit-menu.select-all", edits::selectAll).keys("Shortcut+A").menuItem(),
+                command("edit-menu.select-none", () -> editor.model().select()).keys("Shortcut+Shift+A").menuItem(), new SeparatorMenuItem(), snap);
+    }
+
+    private Menu addMenu() {
+        Menu menu = menu("menu.add");
+        menu.getItems().setAll(palette.menuItems());
+        return menu;
+    }
+
+    private Menu objectMenu() {
+        return menu("menu.object", union.menuItem(), difference.menuItem(), intersection.menuItem(),
+                ofSeveral(command("object.group", edits::group).keys("Shortcut+G")).menuItem(),
+                ofSelection(command("object.dissolve", edits::dissolve).keys("Shortcut+Shift+G")).menuItem(), new SeparatorMenuItem(),
+                ofSelection(command("object.hide", edits::hide).keys("Shortcut+H")).menuItem(),
+                command("object.show-all", edits::showAll).keys("Shortcut+Shift+H").menuItem(),
+                ofSelection(command("object.lock", edits::lock).keys("Shortcut+L")).menuItem(),
+                command("object.unlock-all", edits::unlockAll).keys("Shortcut+Shift+L").menuItem());
+    }
+
+    private Menu viewMenu() {
+        Menu theme = menu("view-menu.theme");
+        choices(theme, List.of(Theme.values()), value -> texts.of("theme." + value.name().toLowerCase(Locale.ROOT)),
+                value -> value == editor.theme().get(), value -> editor.theme().set(value));
+        Menu language = menu("view-menu.language");
+        choices(language, Texts.LANGUAGES, value -> value.getDisplayLanguage(value), value -> value.equals(texts.locale()), editor::setLanguage);
+        return menu("menu.view",
+                maximize("view-menu.top", 0, "Shortcut+1"), maximize("view-menu.camera", 1, "Shortcut+2"),
+                maximize("view-menu.front", 2, "Shortcut+3"), maximize("view-menu.right", 3, "Shortcut+4"), new SeparatorMenuItem(),
+                command("view-menu.zoom-in", () -> views.zoom(pane -> pane.zoom(1.25))).keys("Shortcut+Plus").menuItem(),
+                command("view-menu.zoom-out", () -> views.zoom(pane -> pane.zoom(0.8))).keys("Shortcut+Minus").menuItem(), fitAll.menuItem(),
+                command("view-menu.fit-selection", views::fitSelection).keys("Shortcut+Shift+0").menuItem(), new SeparatorMenuItem(), theme, language);
+    }
+
+    private Menu renderMenu() {
+        return menu("menu.render", render.menuItem());
+    }
+
+    private MenuItem maximize(String key, int view, String keys) {
+        return command(key, () -> views.toggle(views.titled().get(view))).keys(keys).menuItem();
+    }
+
+    private ToggleButton snapButton() {
+        ToggleButton button = new ToggleButton("", new FontIcon(MaterialDesignM.MAGNET));
+        button.setId("snap-button");
+        button.setTooltip(new Tooltip(texts.of("edit-menu.snap")));
+        button.setAccessibleText(texts.of("edit-menu.snap"));
+        button.setFocusTraversable(false);
+        button.selectedProperty().bindBidirectional(editor.snapping());
+        return button;
+    }
+
+    private interface Naming<T> {
+        String name(T value);
+    }
+
+    private static <T> void choices(
+            Menu menu, List<T> values, Naming<T> naming, java.util.function.Predicate<T> current, java.util.function.Consumer<T> action) {
+        ToggleGroup group = new ToggleGroup();
+        for (T value : values) {
+            RadioMenuItem item = new RadioMenuItem(naming.name(value));
+            item.setId(menu.getId() + "-" + value.toString().toLowerCase(Locale.ROOT));
+            item.setToggleGroup(group);
+            item.setSelected(current.test(value));
+            item.setOnAction(event -> action.accept(value));
+            menu.getItems().add(item);
+        }
+    }
+
+    private Command command(String key, Runnable action) {
+        return Command.of(key, texts, action);
+    }
+
+    /** "Undo Move sphere", as long as there is something to undo. */
+    private Command history(Command command, String what, ReadOnlyObjectProperty<Optional<Label>> label) {
+        return command
+                .called(Bindings.createStringBinding(
+                        () -> label.get().map(l -> texts.of("edit-menu." + what + "-what", texts.edit(l))).orElse(texts.of("edit-menu." + what)), label))
+                .disabledIf(Bindings.createBooleanBinding(() -> label.get().isEmpty(), label));
+    }
+
+    private Command ofSelection(Command command) {
+        return command.disabledIf(selectedFewerThan(1));
+    }
+
+    private Command ofSeveral(Command command) {
+        return command.disabledIf(selectedFewerThan(2));
+    }
+
+    private BooleanBinding selectedFewerThan(int count) {
+        return Bindings.createBooleanBinding(() -> editor.model().selection().size() < count, editor.model().selectionProperty());
+    }
+
+    private BooleanBinding noFile() {
+        return Bindings.createBooleanBinding(() -> editor.document().sourceProperty().get().isEmpty(), editor.document().sourceProperty());
+    }
+
+    private Menu menu(String key, MenuItem... items) {
+        Menu menu = new Menu(texts.of(key), null, items);
+        menu.setId(key.replace('.', '-'));
+        return menu;
+    }
+
+    private static MenuItem item(String text, String id, Runnable action) {
+        MenuItem item = new MenuItem(text);
+        item.setId(id);
+        item.setMnemonicParsing(false);
+        item.setOnAction(event -> action.run());
+        return item;
+    }
+}

@@ -1,0 +1,94 @@
+package cz.paprsek.fx;
+
+import cz.paprsek.fx.view.PictureChooser;
+import cz.paprsek.fx.view.Texts;
+import java.io.File;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Supplier;
+import javafx.scene.control.Alert;
+import javafx.scene.control.ButtonBar.ButtonData;
+import javafx.scene.control.ButtonType;
+import javafx.scene.control.TextArea;
+import javafx.stage.FileChooser;
+import javafx.stage.FileChooser.ExtensionFilter;
+import javafx.stage.Window;
+
+/** The questions as dialogs of the system and of JavaFX. */
+final class SystemDialogs implements Dialogs {
+    private final Window owner;
+    private final Supplier<Texts> texts;
+
+    SystemDialogs(Window owner, Supplier<Texts> texts) {
+        this.owner = owner;
+        this.texts = texts;
+    }
+
+    @Override
+    public Optional<Path> fileToOpen(Optional<Path> folder) {
+        FileChooser chooser = chooser(texts.get().of("dialog.open"));
+        folder.filter(Files::isDirectory).ifPresent(path -> chooser.setInitialDirectory(path.toFile()));
+        return Optional.ofNullable(chooser.showOpenDialog(owner)).map(File::toPath);
+    }
+
+    @Override
+    public Optional<Path> fileToSave(Optional<Path> suggestion) {
+        FileChooser chooser = chooser(texts.get().of("dialog.save"));
+        suggestion.ifPresent(path -> {
+            chooser.setInitialFileName(String.valueOf(path.getFileName()));
+            Optional.ofNullable(path.getParent()).filter(Files::isDirectory).ifPresent(folder -> chooser.setInitialDirectory(folder.toFile()));
+        });
+        return Optional.ofNullable(chooser.showSaveDialog(owner)).map(File::toPath)
+                .map(path -> path.toString().contains(".") ? path : Path.of(path + ".xml"));
+    }
+
+    private FileChooser chooser(String title) {
+        FileChooser chooser = new FileChooser();
+        chooser.setTitle(title);
+        chooser.getExtensionFilters().addAll(
+                new ExtensionFilter(texts.get().of("dialog.scenes"), "*.xml"), new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
+        return chooser;
+    }
+
+    @Override
+    public Unsaved aboutUnsaved(String title) {
+        ButtonType save = new ButtonType(texts.get().of("dialog.unsaved.save"), ButtonData.YES);
+        ButtonType discard = new ButtonType(texts.get().of("dialog.unsaved.discard"), ButtonData.NO);
+        ButtonType stay = new ButtonType(texts.get().of("dialog.unsaved.stay"), ButtonData.CANCEL_CLOSE);
+        Alert alert = new Alert(Alert.AlertType.CONFIRMATION, texts.get().of("dialog.unsaved.text"), save, discard, stay);
+        alert.initOwner(owner);
+        alert.setTitle("Paprsek");
+        alert.setHeaderText(texts.get().of("dialog.unsaved.header", title));
+        ButtonType answer = alert.showAndWait().orElse(stay);
+        return answer.equals(save) ? Unsaved.SAVE : answer.equals(discard) ? Unsaved.DISCARD : Unsaved.STAY;
+    }
+
+    @Override
+    public PictureChooser pictureChooser(Texts language) {
+        return PictureChooser.ofSystem(language);
+    }
+
+    @Override
+    public void fault(Throwable fault, Runnable saveCopy) {
+        StringWriter trace = new StringWriter();
+        fault.printStackTrace(new PrintWriter(trace));
+        ButtonType save = new ButtonType(texts.get().of("dialog.fault.save"), ButtonData.LEFT);
+        ButtonType goOn = new ButtonType(texts.get().of("dialog.fault.continue"), ButtonData.OK_DONE);
+        Alert alert = new Alert(Alert.AlertType.ERROR, texts.get().of("dialog.fault.text"), save, goOn);
+        alert.initOwner(owner);
+        alert.setTitle("Paprsek");
+        alert.setHeaderText(texts.get().of("dialog.fault.header"));
+        TextArea details = new TextArea(trace.toString());
+        details.setEditable(false);
+        alert.getDialogPane().setExpandableContent(details);
+        alert.resultProperty().addListener((property, old, answer) -> {
+            if (save.equals(answer)) {
+                saveCopy.run();
+            }
+        });
+        alert.show();
+    }
+}

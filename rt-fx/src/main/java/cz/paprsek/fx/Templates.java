@@ -1,0 +1,30 @@
+package cz.paprsek.fx;
+
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.List;
+import java.util.Objects;
+
+/** Scenes that come with the program. */
+final class Templates {
+    /** To start from; each has a text with the key "template." and its name. */
+    static final List<String> NEW = List.of("plain", "studio", "test");
+    /** To look at: scenes of the project. */
+    static final List<String> EXAMPLES = List.of(
+            "showcase", "primitives", "csg", "glass", "lens", "mirrors", "checkers", "lights", "placement", "dice", "chess");
+
+    private Templates() {}
+
+    /** Reads a template or example. */
+    static Scene read(String name) {
+        String file = (NEW.contains(name) ? "templates/" : "examples/") + name + ".xml";
+        try (InputStream input = Objects.requireNonNull(Templates.class.getResourceAsStream(file), file + " is missing")) {
+            return SceneFiles.read(input, file);
+        } catch (IOException | SceneFileException e) {
+            throw new IllegalStateException(file + " in the program's own jar cannot be read", e);
+        }
+    }
+}

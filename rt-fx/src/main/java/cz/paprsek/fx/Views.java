@@ -1,0 +1,99 @@
+package cz.paprsek.fx;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.view.CameraPane;
+import cz.paprsek.fx.view.PaneGrid;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.TitledView;
+import cz.paprsek.fx.view.projection.Axes;
+import cz.paprsek.fx.view.projection.ProjectionPane;
+import cz.paprsek.math.Vec3;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javafx.scene.Node;
+
+/** The four views, and where they look. */
+final class Views {
+    private final EditorModel model;
+    private final List<ProjectionPane> projections;
+    private final CameraPane camera;
+    private final List<TitledView> titled;
+    private final PaneGrid grid;
+    private Optional<ProjectionPane> active = Optional.empty();
+
+    Views(Editor editor) {
+        this.model = editor.model();
+        Texts texts = editor.texts();
+        camera = new CameraPane(model, editor::fault);
+        ProjectionPane top = projection(editor, Axes.TOP);
+        ProjectionPane front = projection(editor, Axes.FRONT);
+        ProjectionPane right = projection(editor, Axes.RIGHT);
+        projections = List.of(top, front, right);
+        titled = List.of(
+                titled("top", texts.of("view.top"), texts, top), titled("camera", texts.of("view.camera"), texts, camera),
+                titled("front", texts.of("view.front"), texts, front), titled("right", texts.of("view.right"), texts, right));
+        grid = new PaneGrid(titled);
+        for (ProjectionPane pane : projections) {
+            pane.focusedProperty().addListener((property, old, now) -> active = now ? Optional.of(pane) : active);
+        }
+    }
+
+    private static ProjectionPane projection(Editor editor, Axes axes) {
+        ProjectionPane pane = new ProjectionPane(editor.model(), editor.texts(), axes, editor.theme(), editor.snapping());
+        pane.setId("projection-" + axes.name().toLowerCase(Locale.ROOT));
+        return pane;
+    }
+
+    private static TitledView titled(String name, String caption, Texts texts, Node content) {
+        return new TitledView(name, caption, texts.of("view.maximize"), content);
+    }
+
+    Node root() {
+        return grid;
+    }
+
+    /** The views in the order of the window: top, camera, front, right. */
+    List<TitledView> titled() {
+        return titled;
+    }
+
+    void toggle(TitledView view) {
+        grid.toggle(view);
+    }
+
+    /** Does something with the projection used last, or with all if none was. */
+    void zoom(Consumer<ProjectionPane> change) {
+        active.ifPresentOrElse(change, () -> projections.forEach(change));
+    }
+
+    void fitAll() {
+        projections.forEach(ProjectionPane::fitAll);
+    }
+
+    void fitSelection() {
+        projections.forEach(ProjectionPane::fitSelection);
+    }
+
+    /** Tells where the mouse is in the world, in words; empty if it is in no projection. */
+    void setOnPointed(Consumer<String> listener, Texts texts) {
+        for (ProjectionPane pane : projections) {
+            pane.pointedProperty().addListener((property, old, now) -> listener.accept(now.map(p -> pane.describe(p, texts.locale())).orElse("")));
+        }
+    }
+
+    /** Where new things are put: in the middle of the projection used last, at the depth of what the camera looks at. */
+    Vec3 whereUserLooks() {
+        Vec3 gaze = LookedAt.point(model.scene());
+        return active.map(pane -> pane.centre(gaze)).orElse(gaze);
+    }
+
+    boolean isPictureComplete() {
+        return camera.isComplete();
+    }
+
+    void close() {
+        camera.close();
+    }
+}

@@ -1,0 +1,305 @@
+package cz.paprsek.fx;
+
+import static cz.paprsek.fx.EditorGui.place;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.view.projection.ProjectionPane;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Sphere;
+import java.nio.file.Path;
+import java.util.Set;
+import javafx.geometry.Point2D;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Mouse and keys in the projections. */
+class ProjectionTest {
+    private static final Item BALL = Item.body(0);
+    private static final Item CRATE = Item.body(1);
+    private static final Item BOWL = Item.body(2);
+
+    /** A ball at the origin, a crate behind it, a bowl to the right; the camera far to the left. */
+    private static final Scene SCENE = Scene.EMPTY
+            .withCamera(Camera.lookingAt(new Vec3(-6, 3, 6), Vec3.ZERO))
+            .plus(Light.at(-3, 5, 3))
+            .plus(
+                    SceneObject.of(new Sphere(1)).named("ball"),
+                    SceneObject.of(new Block(new Vec3(-1.5, -1.5, -4), new Vec3(1.5, 1.5, -2))).named("crate"),
+                    SceneObject.of(Csg.difference(Operand.of(new Sphere(1)), Operand.of(new Sphere(0.5)).at(0, 0.8, 0))).named("bowl").at(5, 0, 0));
+
+    @TempDir
+    Path folder;
+
+    private EditorGui editor;
+
+    @BeforeEach
+    void open() {
+        editor = new EditorGui(folder, SCENE);
+        editor.gui.act(() -> editor.editor.snapping().set(false));
+    }
+
+    @AfterEach
+    void close() {
+        editor.close();
+    }
+
+    @Test
+    void clickSelectsWhatIsInFrontAndTheNextClickWhatIsBehind() {
+        ProjectionPane front = editor.projection("front");
+        click(front, 0.3, 0.3, 0);
+        assertThat(editor.model().selection()).containsExactly(BALL);
+        click(front, 0.3, 0.3, 0);
+        assertThat(editor.model().selection()).containsExactly(CRATE);
+        click(front, 0.3, 0.3, 0);
+        assertThat(editor.model().selection()).containsExactly(BALL);
+        click(front, 0, 3, 0);
+        assertThat(editor.model().selection()).isEmpty();
+        assertThat(editor.model().undoableProperty().get()).isEmpty();
+    }
+
+    @Test
+    void furtherClicksReachTheOperands() {
+        ProjectionPane front = editor.projection("front");
+        click(front, 5, 0.9, 0);
+        click(front, 5, 0.9, 0);
+        assertThat(editor.model().selection()).first().matches(item -> item instanceof Item.BodyAt body && body.depth() == 1);
+    }
+
+    @Test
+    void shiftAddsToTheSelectionAndTakesAway() {
+        ProjectionPane front = editor.projection("front");
+        click(front, 0.3, 0.3, 0);
+        editor.gui.hold(KeyCode.SHIFT);
+        click(front, 5.9, 0, 0);
+        click(front, -3, 5, 3);
+        assertThat(editor.model().selection()).containsExactly(BALL, BOWL, Item.light(0));
+        click(front, 0.3, 0.3, 0);
+        editor.gui.letGo(KeyCode.SHIFT);
+        assertThat(editor.model().selection()).containsExactly(BOWL, Item.light(0));
+    }
+
+    @Test
+    void rubberBandSelectsWhatLiesWithin() {
+        ProjectionPane front = editor.projection("front");
+        drag(front, new Vec3(-2, 2.2, 0), new Vec3(7, -2, 0));
+        assertThat(editor.model().selection()).containsExactlyInAnyOrder(BALL, CRATE, BOWL);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"front, 1, 0.5, 0", "top, 1, 0, 0.5", "right, 0, 0.5, 1"})
+    void draggingMovesInTheTwoAxesOfTheView(String axes, double x, double y, double z) {
+        Vec3 by = new Vec3(x, y, z);
+        ProjectionPane pane = editor.projection(axes);
+        editor.gui.act(() -> editor.model().select(BALL));
+        drag(pane, new Vec3(0.2, 0.2, 0.2), new Vec3(0.2, 0.2, 0.2).plus(by));
+        assertMoved(BALL, by, 1.5 / scale(pane));
+        assertThat(editor.text("#status-selection")).isEqualTo("ball");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(editor.model().scene()).isSameAs(SCENE);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.Z);
+        assertMoved(BALL, by, 1.5 / scale(pane));
+    }
+
+    @Test
+    void lightsAndTheCameraAreDraggedToo() {
+        ProjectionPane front = editor.projection("front");
+        drag(front, new Vec3(-3, 5, 3), new Vec3(-2, 4, 3));
+        assertThat(editor.model().scene().lights().get(0).position().minus(new Vec3(-2, 4, 3)).length()).isCloseTo(0, within(3 / scale(front)));
+        drag(front, new Vec3(-6, 3, 6), new Vec3(-5, 4, 6));
+        assertThat(editor.model().scene().camera().position().minus(new Vec3(-5, 4, 6)).length()).isCloseTo(0, within(3 / scale(front)));
+        assertThat(editor.model().scene().camera().aim()).isEqualTo(new Camera.Target(Vec3.ZERO));
+    }
+
+    @Test
+    void cameraIsAimedByWhatItLooksAt() {
+        ProjectionPane front = editor.projection("front");
+        editor.gui.act(() -> editor.model().select(Item.CAMERA));
+        drag(front, Vec3.ZERO, new Vec3(2, 1, 0));
+        Camera.Target target = (Camera.Target) editor.model().scene().camera().aim();
+        assertThat(target.point().minus(new Vec3(2, 1, 0)).length()).isCloseTo(0, within(3 / scale(front)));
+    }
+
+    @Test
+    void snappedDragEndsOnTheGridUnlessCtrlIsHeld() {
+        editor.gui.act(() -> {
+            editor.editor.snapping().set(true);
+            editor.model().select(BALL);
+        });
+        ProjectionPane front = editor.projection("front");
+        Point2D from = place(front, 0.2, 0.2, 0);
+        Point2D to = place(front, 0.2 + 1.87, 0.2 + 2.61, 0);
+        editor.gui.moveTo(front, from.getX(), from.getY());
+        editor.gui.press(MouseButton.PRIMARY);
+        editor.gui.moveTo(front, to.getX() - 3, to.getY());
+        editor.gui.moveTo(front, to.getX(), to.getY());
+        Vec3 snapped = position(BALL);
+        editor.gui.hold(KeyCode.CONTROL);
+        Vec3 free = position(BALL);
+        editor.gui.letGo(KeyCode.CONTROL);
+        assertThat(position(BALL)).isEqualTo(snapped);
+        editor.gui.release(MouseButton.PRIMARY);
+        assertThat(snapped.x() * 10).isEqualTo(Math.rint(snapped.x() * 10));
+        assertThat(snapped.y() * 10).isEqualTo(Math.rint(snapped.y() * 10));
+        assertThat(free.minus(new Vec3(1.87, 2.61, 0)).length()).isCloseTo(0, within(3 / scale(front)));
+        assertThat(free).isNotEqualTo(snapped);
+    }
+
+    @Test
+    void shiftKeepsADragToOneAxis() {
+        ProjectionPane front = editor.projection("front");
+        editor.gui.act(() -> editor.model().select(BALL));
+        editor.gui.hold(KeyCode.SHIFT);
+        drag(front, new Vec3(0.2, 0.2, 0), new Vec3(2.2, 0.5, 0));
+        editor.gui.letGo(KeyCode.SHIFT);
+        assertThat(position(BALL).y()).isZero();
+        assertThat(position(BALL).x()).isCloseTo(2, within(3 / scale(front)));
+    }
+
+    @Test
+    void escapeCancelsADrag() {
+        ProjectionPane front = editor.projection("front");
+        Point2D from = place(front, 0.2, 0.2, 0);
+        editor.gui.moveTo(front, from.getX(), from.getY());
+        editor.gui.press(MouseButton.PRIMARY);
+        editor.gui.moveTo(front, from.getX() + 40, from.getY());
+        assertThat(position(BALL).x()).isPositive();
+        editor.gui.keys(KeyCode.ESCAPE);
+        assertThat(editor.model().scene()).isSameAs(SCENE);
+        editor.gui.moveTo(front, from.getX() + 60, from.getY());
+        editor.gui.release(MouseButton.PRIMARY);
+        assertThat(editor.model().scene()).isSameAs(SCENE);
+        assertThat(editor.model().undoableProperty().get()).isEmpty();
+    }
+
+    @Test
+    void arrowKeysNudge() {
+        ProjectionPane top = editor.projection("top");
+        editor.gui.act(() -> {
+            editor.model().select(BALL);
+            top.requestFocus();
+        });
+        editor.gui.keys(KeyCode.RIGHT);
+        double step = position(BALL).x();
+        assertThat(step).isPositive();
+        editor.gui.keys(KeyCode.DOWN);
+        assertThat(position(BALL)).isEqualTo(new Vec3(step, 0, step));
+        editor.gui.keys(KeyCode.SHIFT, KeyCode.LEFT);
+        assertThat(position(BALL).x()).isCloseTo(-9 * step, within(1e-9));
+    }
+
+    @Test
+    void cornerHandleResizesFromTheOppositeCorner() {
+        ProjectionPane front = editor.projection("front");
+        editor.gui.act(() -> editor.model().select(CRATE));
+        Point2D corner = place(front, 1.5, 1.5, 0).add(7, -7);
+        Point2D to = place(front, 4.5, 3, 0).add(7, -7);
+        editor.gui.drag(front, corner.getX(), corner.getY(), to.getX(), to.getY());
+        Vec3 scale = editor.model().scene().objects().get(1).placement().scale();
+        assertThat(scale.x()).isCloseTo(2, within(0.1));
+        assertThat(scale.y()).isCloseTo(1.5, within(0.1));
+        assertThat(scale.z()).isEqualTo(1);
+        assertThat(editor.model().scene().objects().get(1).placement().position().x()).isCloseTo(1.5, within(0.1));
+    }
+
+    @Test
+    void upperHandleTurnsAboutTheAxisOfTheView() {
+        editor.gui.act(() -> {
+            editor.editor.snapping().set(true);
+            editor.model().select(CRATE);
+        });
+        ProjectionPane front = editor.projection("front");
+        Point2D middle = place(front, 0, 0, 0);
+        Point2D handle = place(front, 0, 1.5, 0).add(0, -27);
+        double arm = middle.getY() - handle.getY();
+        editor.gui.drag(front, handle.getX(), handle.getY(), middle.getX() - arm, middle.getY());
+        assertThat(editor.model().scene().objects().get(1).placement().rotation()).isEqualTo(new Vec3(0, 0, 90));
+    }
+
+    @Test
+    void wheelZoomsAboutTheCursor() {
+        ProjectionPane front = editor.projection("front");
+        Point2D before = place(front, 5, 0, 0);
+        double scale = scale(front);
+        editor.gui.moveTo(front, before.getX(), before.getY());
+        editor.gui.wheel(-3);
+        assertThat(scale(front)).isGreaterThan(scale);
+        assertThat(place(front, 5, 0, 0).distance(before)).isLessThan(2);
+    }
+
+    @Test
+    void middleButtonPans() {
+        ProjectionPane front = editor.projection("front");
+        Point2D before = place(front, 0, 0, 0);
+        editor.gui.moveTo(front, 100, 100);
+        editor.gui.press(MouseButton.MIDDLE);
+        editor.gui.moveTo(front, 130, 80);
+        editor.gui.release(MouseButton.MIDDLE);
+        assertThat(place(front, 0, 0, 0).subtract(before).distance(30, -20)).isCloseTo(0, within(1e-9));
+        assertThat(editor.model().selection()).isEmpty();
+    }
+
+    @Test
+    void lockedThingsStayAndHiddenThingsAreNotThere() {
+        ProjectionPane front = editor.projection("front");
+        editor.gui.act(() -> editor.model().select(BALL));
+        editor.menu("object-lock");
+        click(front, 0.3, 0.3, 0);
+        assertThat(editor.model().selection()).containsExactly(CRATE);
+        editor.menu("object-hide");
+        click(front, 0.3, 0.3, 0);
+        assertThat(editor.model().selection()).isEmpty();
+        editor.menu("object-unlock-all");
+        editor.menu("object-show-all");
+        assertThat(editor.model().state().hidden()).isEqualTo(Set.of());
+        click(front, 0.3, 0.3, 0);
+        assertThat(editor.model().selection()).containsExactly(BALL);
+    }
+
+    @Test
+    void statusTellsWhereTheMouseIs() {
+        ProjectionPane top = editor.projection("top");
+        Point2D place = place(top, 2, 0, 1);
+        editor.gui.moveTo(top, Math.rint(place.getX()), Math.rint(place.getY()));
+        assertThat(editor.text("#status-cursor")).matches("x [12]\\.\\d+   z [01]\\.\\d+");
+    }
+
+    private void click(ProjectionPane pane, double x, double y, double z) {
+        Point2D at = place(pane, x, y, z);
+        editor.gui.click(pane, at.getX(), at.getY());
+    }
+
+    private void drag(ProjectionPane pane, Vec3 from, Vec3 to) {
+        Point2D a = place(pane, from.x(), from.y(), from.z());
+        Point2D b = place(pane, to.x(), to.y(), to.z());
+        editor.gui.drag(pane, a.getX(), a.getY(), b.getX(), b.getY());
+    }
+
+    private Vec3 position(Item item) {
+        return editor.model().scene().objects().get(((Item.BodyAt) item).index()).placement().position();
+    }
+
+    private void assertMoved(Item item, Vec3 by, double slack) {
+        assertThat(position(item).minus(by).length()).isCloseTo(0, within(slack));
+    }
+
+    /** Pixels per scene unit: the height of a unit along y, or along x for the view from above. */
+    private static double scale(ProjectionPane pane) {
+        double height = place(pane, 0, 1, 0).distance(place(pane, 0, 0, 0));
+        return height > 0 ? height : place(pane, 1, 0, 0).distance(place(pane, 0, 0, 0));
+    }
+}

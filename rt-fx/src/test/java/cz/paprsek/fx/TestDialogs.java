@@ -1,0 +1,47 @@
+package cz.paprsek.fx;
+
+import cz.paprsek.fx.view.PictureChooser;
+import cz.paprsek.fx.view.Texts;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Answers questions as a test says beforehand, and remembers what was asked. */
+final class TestDialogs implements Dialogs {
+    Optional<Path> open = Optional.empty();
+    Optional<Path> save = Optional.empty();
+    Optional<Path> picture = Optional.empty();
+    Unsaved unsaved = Unsaved.STAY;
+    final List<String> asked = new ArrayList<>();
+    final List<Throwable> faults = new ArrayList<>();
+
+    @Override
+    public Optional<Path> fileToOpen(Optional<Path> folder) {
+        asked.add("open");
+        return open;
+    }
+
+    @Override
+    public Optional<Path> fileToSave(Optional<Path> suggestion) {
+        asked.add("save " + suggestion.map(path -> path.getFileName().toString()).orElse(""));
+        return save;
+    }
+
+    @Override
+    public Unsaved aboutUnsaved(String title) {
+        asked.add("unsaved " + title);
+        return unsaved;
+    }
+
+    @Override
+    public PictureChooser pictureChooser(Texts texts) {
+        return (owner, name) -> picture;
+    }
+
+    @Override
+    public void fault(Throwable fault, Runnable saveCopy) {
+        faults.add(fault);
+        saveCopy.run();
+    }
+}
