@@ -4,8 +4,8 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.view.AddPalette;
 import cz.paprsek.fx.view.ItemNames;
 import cz.paprsek.fx.view.ObjectTree;
-import cz.paprsek.fx.view.PropertySheet;
 import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.sheet.PropertySheet;
 import java.io.File;
 import java.util.List;
 import javafx.beans.value.ChangeListener;
@@ -37,7 +37,7 @@ final class MainWindow {
         problems = new ProblemList(texts.of("window.close-message"));
         ObjectTree tree = new ObjectTree(model, texts);
         PropertySheet sheet = new PropertySheet(model, texts);
-        AddPalette palette = new AddPalette(model, texts, views::whereUserLooks);
+        AddPalette palette = new AddPalette(model, texts, () -> views.sight().point());
         Menus menus = new Menus(editor, views, palette);
         VBox.setVgrow(tree, Priority.ALWAYS);
         VBox left = new VBox(palette, tree);

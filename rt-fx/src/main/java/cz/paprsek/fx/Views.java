@@ -1,13 +1,13 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Sight;
 import cz.paprsek.fx.view.CameraPane;
 import cz.paprsek.fx.view.PaneGrid;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.TitledView;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
-import cz.paprsek.math.Vec3;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -84,9 +84,9 @@ final class Views {
     }
 
     /** Where new things are put: in the middle of the projection used last, at the depth of what the camera looks at. */
-    Vec3 whereUserLooks() {
-        Vec3 gaze = LookedAt.point(model.scene());
-        return active.map(pane -> pane.centre(gaze)).orElse(gaze);
+    Sight sight() {
+        Sight gaze = Sight.of(model.scene());
+        return active.map(pane -> pane.sight(gaze.point())).orElse(gaze);
     }
 
     boolean isPictureComplete() {

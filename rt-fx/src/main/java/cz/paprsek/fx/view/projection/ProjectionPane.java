@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Item;
 import cz.paprsek.fx.model.Items;
+import cz.paprsek.fx.model.Sight;
 import cz.paprsek.fx.view.ItemNames;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.Theme;
@@ -83,10 +84,9 @@ public final class ProjectionPane extends Region {
         return axes;
     }
 
-    /** What is in the middle of the pane, to the step of the grid, at the depth of another point; world space. */
-    public Vec3 centre(Vec3 depth) {
-        double step = Grid.step(view.scale());
-        return axes.vector(Snapping.toGrid(view.centreU(), step), Snapping.toGrid(view.centreV(), step)).plus(axes.inDepth(depth));
+    /** What is in the middle of the pane, at the depth of another point. */
+    public Sight sight(Vec3 depth) {
+        return Sight.at(axes.vector(view.centreU(), view.centreV()).plus(axes.inDepth(depth)), getHeight() / view.scale());
     }
 
     /** The two coordinates of a point that this projection shows, to a pixel: "x 1.25   z −3". */
