@@ -12,7 +12,7 @@ final class Outlines {
 
     /** The circle about a centre through centre + a and centre + b; an ellipse if these differ in length. */
     static Curve circle(Vec3 centre, Vec3 a, Vec3 b, int steps) {
-        return closed(evenly(steps), angle -> centre.plus(a.times(Math.cos(angle))).plus(b.times(Math.sin(angle))));
+        return closed(evenly(steps), angle -> centre.plus(a.times(StrictMath.cos(angle))).plus(b.times(StrictMath.sin(angle))));
     }
 
     /** The edges of a box: bottom, top and the four between. */
@@ -57,13 +57,13 @@ final class Outlines {
                 curves.add(circle(new Vec3(0, y, 0), new Vec3(radius, 0, 0), new Vec3(0, 0, radius), steps));
             }
         }
-        double flat = Math.hypot(along.x(), along.z());
+        double flat = StrictMath.hypot(along.x(), along.z());
         double cosine = (top - bottom) / height * along.y() / flat;
         if (flat > 0 && Math.abs(cosine) < 1) {
-            double towards = Math.atan2(along.z(), along.x());
-            for (double angle : new double[] {towards + Math.acos(cosine), towards - Math.acos(cosine)}) {
-                double x = Math.cos(angle);
-                double z = Math.sin(angle);
+            double towards = StrictMath.atan2(along.z(), along.x());
+            for (double angle : new double[] {towards + StrictMath.acos(cosine), towards - StrictMath.acos(cosine)}) {
+                double x = StrictMath.cos(angle);
+                double z = StrictMath.sin(angle);
                 curves.add(Curve.through(new Vec3(bottom * x, 0, bottom * z), new Vec3(top * x, height, top * z)));
             }
         }
@@ -76,18 +76,18 @@ final class Outlines {
      * and across. Seen almost along its plane, ψ turns fast at the two ends, and so points are set evenly in ψ too.
      */
     static List<Curve> ring(double major, double minor, Vec3 along, int steps) {
-        double h = Math.hypot(along.x(), along.z());
+        double h = StrictMath.hypot(along.x(), along.z());
         double v = Math.copySign(Math.max(Math.abs(along.y()), 1e-9 * h), along.y());
-        double towards = Math.atan2(along.z(), along.x());
-        double[] ends = evenly(steps).map(psi -> -v / h * Math.tan(psi)).filter(c -> Math.abs(c) < 1).map(Math::acos).toArray();
+        double towards = StrictMath.atan2(along.z(), along.x());
+        double[] ends = evenly(steps).map(psi -> -v / h * StrictMath.tan(psi)).filter(c -> Math.abs(c) < 1).map(StrictMath::acos).toArray();
         double[] angles = DoubleStream.concat(evenly(steps),
                 DoubleStream.concat(DoubleStream.of(ends), DoubleStream.of(ends).map(angle -> 2 * Math.PI - angle))).sorted().toArray();
         List<Curve> curves = new ArrayList<>();
         for (int side : new int[] {1, -1}) {
             curves.add(closed(DoubleStream.of(angles), theta -> {
-                double psi = Math.atan2(-h * Math.cos(theta), v);
-                double radius = major + side * minor * Math.cos(psi);
-                return new Vec3(radius * Math.cos(towards + theta), side * minor * Math.sin(psi), radius * Math.sin(towards + theta));
+                double psi = StrictMath.atan2(-h * StrictMath.cos(theta), v);
+                double radius = major + side * minor * StrictMath.cos(psi);
+                return new Vec3(radius * StrictMath.cos(towards + theta), side * minor * StrictMath.sin(psi), radius * StrictMath.sin(towards + theta));
             }));
         }
         return curves;

@@ -62,6 +62,11 @@ final class EditorGui implements AutoCloseable {
         });
     }
 
+    /** What the status bar says; for any thread, as a condition to wait for or once nothing moves any more. */
+    String status() {
+        return ((Labeled) gui.stage().getScene().lookup("#status-message")).getText();
+    }
+
     String text(String selector) {
         return Gui.on(() -> ((Labeled) gui.stage().getScene().lookup(selector)).getText());
     }

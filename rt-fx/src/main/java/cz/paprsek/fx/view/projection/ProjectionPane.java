@@ -9,6 +9,7 @@ import cz.paprsek.fx.view.ItemNames;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.Theme;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Scene;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -27,12 +28,12 @@ import javafx.scene.shape.Rectangle;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The scene seen along an axis, without perspective. What is not selected is drawn on one canvas, what is, and the camera, on another above
- * it, so that a drag among ten thousand objects redraws only what moves.
+ * The scene seen along an axis, without perspective. What is selected, and the camera, is drawn on a canvas of its own above that of the
+ * rest, so that selecting and dragging among ten thousand objects need not draw them all anew.
  */
 public final class ProjectionPane extends Region {
-    /** All on which the lower canvas depends, besides the objects. */
-    private record Look(Viewport view, Theme theme, Set<Item> selection, Set<Item> hidden) {}
+    /** All on which the lower canvas depends, besides the objects. What a gesture changes is drawn above, and apart from the rest. */
+    private record Look(Viewport view, Theme theme, Set<Item> apart, Set<Item> hidden) {}
 
     private final EditorModel model;
     private final Texts texts;
@@ -70,6 +71,7 @@ public final class ProjectionPane extends Region {
         clip.heightProperty().bind(heightProperty());
         setClip(clip);
         model.stateProperty().addListener((property, old, now) -> requestLayout());
+        model.gesturingProperty().addListener((property, old, now) -> requestLayout());
         theme.addListener((property, old, now) -> requestLayout());
         new PaneMouse(this);
         new PaneKeys(this);
@@ -208,9 +210,10 @@ public final class ProjectionPane extends Region {
             view = view.fitting(figures.boxOfAll(model.state()));
         }
         EditorState state = model.state();
-        Look look = new Look(view, theme(), Set.copyOf(state.selection()), state.hidden());
-        if (!look.equals(drawnLook) || !sameRest(state)) {
-            drawRest(state);
+        Set<Item> apart = model.gesturingProperty().get() ? Set.copyOf(state.selection()) : Set.of();
+        Look look = new Look(view, theme(), apart, state.hidden());
+        if (!look.equals(drawnLook) || !sameRest(state.scene(), apart)) {
+            drawRest(state, apart);
             drawnLook = look;
             drawnObjects = state.scene().objects();
             drawnLights = state.scene().lights();
@@ -218,40 +221,39 @@ public final class ProjectionPane extends Region {
         drawSelection(state);
     }
 
-    /** Whether all that is not selected is what has been drawn. */
-    private boolean sameRest(EditorState state) {
-        return sameExcept(state.scene().objects(), drawnObjects, selectedObjects(state))
-                && sameExcept(state.scene().lights(), drawnLights, selectedLights(state));
+    /** Whether all that is not drawn apart is what has been drawn. */
+    private boolean sameRest(Scene scene, Set<Item> apart) {
+        return sameExcept(scene.objects(), drawnObjects, objects(apart)) && sameExcept(scene.lights(), drawnLights, lights(apart));
     }
 
-    private static boolean sameExcept(List<?> now, List<?> drawn, Set<Integer> selected) {
+    private static boolean sameExcept(List<?> now, List<?> drawn, Set<Integer> apart) {
         if (now.size() != drawn.size()) {
             return false;
         }
         for (int i = 0; i < now.size(); i++) {
-            if (!now.get(i).equals(drawn.get(i)) && !selected.contains(i)) {
+            if (!now.get(i).equals(drawn.get(i)) && !apart.contains(i)) {
                 return false;
             }
         }
         return true;
     }
 
-    private static Set<Integer> selectedObjects(EditorState state) {
+    private static Set<Integer> objects(Set<Item> items) {
         Set<Integer> indices = new HashSet<>();
-        Items.bodies(state.selection()).stream().filter(body -> body.depth() == 0).forEach(body -> indices.add(body.index()));
+        Items.bodies(items).stream().filter(body -> body.depth() == 0).forEach(body -> indices.add(body.index()));
         return indices;
     }
 
-    private static Set<Integer> selectedLights(EditorState state) {
+    private static Set<Integer> lights(Set<Item> items) {
         Set<Integer> indices = new HashSet<>();
-        Items.lights(state.selection()).forEach(light -> indices.add(light.index()));
+        Items.lights(items).forEach(light -> indices.add(light.index()));
         return indices;
     }
 
-    private void drawRest(EditorState state) {
+    private void drawRest(EditorState state, Set<Item> apart) {
         GraphicsContext g = lower.getGraphicsContext2D();
         Grid.draw(g, view, axes, theme().palette());
-        new Painter(g, view, axes, theme().palette()).rest(state, figures);
+        new Painter(g, view, axes, theme().palette()).rest(state.hidden(), apart, figures);
         Grid.names(g, view, axes, theme().palette());
     }
 

@@ -1,0 +1,255 @@
+package cz.paprsek.fx;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.Moves;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import javafx.scene.control.ListView;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Files as the window handles them. */
+class FilesTest {
+    private static final Scene BALL = Scene.EMPTY.withName("ball").plus(SceneObject.of(new Sphere(1)).named("ball"));
+
+    @TempDir
+    Path folder;
+
+    private EditorGui editor;
+
+    @BeforeEach
+    void open() {
+        editor = new EditorGui(folder.resolve("settings"), BALL);
+    }
+
+    @AfterEach
+    void close() {
+        editor.close();
+    }
+
+    @Test
+    void whatIsSavedIsWhatIsSeen() throws IOException, SceneFileException {
+        Path file = folder.resolve("scene.xml");
+        editor.dialogs.save = Optional.of(file);
+        moveBall();
+        assertThat(editor.gui.stage().getTitle()).isEqualTo("● Untitled – Paprsek");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        assertThat(editor.dialogs.asked).containsExactly("save ball.xml");
+        assertThat(editor.gui.stage().getTitle()).isEqualTo("scene.xml – Paprsek");
+        assertThat(SceneFiles.read(file)).isEqualTo(editor.model().scene());
+        assertThat(Files.readString(file)).contains("position=\"1 0 0\"");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(editor.model().scene()).isSameAs(BALL);
+        assertThat(editor.gui.stage().getTitle()).startsWith("●");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        assertThat(editor.dialogs.asked).hasSize(1);
+        assertThat(SceneFiles.read(file)).isEqualTo(BALL);
+    }
+
+    @Test
+    void openedFileIsShownAndRemembered() throws IOException {
+        Path file = write("two.xml", BALL.plus(Light.at(1, 2, 3)));
+        editor.dialogs.open = Optional.of(file);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.O);
+        editor.gui.until("the scene is there", () -> editor.model().scene().lights().size() == 1);
+        assertThat(editor.editor.settings().recent()).containsExactly(file);
+        assertThat(editor.model().unsavedProperty().get()).isFalse();
+    }
+
+    @Test
+    void problemsAreListedAndTheOldSceneStays() throws IOException {
+        Path file = folder.resolve("bad.xml");
+        Files.writeString(file, """
+                <scene xmlns="urn:paprsek:scene:1">
+                  <camera position="0 0 5" direction="0 0 -1"/>
+                  <sphere radius="-1"/>
+                  <sphere raduis="1"/>
+                </scene>
+                """);
+        editor.gui.act(() -> editor.editor.files().open(file));
+        editor.gui.until("problems are listed", () -> editor.gui.stage().getScene().lookup("#problems").isVisible());
+        assertThat(((ListView<?>) editor.gui.node("#problem-list")).getItems()).hasSizeGreaterThanOrEqualTo(2)
+                .anyMatch(line -> line.toString().startsWith("3:")).anyMatch(line -> line.toString().startsWith("4:"));
+        assertThat(editor.model().scene()).isSameAs(BALL);
+        editor.gui.click("#problems-close");
+        assertThat(editor.gui.stage().getScene().lookup("#problems").isVisible()).isFalse();
+    }
+
+    @Test
+    void missingFileIsToldInASentence() {
+        editor.gui.act(() -> editor.editor.files().open(folder.resolve("nowhere.xml")));
+        editor.gui.until("it is told", () -> editor.status().contains("nowhere.xml: no such file"));
+        assertThat(editor.dialogs.faults).isEmpty();
+    }
+
+    @Test
+    void unsavedChangesAreAskedAboutOnce() throws IOException {
+        Path file = write("two.xml", BALL.plus(Light.at(1, 2, 3)));
+        editor.gui.act(() -> editor.editor.files().newFrom("plain"));
+        assertThat(editor.dialogs.asked).isEmpty();
+        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.ADD), scene -> scene.plus(Light.at(0, 0, 0))));
+        Scene changed = editor.model().scene();
+        editor.gui.act(() -> editor.editor.files().open(file));
+        assertThat(editor.dialogs.asked).containsExactly("unsaved Untitled");
+        assertThat(editor.model().scene()).isSameAs(changed);
+        editor.dialogs.unsaved = Dialogs.Unsaved.DISCARD;
+        editor.gui.act(() -> editor.editor.files().open(file));
+        editor.gui.until("the scene is there", () -> editor.model().scene().lights().size() == 1);
+    }
+
+    @Test
+    void closingAsksToSave() throws IOException, SceneFileException {
+        Path file = folder.resolve("kept.xml");
+        moveBall();
+        editor.gui.act(editor.editor::quit);
+        assertThat(Gui.on(() -> editor.gui.stage().isShowing())).isTrue();
+        editor.dialogs.unsaved = Dialogs.Unsaved.SAVE;
+        editor.dialogs.save = Optional.of(file);
+        editor.gui.act(editor.editor::quit);
+        assertThat(Gui.on(() -> editor.gui.stage().isShowing())).isFalse();
+        assertThat(SceneFiles.read(file)).isEqualTo(editor.model().scene());
+    }
+
+    @Test
+    void changeOnDiskIsTakenOverAsAStepIfNothingIsUnsaved() throws IOException {
+        Path file = write("two.xml", BALL);
+        openAndWait(file, 0);
+        touch(write("two.xml", BALL.plus(Light.at(1, 2, 3))));
+        editor.gui.act(() -> editor.editor.files().checkDisk());
+        editor.gui.until("it is reloaded", () -> editor.model().scene().lights().size() == 1);
+        assertThat(editor.model().unsavedProperty().get()).isFalse();
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(editor.model().scene().lights()).isEmpty();
+    }
+
+    @Test
+    void changeOnDiskIsAskedAboutIfSomethingIsUnsaved() throws IOException {
+        Path file = write("two.xml", BALL);
+        openAndWait(file, 0);
+        moveBall();
+        touch(write("two.xml", BALL.plus(Light.at(1, 2, 3))));
+        editor.gui.act(() -> editor.editor.files().checkDisk());
+        assertThat(editor.text("#message")).contains("two.xml was changed on disk");
+        assertThat(editor.model().scene().lights()).isEmpty();
+        editor.gui.click("#disk-reload");
+        editor.gui.until("it is reloaded", () -> editor.model().scene().lights().size() == 1);
+    }
+
+    @Test
+    void sceneOfADatabaseGoesBackToItsPlace() throws IOException, SceneFileException {
+        Path file = folder.resolve("database.xml");
+        Scene other = Scene.EMPTY.withName("other");
+        SceneFiles.writeAll(List.of(BALL, other), file);
+        openAndWait(file, 0);
+        assertThat(editor.gui.stage().getTitle()).isEqualTo("database.xml · ball – Paprsek");
+        moveBall();
+        editor.menu("file-save");
+        assertThat(SceneFiles.readAll(file)).containsExactly(editor.model().scene(), other);
+    }
+
+    @Test
+    void databaseIsNotOverwrittenWithOneScene() throws IOException, SceneFileException {
+        Path file = folder.resolve("database.xml");
+        SceneFiles.writeAll(List.of(BALL, Scene.EMPTY.withName("other")), file);
+        editor.dialogs.save = Optional.of(file);
+        editor.menu("file-save-as");
+        assertThat(editor.status()).contains("database.xml is a database");
+        assertThat(SceneFiles.readAll(file)).hasSize(2);
+    }
+
+    @Test
+    void whatCannotBeWrittenIsToldWithAWayOut() {
+        editor.dialogs.save = Optional.of(folder.resolve("no/such/folder/scene.xml"));
+        editor.menu("file-save");
+        assertThat(editor.text("#message")).contains("could not be saved").contains("no such folder");
+        editor.dialogs.save = Optional.of(folder.resolve("scene.xml"));
+        editor.gui.click("#save-elsewhere");
+        assertThat(folder.resolve("scene.xml")).exists();
+        assertThat(Gui.on(() -> editor.gui.stage().getScene().lookup("#message-bar").isVisible())).isFalse();
+    }
+
+    @Test
+    void faultOfTheProgramKeepsTheSceneAndOffersToSaveIt() {
+        moveBall();
+        editor.dialogs.save = Optional.of(folder.resolve("rescued.xml"));
+        editor.gui.act(() -> editor.editor.fault(new IllegalStateException("a fault made by a test")));
+        assertThat(editor.dialogs.faults).hasSize(1);
+        assertThat(folder.resolve("rescued.xml")).exists();
+    }
+
+    @Test
+    void everyTemplateAndExampleOpens() {
+        for (String name : Templates.NEW) {
+            editor.menu("template-" + name);
+            assertThat(editor.model().unsavedProperty().get()).isFalse();
+        }
+        for (String name : Templates.EXAMPLES) {
+            editor.menu("example-" + name);
+            assertThat(editor.model().scene().objects()).isNotEmpty();
+        }
+    }
+
+    @Test
+    void languageChangesWhileTheSceneStays() {
+        moveBall();
+        editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+        assertThat(editor.gui.stage().getTitle()).isEqualTo("● Bez názvu – Paprsek");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(editor.model().scene()).isSameAs(BALL);
+        assertThat(editor.editor.settings().get("language")).contains("cs");
+        assertThat(editor.dialogs.faults).isEmpty();
+    }
+
+    @Test
+    void copyAndPasteGoesThroughText() {
+        editor.gui.act(() -> editor.model().select(Item.body(0)));
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.C);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.V);
+        assertThat(editor.model().scene().objects()).extracting(SceneObject::name).containsExactly("ball", "ball 2");
+        assertThat(Gui.on(() -> javafx.scene.input.Clipboard.getSystemClipboard().getString())).contains("<sphere name=\"ball\"");
+        editor.gui.keys(KeyCode.DELETE);
+        assertThat(editor.model().scene().objects()).hasSize(1);
+    }
+
+    private void moveBall() {
+        editor.gui.act(() -> editor.model().edit(
+                Label.of(Label.Edit.MOVE, "ball"), scene -> Moves.translated(scene, Set.of(Item.body(0)), Vec3.X)));
+    }
+
+    private void openAndWait(Path file, int lights) {
+        editor.gui.act(() -> editor.editor.files().open(file));
+        editor.gui.until("the file is open", () -> editor.editor.document().sourceProperty().get().isPresent());
+        assertThat(editor.model().scene().lights()).hasSize(lights);
+    }
+
+    private Path write(String name, Scene scene) throws IOException {
+        Path file = folder.resolve(name);
+        SceneFiles.write(scene, file);
+        return file;
+    }
+
+    /** Makes sure that the time of the file is another one, however coarse the clock of the file system. */
+    private static void touch(Path file) throws IOException {
+        Files.setLastModifiedTime(file, FileTime.from(Instant.now().plusSeconds(10)));
+    }
+}
