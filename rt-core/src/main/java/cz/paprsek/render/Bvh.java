@@ -5,6 +5,7 @@ import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
 import cz.paprsek.shape.Surface;
 import java.util.Arrays;
+import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
@@ -19,6 +20,9 @@ final class Bvh {
     static final int LEAF = 8;
     /** The cost up to which all surfaces of a leaf are tested rather than first its box. */
     private static final double QUICK = 4;
+
+    /** How many surfaces are prepared between two questions whether to stop. */
+    private static final int BATCH = 1 << 14;
 
     private final Surface[] surfaces;
     private final boolean[] opaque;
@@ -45,11 +49,16 @@ final class Bvh {
 
     /** Builds the hierarchy; empty surfaces are left out. */
     static Bvh of(Surface[] surfaces, boolean[] opaque, RenderMonitor monitor) {
-        Bounds[] bounds = Arrays.stream(surfaces).map(Surface::bounds).toArray(Bounds[]::new);
+        Bounds[] bounds = new Bounds[surfaces.length];
+        for (int i = 0; i < bounds.length; i++) {
+            stopIfAsked(i, monitor);
+            bounds[i] = surfaces[i].bounds();
+        }
         int[] infinite = IntStream.range(0, bounds.length).filter(i -> !bounds[i].isFinite()).toArray();
         int[] finite = IntStream.range(0, bounds.length).filter(i -> bounds[i].isFinite() && !bounds[i].isEmpty()).toArray();
         double[] box = new double[6 * finite.length];
         for (int i = 0; i < finite.length; i++) {
+            stopIfAsked(i, monitor);
             BvhBuilder.put(box, i, bounds[finite[i]].padded());
         }
         float[] cost = new float[surfaces.length];
@@ -57,6 +66,12 @@ final class Bvh {
             cost[i] = (float) surfaces[i].cost();
         }
         return new Bvh(surfaces, opaque, finite, infinite, new BvhBuilder(box, finite, cost, monitor));
+    }
+
+    private static void stopIfAsked(int i, RenderMonitor monitor) {
+        if (i % BATCH == 0 && monitor.cancelled()) {
+            throw new CancellationException("the build of the scene was cancelled");
+        }
     }
 
     /** Where a search starts that knows nothing of its ray. */

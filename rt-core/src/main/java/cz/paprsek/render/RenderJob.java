@@ -115,7 +115,8 @@ final class RenderJob implements RenderMonitor {
             for (y = tile.y(); y < tile.y() + tile.height(); y += block) {
                 for (x = tile.x(); x < tile.x() + tile.width(); x += block) {
                     blocks.render(x, y, Math.min(block, tile.x() + tile.width() - x), Math.min(block, tile.y() + tile.height() - y));
-                    if (tracer.cancelled) {
+                    // Rays that lead to no others ask nobody whether to stop.
+                    if (tracer.cancelled || cancelled()) {
                         return;
                     }
                 }
