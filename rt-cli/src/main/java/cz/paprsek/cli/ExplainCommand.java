@@ -1,14 +1,17 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.explain.Decoration;
 import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.TreeDrawing;
 import cz.paprsek.render.explain.TreeJson;
 import cz.paprsek.render.explain.TreeText;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -30,6 +33,7 @@ import picocli.CommandLine.Parameters;
             "Examples:",
             "  rt-cli explain scenes/glass.xml 250,300              a pixel on the glass ball",
             "  rt-cli explain scenes/glass.xml 83,100 --size 320x180 | less",
+            "  rt-cli explain scenes/glass.xml 250,300 --svg rays.svg",
             "  rt-cli explain scenes/glass.xml 250,300 --json       the tree for a script, numbers in full"
         })
 final class ExplainCommand implements Callable<Integer> {
@@ -64,6 +68,10 @@ final class ExplainCommand implements Callable<Integer> {
     @Option(names = "--json", description = "Prints the tree as a JSON object.")
     private boolean json;
 
+    @Option(names = "--svg", paramLabel = "FILE", description =
+            "Draws the rays in three projections, with the outlines of what they meet; with more than one ray in the pixel, the first.")
+    private Optional<Path> svg;
+
     /** When to use colours. */
     enum When { auto, always, never }
 
@@ -77,7 +85,11 @@ final class ExplainCommand implements Callable<Integer> {
         Wishes wishes = new Wishes(size, maxDepth, Optional.of(samples.orElse(1)), Optional.empty(), Optional.empty());
         try {
             Scene scene = SceneFiles.read(file);
-            show(pixel(scene, wishes));
+            Pixel pixel = pixel(scene, wishes);
+            show(pixel);
+            if (svg.isPresent() && !draw(TreeDrawing.svg(scene, pixel.rays().get(0), all ? 0 : SMALLEST_SHARE), svg.get())) {
+                return ExitCode.FAILED;
+            }
             return stop.requested() ? ExitCode.INTERRUPTED : ExitCode.DONE;
         } catch (SceneFileException e) {
             e.problems().forEach(problem -> terminal.message(problem.toString()));
@@ -93,6 +105,16 @@ final class ExplainCommand implements Callable<Integer> {
             return RenderScene.of(scene).explain(wishes.applyTo(scene.settings()).settings(), place.column(), place.row());
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(file + ": " + refused.getMessage());
+        }
+    }
+
+    private boolean draw(String drawing, Path target) {
+        try {
+            stop.guard(() -> AtomicFile.write(target, out -> out.write(drawing.getBytes(StandardCharsets.UTF_8))));
+            return true;
+        } catch (IOException e) {
+            terminal.message(Failures.sentence(target.toString(), e));
+            return false;
         }
     }
 

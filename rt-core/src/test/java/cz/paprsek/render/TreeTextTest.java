@@ -7,6 +7,7 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Decoration;
 import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.TreeDrawing;
 import cz.paprsek.render.explain.TreeJson;
 import cz.paprsek.render.explain.TreeText;
 import cz.paprsek.scene.Camera;
@@ -18,8 +19,11 @@ import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Sphere;
+import java.io.StringReader;
 import java.util.List;
+import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
+import org.xml.sax.InputSource;
 
 class TreeTextTest {
     /** The eye looks at a ball of glass before a wall with a hole. */
@@ -120,6 +124,21 @@ class TreeTextTest {
                 .contains("\"refraction\":{\"n1\":1,\"n2\":1.5,\"angle-degrees\":0,\"angle-beyond-degrees\":0,"
                         + "\"critical-angle-degrees\":null,\"total\":false}");
         assertThat(List.of(json.split("\"kind\":", -1))).hasSize(1 + rays(pixel.rays()));
+    }
+
+    @Test
+    void aDrawingHasEveryRayInThreeProjections() throws Exception {
+        Scene scene = glassBall();
+        Pixel pixel = RenderScene.of(scene).explain(0, 0);
+        String svg = TreeDrawing.svg(scene, pixel.rays().get(0), 0);
+        DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new InputSource(new StringReader(svg)));
+        for (String word : List.of(">Front (x, y)<", ">Top (x, z)<", ">Right (z, y)<")) {
+            assertThat(svg).contains(word);
+        }
+        assertThat(svg.split(">ETT<", -1)).as("a ray's name in each view").hasSize(4);
+        assertThat(TreeDrawing.svg(scene, pixel.rays().get(0), 0.9)).doesNotContain(">ETT<");
+        Scene nothing = Scenes.empty();
+        assertThat(TreeDrawing.svg(nothing, RenderScene.of(nothing).explain(0, 0).rays().get(0), 0)).contains(">E<");
     }
 
     private static int rays(List<cz.paprsek.render.explain.TracedRay> rays) {

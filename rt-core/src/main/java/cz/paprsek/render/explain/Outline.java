@@ -33,6 +33,12 @@ public record Outline(String name, TracedRay ray, double share, List<Outline> ch
         return new Exercise(name, ray).steps();
     }
 
+    /** Without the rays below this one whose {@link #share} is smaller. */
+    public Outline pruned(double smallestShare) {
+        return new Outline(name, ray, share,
+                children.stream().filter(child -> child.share() >= smallestShare).map(child -> child.pruned(smallestShare)).toList());
+    }
+
     /** What the ray is and meets, in one line. */
     public String headline() {
         String kind = switch (ray.kind()) {

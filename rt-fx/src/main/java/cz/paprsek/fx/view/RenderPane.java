@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.render.RenderOptions;
@@ -15,7 +16,9 @@ import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
+import javafx.scene.control.SplitPane;
 import javafx.scene.control.TabPane;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.input.Clipboard;
 import javafx.scene.input.ClipboardContent;
 import javafx.scene.layout.BorderPane;
@@ -33,6 +36,11 @@ public final class RenderPane extends BorderPane {
     private final TabPane tabs = new TabPane();
     private final ComparisonBox comparison;
     private final Label message = new Label();
+    private final ToggleButton explaining = new ToggleButton();
+    private final ExplainPane explanation;
+    private final SplitPane center;
+    /** Whether the explanation stays at a pixel that was clicked, wherever the mouse goes. */
+    private boolean pinned;
     private Consumer<Optional<PicturePoint>> onPointed = point -> {};
     private Consumer<PicturePoint> onClicked = point -> {};
     private int count;
@@ -43,6 +51,13 @@ public final class RenderPane extends BorderPane {
         this.chooser = chooser;
         this.form = new RenderForm(texts);
         this.comparison = new ComparisonBox(tabs, texts);
+        this.explanation = new ExplainPane(texts);
+        this.center = new SplitPane(tabs);
+        center.setDividerPositions(0.55);
+        explaining.setText(texts.of("explain.mode"));
+        explaining.setId("explain-mode");
+        explaining.setMinWidth(Region.USE_PREF_SIZE);
+        explaining.setOnAction(event -> explain(explaining.isSelected()));
         form.set(model.scene().settings());
         Button render = button("render.start", () -> render(form.options()));
         render.setDefaultButton(true);
@@ -56,7 +71,7 @@ public final class RenderPane extends BorderPane {
         Node[] tools = {
             ofPicture(button("render.save", this::save)), ofPicture(button("render.copy", this::copy)),
             ofPicture(button("render.fit", () -> shown().ifPresent(tab -> tab.view().fit()))),
-            ofPicture(button("render.actual", () -> shown().ifPresent(tab -> tab.view().actualSize()))), comparison, message
+            ofPicture(button("render.actual", () -> shown().ifPresent(tab -> tab.view().actualSize()))), comparison, explaining, message
         };
         HBox toolbar = new HBox(6, tools);
         toolbar.setAlignment(Pos.CENTER_LEFT);
@@ -64,7 +79,7 @@ public final class RenderPane extends BorderPane {
         top.getStyleClass().add("render-tools");
         setId("render-pane");
         setTop(top);
-        setCenter(tabs);
+        setCenter(center);
     }
 
     /** Fills the form with what the scene asks for, and renders. */
@@ -99,11 +114,39 @@ public final class RenderPane extends BorderPane {
             return;
         }
         RenderTab tab = new RenderTab(++count + ": " + options.settings().width() + " × " + options.settings().height(), task, texts);
-        tab.pointedProperty().addListener((property, old, now) -> onPointed.accept(now));
-        tab.setOnClicked(point -> onClicked.accept(point));
+        tab.pointedProperty().addListener((property, old, now) -> pointed(now));
+        tab.setOnClicked(this::clicked);
         tabs.getTabs().add(tab);
         tabs.getSelectionModel().select(tab);
         start(task, "paprsek-render");
+    }
+
+    private void explain(boolean on) {
+        pinned = false;
+        if (on) {
+            center.getItems().setAll(tabs, explanation);
+        } else {
+            center.getItems().setAll(tabs);
+        }
+    }
+
+    private void pointed(Optional<PicturePoint> point) {
+        onPointed.accept(point);
+        if (explaining.isSelected() && !pinned) {
+            point.ifPresent(explanation::show);
+        }
+    }
+
+    /** In explain mode a click stays at a pixel, for the arrow keys to go on from there, and the next click follows the mouse again. */
+    private void clicked(PicturePoint point) {
+        onClicked.accept(point);
+        if (explaining.isSelected()) {
+            pinned = !pinned;
+            explanation.show(point);
+            if (pinned) {
+                explanation.takeKeys();
+            }
+        }
     }
 
     private void save() {

@@ -1,0 +1,26 @@
+package cz.paprsek.fx.view.explain;
+
+import cz.paprsek.material.Rgb;
+import cz.paprsek.render.explain.Outline;
+import javafx.scene.control.TreeCell;
+import javafx.scene.paint.Color;
+import javafx.scene.shape.Rectangle;
+
+/** A ray in the outline: the colour of its light, its name, and what it meets. */
+final class OutlineCell extends TreeCell<Outline> {
+    private final Rectangle patch = new Rectangle(14, 14);
+
+    @Override
+    protected void updateItem(Outline outline, boolean empty) {
+        super.updateItem(outline, empty);
+        if (empty) {
+            setText("");
+            setGraphic(null);
+            return;
+        }
+        Rgb color = outline.ray().light().shown();
+        patch.setFill(Color.rgb((int) Math.rint(color.red()), (int) Math.rint(color.green()), (int) Math.rint(color.blue())));
+        setGraphic(patch);
+        setText(outline.name() + "  " + outline.percent() + "  " + outline.headline());
+    }
+}

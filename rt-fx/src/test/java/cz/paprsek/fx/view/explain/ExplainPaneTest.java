@@ -1,0 +1,78 @@
+package cz.paprsek.fx.view.explain;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.Screenshots;
+import cz.paprsek.fx.view.PicturePoint;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.explain.Outline;
+import cz.paprsek.render.explain.Step;
+import cz.paprsek.xml.SceneFiles;
+import java.nio.file.Path;
+import java.util.Locale;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TableView;
+import javafx.scene.control.TreeView;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class ExplainPaneTest {
+    private final ExplainPane pane = Gui.on(() -> new ExplainPane(Texts.in(Locale.ENGLISH)));
+    private final Gui gui = Gui.show(() -> pane, 1000, 900);
+    private final PicturePoint point = glassBall();
+
+    private static PicturePoint glassBall() {
+        try {
+            var scene = SceneFiles.read(Path.of("../scenes/showcase.xml"));
+            return new PicturePoint(RenderScene.of(scene), scene.settings().withSize(640, 360), 355.5, 215.5);
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @AfterEach
+    void close() {
+        gui.close();
+    }
+
+    @SuppressWarnings("unchecked")
+    private TreeView<Outline> tree() {
+        return (TreeView<Outline>) gui.node("#explain-tree");
+    }
+
+    @SuppressWarnings("unchecked")
+    private TableView<Step> steps() {
+        return (TableView<Step>) gui.node("#explain-steps");
+    }
+
+    @Test
+    void aPixelShowsItsTreeAndTheExerciseOfTheRayThatIsSelected() {
+        gui.act(() -> pane.show(point));
+        assertThat(tree().getRoot().getValue().name()).isEqualTo("E");
+        assertThat(steps().getItems()).extracting(Step::name).contains("refraction", "light of E");
+        gui.act(() -> tree().getSelectionModel().select(2));
+        assertThat(steps().getItems()).extracting(Step::name).contains("light of ET");
+        assertThat(Screenshots.save(gui, "explain")).isNotEmptyFile();
+    }
+
+    @Test
+    void arrowKeysGoFromPixelToPixel() {
+        gui.act(() -> pane.show(point));
+        gui.act(pane::takeKeys);
+        gui.keys(KeyCode.RIGHT);
+        gui.keys(KeyCode.DOWN);
+        gui.until("the pixel right below is explained", () -> pane.explained().filter(now -> now.column() == 356 && now.row() == 216).isPresent());
+    }
+
+    @Test
+    void theTreeGrowsRayByRay() {
+        gui.act(() -> pane.show(point));
+        Slider grown = (Slider) gui.node("#explain-grown");
+        assertThat(grown.getMax()).isEqualTo(grown.getValue()).isGreaterThan(3);
+        gui.act(() -> grown.setValue(1));
+        assertThat(Screenshots.save(gui, "explain-one-ray")).isNotEmptyFile();
+    }
+}
