@@ -2,7 +2,6 @@ package cz.paprsek.render.explain;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -20,12 +19,12 @@ public final class TreeDrawing {
     private final Projection projection;
     private final int left;
 
-    private TreeDrawing(DrawingFrame frame, List<RayLine> lines, List<List<Vec3>> outlines, Projection projection) {
+    private TreeDrawing(DrawingFrame frame, List<RayLine> lines, List<List<Vec3>> outlines, Projection projection, int left) {
         this.frame = frame;
         this.lines = lines;
         this.outlines = outlines;
         this.projection = projection;
-        this.left = GAP + projection.ordinal() * (SIDE + GAP);
+        this.left = left;
     }
 
     /**
@@ -40,9 +39,12 @@ public final class TreeDrawing {
         List<RayLine> lines = RayLine.of(outline, frame.size());
         int width = GAP + Projection.values().length * (SIDE + GAP);
         int height = TITLE + SIDE + 3 * GAP;
-        String views = Arrays.stream(Projection.values())
-                .map(projection -> new TreeDrawing(frame, lines, frame.outlines(projection), projection).view())
-                .collect(Collectors.joining());
+        StringBuilder views = new StringBuilder();
+        int left = GAP;
+        for (Projection projection : Projection.values()) {
+            views.append(new TreeDrawing(frame, lines, frame.outlines(projection), projection, left).view());
+            left += SIDE + GAP;
+        }
         return String.format(Locale.ROOT, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\""
                 + " font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n",
                 width, height, width, height, width, height) + views + legend(height - GAP) + "</svg>\n";
