@@ -4,7 +4,7 @@ import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.explain.Decoration;
 import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.render.explain.TreeDrawing;
+import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.render.explain.TreeJson;
 import cz.paprsek.render.explain.TreeText;
 import cz.paprsek.scene.Scene;

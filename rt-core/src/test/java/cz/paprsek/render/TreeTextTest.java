@@ -7,7 +7,7 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Decoration;
 import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.render.explain.TreeDrawing;
+import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.render.explain.TreeJson;
 import cz.paprsek.render.explain.TreeText;
 import cz.paprsek.scene.Camera;

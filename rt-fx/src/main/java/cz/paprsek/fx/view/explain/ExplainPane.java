@@ -2,11 +2,11 @@ package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.fx.view.PicturePoint;
 import cz.paprsek.fx.view.Texts;
-import cz.paprsek.render.explain.DrawingFrame;
+import cz.paprsek.drawing.DrawingFrame;
 import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.render.explain.Projection;
-import cz.paprsek.render.explain.RayLine;
+import cz.paprsek.drawing.Projection;
+import cz.paprsek.drawing.RayLine;
 import cz.paprsek.render.explain.Step;
 import java.util.ArrayList;
 import java.util.HashSet;

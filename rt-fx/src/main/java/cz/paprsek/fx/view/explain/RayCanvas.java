@@ -1,9 +1,9 @@
 package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.explain.DrawingFrame;
-import cz.paprsek.render.explain.Projection;
-import cz.paprsek.render.explain.RayLine;
+import cz.paprsek.drawing.DrawingFrame;
+import cz.paprsek.drawing.Projection;
+import cz.paprsek.drawing.RayLine;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;

@@ -1,6 +1,8 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.drawing;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.Outline;
+import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.Locale;

@@ -1,6 +1,9 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.drawing;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.Outline;
+import cz.paprsek.render.explain.TracedRay;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;

@@ -1,8 +1,10 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.drawing;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.Outline;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;

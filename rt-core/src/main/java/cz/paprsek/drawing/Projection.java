@@ -1,4 +1,4 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.drawing;
 
 import cz.paprsek.math.Vec3;
 
