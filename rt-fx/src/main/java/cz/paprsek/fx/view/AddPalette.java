@@ -1,44 +1,93 @@
 package cz.paprsek.fx.view;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Label;
-import cz.paprsek.fx.model.Structure;
-import cz.paprsek.math.Vec3;
-import cz.paprsek.scene.SceneObject;
-import cz.paprsek.shape.Sphere;
+import cz.paprsek.fx.model.Examples;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Items;
+import cz.paprsek.fx.model.Sight;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Shape;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
+import javafx.beans.binding.Bindings;
+import javafx.beans.binding.BooleanBinding;
 import javafx.scene.control.Button;
 import javafx.scene.control.MenuItem;
+import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.control.Tooltip;
 import javafx.scene.layout.FlowPane;
+import org.kordamp.ikonli.javafx.FontIcon;
 
-/** Buttons and menu items that add objects and lights. */
+/** Buttons and menu items that add every kind of object and lights, and that make one solid of several. */
 public final class AddPalette extends FlowPane {
-    private final EditorModel model;
-    private final Texts texts;
-    private final Supplier<Vec3> place;
+    /** A row of both: its name in ids, its text, its icon, when it makes sense, what it does. */
+    private record Entry(String id, String text, String icon, BooleanBinding possible, Runnable action) {}
 
-    /** @param place where new things are put, world space: where the user looks */
-    public AddPalette(EditorModel model, Texts texts, Supplier<Vec3> place) {
-        this.model = model;
-        this.texts = texts;
-        this.place = place;
+    private final List<Entry> adding = new ArrayList<>();
+    private final List<Entry> combining = new ArrayList<>();
+
+    /**
+     * @param sight where new things are put, and how large: where the user looks
+     * @param refusal is told why something cannot be done; empty when something was done
+     */
+    public AddPalette(EditorModel model, Texts texts, Supplier<Sight> sight, Consumer<String> refusal) {
+        Commands commands = new Commands(model, texts, refusal);
         setId("add-palette");
-        Button sphere = new Button(texts.of("kind.sphere"));
-        sphere.setOnAction(event -> add());
-        getChildren().add(sphere);
+        getStyleClass().add("add-palette");
+        BooleanBinding always = Bindings.createBooleanBinding(() -> true);
+        for (Shape kind : Examples.ofSize(1)) {
+            adding.add(new Entry("add-" + kind.kind(), texts.kind(kind), Icons.of(kind), always, () -> {
+                Sight now = sight.get();
+                Examples.ofSize(now.size()).stream().filter(example -> example.getClass() == kind.getClass()).findFirst()
+                        .ifPresent(example -> commands.add(example, now));
+            }));
+        }
+        adding.add(new Entry("add-light", texts.of("kind.light"), Icons.LIGHT, always, () -> commands.addLight(sight.get())));
+        BooleanBinding several = when(model, items -> Items.outermost(items).size() > 1);
+        for (Csg.Operation operation : Csg.Operation.values()) {
+            String word = operation.name().toLowerCase(Locale.ROOT);
+            combining.add(new Entry("combine-" + word, texts.of("combine." + word), Icons.of(word), several, () -> commands.combine(operation)));
+        }
+        BooleanBinding any = when(model, items -> !Items.bodies(items).isEmpty());
+        combining.add(new Entry("dissolve", texts.of("menu.dissolve"), Icons.DISSOLVE, any, commands::dissolve));
+        adding.forEach(entry -> getChildren().add(button(entry, texts.of("palette.add", entry.text()))));
+        combining.forEach(entry -> getChildren().add(button(entry, entry.text())));
     }
 
     /** The same as a menu. */
     public List<MenuItem> menuItems() {
-        MenuItem item = new MenuItem(texts.of("kind.sphere"));
-        item.setOnAction(event -> add());
-        return List.of(item);
+        List<MenuItem> items = new ArrayList<>(adding.stream().map(AddPalette::menuItem).toList());
+        items.add(new SeparatorMenuItem());
+        combining.forEach(entry -> items.add(menuItem(entry)));
+        return items;
     }
 
-    private void add() {
-        Vec3 p = place.get();
-        model.editState(Label.of(Label.Edit.ADD, texts.of("kind.sphere")),
-                state -> Structure.add(state, SceneObject.of(new Sphere(0.5)).at(p.x(), p.y(), p.z())));
+    private static BooleanBinding when(EditorModel model, Predicate<Set<Item>> condition) {
+        return Bindings.createBooleanBinding(() -> condition.test(model.selection()), model.selectionProperty());
+    }
+
+    private static Button button(Entry entry, String text) {
+        Button button = new Button("", new FontIcon(entry.icon()));
+        button.setId(entry.id());
+        button.setAccessibleText(text);
+        button.setTooltip(new Tooltip(text));
+        button.getStyleClass().add("palette-button");
+        button.disableProperty().bind(entry.possible().not());
+        button.setOnAction(event -> entry.action().run());
+        return button;
+    }
+
+    private static MenuItem menuItem(Entry entry) {
+        String text = entry.text().substring(0, 1).toUpperCase(Locale.ROOT) + entry.text().substring(1);
+        MenuItem item = new MenuItem(text, new FontIcon(entry.icon()));
+        item.setId("menu-" + entry.id());
+        item.disableProperty().bind(entry.possible().not());
+        item.setOnAction(event -> entry.action().run());
+        return item;
     }
 }

@@ -10,11 +10,19 @@ import java.util.Optional;
 
 /** Reads and replaces components of records by name. */
 final class Records {
+    /** Found once for each record: asking Java anew each time takes microseconds, and a sheet of ten thousand things asks often. */
+    private static final ClassValue<List<RecordComponent>> COMPONENTS = new ClassValue<>() {
+        @Override
+        protected List<RecordComponent> computeValue(Class<?> type) {
+            return List.of(Objects.requireNonNull(type.getRecordComponents(), () -> type + " is no record"));
+        }
+    };
+
     private Records() {}
 
     /** The components of a record, in order. */
     static List<RecordComponent> components(Class<?> type) {
-        return List.of(Objects.requireNonNull(type.getRecordComponents(), () -> type + " is no record"));
+        return COMPONENTS.get(type);
     }
 
     /** The component of the given name; empty if the record has none. */

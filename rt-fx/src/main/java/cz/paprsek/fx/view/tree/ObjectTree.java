@@ -1,0 +1,170 @@
+package cz.paprsek.fx.view.tree;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.fx.view.Commands;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.UndoKeys;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import javafx.application.Platform;
+import javafx.scene.control.IndexedCell;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
+import javafx.scene.control.TextField;
+import javafx.scene.control.skin.VirtualFlow;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.BorderPane;
+
+/**
+ * The scene's camera, lights and objects, operands within their operations. What is selected is what the model says is selected: the list
+ * keeps no selection of its own, and so is never out of step. Lines exist for what is seen only.
+ */
+public final class ObjectTree extends BorderPane {
+    private static final double ROW_HEIGHT = 26;
+
+    private final EditorModel model;
+    private final Texts texts;
+    private final ListView<TreeRow> list = new ListView<>();
+    private final TextField find = new TextField();
+    private final Label refusal = new Label();
+    private final Expansion expansion;
+    private final TreeState state;
+    private boolean isStale;
+
+    public ObjectTree(EditorModel model, Texts texts) {
+        this.model = model;
+        this.texts = texts;
+        expansion = new Expansion(model.scene());
+        Commands commands = new Commands(model, texts, this::tell);
+        state = new TreeState(commands, list::requestFocus);
+        TreeSelection selection = new TreeSelection(model);
+        setId("object-tree");
+        getStyleClass().add("object-tree");
+        getStylesheets().add(Objects.requireNonNull(ObjectTree.class.getResource("tree.css")).toExternalForm());
+        find.setId("tree-find");
+        find.setPromptText(texts.of("tree.find"));
+        find.textProperty().addListener((property, was, is) -> refresh());
+        find.addEventFilter(KeyEvent.KEY_PRESSED, this::findKey);
+        list.setId("tree-list");
+        list.setFixedCellSize(ROW_HEIGHT);
+        list.setCellFactory(view -> new RowCell(model, state, texts));
+        list.setAccessibleText(texts.of("tree.list"));
+        new TreeKeys(this, selection, state, commands, find).attach(list);
+        new TreeMouse(this, selection, state, commands, model).attach(list);
+        list.setOnContextMenuRequested(event -> new TreeMenu(model, texts, commands, state).show(list, event.getScreenX(), event.getScreenY()));
+        refusal.getStyleClass().add("refusal");
+        refusal.setWrapText(true);
+        tell("");
+        setTop(find);
+        setCenter(list);
+        setBottom(refusal);
+        UndoKeys.reach(model, this);
+        model.sceneProperty().addListener((property, was, is) -> later());
+        model.selectionProperty().addListener((property, was, is) -> reveal(is));
+        refresh();
+    }
+
+    /** The lines as they are now. */
+    List<TreeRow> rows() {
+        if (isStale) {
+            refresh();
+        }
+        return list.getItems();
+    }
+
+    /** Shows or hides what an operation is made of. */
+    void expand(TreeRow row, boolean open) {
+        if (row.operation() && row.item() instanceof BodyAt at) {
+            expansion.set(at, open);
+            refresh();
+        }
+    }
+
+    /** Scrolls so that a line is seen. */
+    void scrollTo(int index) {
+        if (list.lookup(".virtual-flow") instanceof VirtualFlow<?> flow) {
+            IndexedCell<?> first = flow.getFirstVisibleCell();
+            IndexedCell<?> last = flow.getLastVisibleCell();
+            if (first == null || last == null || index <= first.getIndex() || index >= last.getIndex()) {
+                flow.scrollTo(index);
+                list.layout();
+                boolean isLate = last != null && index >= last.getIndex();
+                if (isLate) {
+                    flow.scrollTo(Math.max(0, index - Math.max(1, (int) (list.getHeight() / ROW_HEIGHT) - 2)));
+                }
+            }
+        }
+    }
+
+    /** Once for all that changes before the window is drawn anew. */
+    private void later() {
+        if (!isStale) {
+            isStale = true;
+            Platform.runLater(() -> {
+                if (isStale) {
+                    refresh();
+                }
+            });
+        }
+    }
+
+    private void refresh() {
+        isStale = false;
+        expansion.follow(model.scene());
+        List<TreeRow> now = new TreeRows(texts, expansion.open(), find.getText()).of(model.scene());
+        if (!now.equals(list.getItems())) {
+            list.getItems().setAll(now);
+        }
+    }
+
+    /** Brings what was selected elsewhere into sight. */
+    private void reveal(Set<Item> items) {
+        if (items.size() != 1) {
+            return;
+        }
+        Item item = items.iterator().next();
+        expansion.follow(model.scene());
+        if (item instanceof BodyAt at && expansion.reveal(at)) {
+            refresh();
+        }
+        List<TreeRow> rows = rows();
+        for (int i = 0; i < rows.size(); i++) {
+            if (rows.get(i).item().equals(item)) {
+                scrollTo(i);
+                return;
+            }
+        }
+    }
+
+    private void findKey(KeyEvent event) {
+        if (event.getCode() == KeyCode.ESCAPE) {
+            find.clear();
+            list.requestFocus();
+            event.consume();
+        } else if (event.getCode() == KeyCode.ENTER || event.getCode() == KeyCode.DOWN) {
+            List<TreeRow> rows = rows();
+            found(rows).ifPresent(row -> model.select(row.item()));
+            list.requestFocus();
+            event.consume();
+        }
+    }
+
+    /** The first line that is looked for itself, rather than being around such a one. */
+    private Optional<TreeRow> found(List<TreeRow> rows) {
+        String wanted = find.getText().strip().toLowerCase(texts.locale());
+        return rows.stream().filter(row -> row.text().toLowerCase(texts.locale()).contains(wanted)).findFirst()
+                .or(() -> rows.stream().findFirst());
+    }
+
+    /** Shows why something cannot be done, until something is; empty to show nothing. */
+    public void tell(String sentence) {
+        refusal.setText(sentence);
+        refusal.setVisible(!sentence.isEmpty());
+        refusal.setManaged(!sentence.isEmpty());
+    }
+}

@@ -1,0 +1,114 @@
+package cz.paprsek.fx.view.tree;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.view.Texts;
+import java.util.Optional;
+import javafx.beans.InvalidationListener;
+import javafx.beans.WeakInvalidationListener;
+import javafx.css.PseudoClass;
+import javafx.geometry.Insets;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import org.kordamp.ikonli.javafx.FontIcon;
+
+/** Draws a line of the tree: an arrow if it has operands, its icon, its name, its lock and its eye. */
+final class RowCell extends ListCell<TreeRow> {
+    private static final PseudoClass SELECTED = PseudoClass.getPseudoClass("chosen");
+    private static final PseudoClass DIMMED = PseudoClass.getPseudoClass("dimmed");
+    private static final PseudoClass ON = PseudoClass.getPseudoClass("on");
+    private static final double INDENT = 16;
+
+    private final EditorModel model;
+    private final TreeState tree;
+    private final HBox box = new HBox();
+    private final FontIcon arrowIcon = new FontIcon("mdi2c-chevron-right");
+    private final StackPane arrow = part(arrowIcon, "row-arrow");
+    private final FontIcon icon = new FontIcon();
+    private final Label name = new Label();
+    private final FontIcon lockIcon = new FontIcon("mdi2l-lock-open-variant-outline");
+    private final FontIcon eyeIcon = new FontIcon("mdi2e-eye-outline");
+    private final StackPane lock = part(lockIcon, "row-lock");
+    private final StackPane eye = part(eyeIcon, "row-eye");
+    private final RenameField rename;
+    private final InvalidationListener onChange = property -> restyle();
+
+    RowCell(EditorModel model, TreeState tree, Texts texts) {
+        this.model = model;
+        this.tree = tree;
+        rename = new RenameField(tree);
+        getStyleClass().add("tree-row");
+        Region gap = new Region();
+        HBox.setHgrow(gap, Priority.ALWAYS);
+        name.setMinWidth(0);
+        lock.setAccessibleText(texts.of("tree.lock"));
+        eye.setAccessibleText(texts.of("tree.hide"));
+        box.setAlignment(Pos.CENTER_LEFT);
+        box.getChildren().addAll(arrow, part(icon, "row-icon"), name, gap, lock, eye);
+        WeakInvalidationListener weak = new WeakInvalidationListener(onChange);
+        model.stateProperty().addListener(weak);
+        tree.dropProperty().addListener(weak);
+        tree.renamedProperty().addListener(weak);
+    }
+
+    @Override
+    protected void updateItem(TreeRow row, boolean empty) {
+        super.updateItem(row, empty);
+        setText(null);
+        setGraphic(empty || row == null ? null : box);
+        if (!empty && row != null) {
+            arrow.setVisible(row.operation());
+            arrowIcon.setIconLiteral(row.expanded() ? "mdi2c-chevron-down" : "mdi2c-chevron-right");
+            icon.setIconLiteral(row.icon());
+            name.setText(row.text());
+            name.getStyleClass().removeAll("unnamed");
+            if (!row.named()) {
+                name.getStyleClass().add("unnamed");
+            }
+            box.setPadding(new Insets(0, 0, 0, row.depth() * INDENT));
+        }
+        restyle();
+    }
+
+    private void restyle() {
+        TreeRow row = getItem();
+        boolean shown = row != null && !isEmpty();
+        EditorState state = model.state();
+        pseudoClassStateChanged(SELECTED, shown && state.selection().contains(row.item()));
+        boolean hidden = shown && state.isHidden(row.item());
+        boolean locked = shown && state.isLocked(row.item());
+        pseudoClassStateChanged(DIMMED, hidden);
+        toggled(eye, eyeIcon, hidden, "mdi2e-eye-off-outline", "mdi2e-eye-outline");
+        toggled(lock, lockIcon, locked, "mdi2l-lock-outline", "mdi2l-lock-open-variant-outline");
+        for (Drop.Where where : Drop.Where.values()) {
+            pseudoClassStateChanged(where.pseudoClass(), shown && tree.dropProperty().get()
+                    .filter(drop -> drop.row().item().equals(row.item()) && drop.where() == where).isPresent());
+        }
+        boolean renamed = shown && tree.renamedProperty().get().equals(Optional.of(row.item()));
+        Node shownName = renamed ? rename : name;
+        if (box.getChildren().get(2) != shownName) {
+            box.getChildren().set(2, shownName);
+            HBox.setHgrow(rename, Priority.ALWAYS);
+            if (renamed) {
+                rename.begin(row);
+            }
+        }
+    }
+
+    private static void toggled(StackPane button, FontIcon icon, boolean on, String onLiteral, String offLiteral) {
+        button.pseudoClassStateChanged(ON, on);
+        icon.setIconLiteral(on ? onLiteral : offLiteral);
+    }
+
+    private static StackPane part(FontIcon icon, String styleClass) {
+        StackPane part = new StackPane(icon);
+        part.getStyleClass().addAll("row-part", styleClass);
+        return part;
+    }
+}

@@ -1,0 +1,71 @@
+package cz.paprsek.fx.view.tree;
+
+import cz.paprsek.fx.model.Body;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.fx.view.Icons;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.shape.Operand;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+
+/** Lays a scene out as lines: the camera, the lights, the objects, and within expanded operations their operands. */
+final class TreeRows {
+    private final Texts texts;
+    private final Set<BodyAt> expanded;
+    private final String wanted;
+
+    /** @param wanted what a name or kind must contain to be shown, with all that is around it; empty for everything */
+    TreeRows(Texts texts, Set<BodyAt> expanded, String wanted) {
+        this.texts = texts;
+        this.expanded = expanded;
+        this.wanted = wanted.strip().toLowerCase(Locale.ROOT);
+    }
+
+    List<TreeRow> of(Scene scene) {
+        List<TreeRow> rows = new ArrayList<>();
+        add(rows, new TreeRow(Item.CAMERA, 0, texts.of("kind.camera"), true, Icons.CAMERA, false, false), texts.of("kind.camera"));
+        for (int i = 0; i < scene.lights().size(); i++) {
+            String name = scene.lights().get(i).name();
+            String kind = texts.of("kind.light");
+            add(rows, new TreeRow(Item.light(i), 0, name.isEmpty() ? kind : name, !name.isEmpty(), Icons.LIGHT, false, false), kind);
+        }
+        for (int i = 0; i < scene.objects().size(); i++) {
+            addBody(rows, Item.body(i), Body.of(scene.objects().get(i)));
+        }
+        return rows;
+    }
+
+    /** Adds a body and what is shown of what is within; if something is wanted, only with that. */
+    private boolean addBody(List<TreeRow> rows, BodyAt at, Body body) {
+        List<Operand> operands = body.operands();
+        String kind = texts.kind(body.shape());
+        boolean open = !operands.isEmpty() && (expanded.contains(at) || !wanted.isEmpty());
+        int mark = rows.size();
+        rows.add(new TreeRow(at, at.depth(), body.name().isEmpty() ? kind : body.name(), !body.name().isEmpty(),
+                Icons.of(body.shape()), !operands.isEmpty(), open));
+        boolean shown = wanted.isEmpty() || matches(body.name()) || matches(kind);
+        if (open) {
+            for (int i = 0; i < operands.size(); i++) {
+                shown |= addBody(rows, at.child(i), Body.of(operands.get(i)));
+            }
+        }
+        if (!shown) {
+            rows.subList(mark, rows.size()).clear();
+        }
+        return shown;
+    }
+
+    private void add(List<TreeRow> rows, TreeRow row, String kind) {
+        if (wanted.isEmpty() || matches(row.text()) || matches(kind)) {
+            rows.add(row);
+        }
+    }
+
+    private boolean matches(String text) {
+        return text.toLowerCase(Locale.ROOT).contains(wanted);
+    }
+}

@@ -1,0 +1,81 @@
+package cz.paprsek.fx.view.tree;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Item;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/** Selects in the editor's model by lines of the tree. The line last gone to is where keys go on from; ranges begin at the anchor. */
+final class TreeSelection {
+    private final EditorModel model;
+    private Item anchor = Item.CAMERA;
+    private Item lead = Item.CAMERA;
+
+    TreeSelection(EditorModel model) {
+        this.model = model;
+    }
+
+    boolean contains(TreeRow row) {
+        return model.selection().contains(row.item());
+    }
+
+    /** Selects one line alone. */
+    void only(TreeRow row) {
+        anchor = row.item();
+        lead = row.item();
+        model.select(row.item());
+    }
+
+    /** Adds a line, or takes it away. */
+    void toggle(TreeRow row) {
+        Set<Item> items = new LinkedHashSet<>(model.selection());
+        if (!items.remove(row.item())) {
+            items.add(row.item());
+        }
+        anchor = row.item();
+        lead = row.item();
+        model.select(items);
+    }
+
+    /** Selects all lines from the anchor to this one. */
+    void extend(List<TreeRow> rows, TreeRow row) {
+        int from = Math.max(0, index(rows, anchor));
+        int to = Math.max(0, index(rows, row.item()));
+        Set<Item> items = new LinkedHashSet<>();
+        int step = from <= to ? 1 : -1;
+        for (int i = from; i != to + step; i += step) {
+            items.add(rows.get(i).item());
+        }
+        lead = row.item();
+        model.select(items);
+    }
+
+    void all(List<TreeRow> rows) {
+        Set<Item> items = new LinkedHashSet<>();
+        rows.stream().filter(row -> !row.item().equals(Item.CAMERA)).forEach(row -> items.add(row.item()));
+        model.select(items);
+    }
+
+    /** The line that keys go on from: the last one gone to if it is still selected, else the last selected; −1 for none. */
+    int lead(List<TreeRow> rows) {
+        Item item = lead;
+        if (!model.selection().contains(item)) {
+            for (Item selected : model.selection()) {
+                item = selected;
+            }
+            anchor = item;
+            lead = item;
+        }
+        return model.selection().isEmpty() ? -1 : index(rows, item);
+    }
+
+    private static int index(List<TreeRow> rows, Item item) {
+        for (int i = 0; i < rows.size(); i++) {
+            if (rows.get(i).item().equals(item)) {
+                return i;
+            }
+        }
+        return -1;
+    }
+}

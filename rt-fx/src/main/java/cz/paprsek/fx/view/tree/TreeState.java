@@ -1,0 +1,50 @@
+package cz.paprsek.fx.view.tree;
+
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.view.Commands;
+import java.util.Optional;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+
+/** What goes on in the tree for now: where something would be dropped, and what is being renamed. */
+final class TreeState {
+    private final ReadOnlyObjectWrapper<Optional<Drop>> drop = new ReadOnlyObjectWrapper<>(Optional.empty());
+    private final ReadOnlyObjectWrapper<Optional<Item>> renamed = new ReadOnlyObjectWrapper<>(Optional.empty());
+    private final Commands commands;
+    private final Runnable done;
+
+    /** @param done is run when renaming has ended */
+    TreeState(Commands commands, Runnable done) {
+        this.commands = commands;
+        this.done = done;
+    }
+
+    ReadOnlyObjectProperty<Optional<Drop>> dropProperty() {
+        return drop.getReadOnlyProperty();
+    }
+
+    ReadOnlyObjectProperty<Optional<Item>> renamedProperty() {
+        return renamed.getReadOnlyProperty();
+    }
+
+    void setDrop(Optional<Drop> place) {
+        drop.set(place);
+    }
+
+    /** Begins to rename an item; the camera has no name. */
+    void rename(Item item) {
+        if (!item.equals(Item.CAMERA)) {
+            renamed.set(Optional.of(item));
+        }
+    }
+
+    /** Ends renaming; an unchanged name is no step. */
+    void endRename(Optional<String> name) {
+        Optional<Item> item = renamed.get();
+        renamed.set(Optional.empty());
+        item.ifPresent(known -> name.ifPresent(text -> commands.rename(known, text)));
+        if (item.isPresent()) {
+            done.run();
+        }
+    }
+}

@@ -1,0 +1,171 @@
+package cz.paprsek.fx.model.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Examples;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Cone;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Sphere;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.FieldSource;
+
+class SectionsTest {
+    static final List<Locale> LANGUAGES = Texts.LANGUAGES;
+
+    private final Scene scene = Scene.EMPTY
+            .plus("steel", Material.color(180, 190, 200))
+            .plus(Light.at(1, 2, 3)).plus(Light.at(4, 5, 6))
+            .plus(SceneObject.of(new Sphere(0.5)).named("ball").madeOf("steel"),
+                    SceneObject.of(new Cone(2, 3)).madeOf(Material.color(255, 0, 0)),
+                    SceneObject.of(new Sphere(0.5)).at(1, 0, 0).madeOf(Material.DEFAULT));
+
+    @Test
+    void sceneIsShownWhenNothingIsSelected() {
+        assertThat(titles(Set.of())).containsExactly("section.scene", "section.picture");
+        assertThat(names(Set.of())).containsExactly("name", "description", "tags", "background", "ambient", "width", "height", "maxDepth", "samples");
+    }
+
+    @Test
+    void componentsOfASelectedThingArePropertiesInOrder() {
+        assertThat(titles(Set.of(Item.body(0)))).containsExactly("section.object", "kind.sphere", "section.placement", "section.material");
+        assertThat(names(Set.of(Item.body(0)))).containsExactly("name", "radius", "position", "rotation", "scale", "material", "pattern", "color",
+                "diffusion", "specular", "shininess", "reflection", "transparency", "refractiveIndex");
+        assertThat(names(Set.of(Item.light(0)))).containsExactly("name", "position", "color", "intensity");
+        assertThat(names(Set.of(Item.CAMERA))).containsExactly("position", "aim", "vector", "up", "fovy");
+    }
+
+    @Test
+    void severalThingsShowWhatTheyHaveInCommon() {
+        Set<Item> both = Set.of(Item.body(0), Item.body(1));
+        assertThat(titles(both)).containsExactly("section.shape", "section.placement", "section.material");
+        assertThat(names(both)).startsWith("radius", "position").doesNotContain("name", "height", "topRadius");
+        assertThat(read("radius", both)).isEmpty();
+        assertThat(read("scale", both)).contains(Vec3.ONE);
+        assertThat(names(Set.of(Item.body(0), Item.light(1)))).contains("radius", "intensity");
+    }
+
+    @Test
+    void writingChangesAllAndNothingElse() {
+        Set<Item> all = items(Item.body(0), Item.body(1), Item.body(2));
+        Scene after = property("radius", all).write(scene, 7.0);
+        assertThat(after.objects()).extracting(SceneObject::shape).containsExactly(new Sphere(7), new Cone(7, 3), new Sphere(7));
+        assertThat(after.withObjects(scene.objects())).isEqualTo(scene);
+        assertThat(property("position", all).part("y").write(scene, 9.0).objects()).extracting(object -> object.placement().position())
+                .containsExactly(new Vec3(0, 9, 0), new Vec3(0, 9, 0), new Vec3(1, 9, 0));
+    }
+
+    @Test
+    void materialIsChangedWhereItIsStated() {
+        Scene after = property("diffusion", items(Item.body(0), Item.body(1))).write(scene, 0.25);
+        assertThat(after.materials().get("steel")).extracting(Material::diffusion).isEqualTo(0.25);
+        assertThat(((Material) after.objects().get(1).material()).diffusion()).isEqualTo(0.25);
+        assertThat(after.objects().get(2)).isSameAs(scene.objects().get(2));
+    }
+
+    @Test
+    void refusalIsTheRecordsOwn() {
+        assertThatThrownBy(() -> property("radius", Set.of(Item.body(0))).write(scene, -1.0))
+                .isInstanceOf(IllegalArgumentException.class).hasMessage("sphere radius must be a finite number above 0, but is -1.0");
+        assertThatThrownBy(() -> property("samples", Set.of()).write(scene, 99)).hasMessageContaining("from 1 to 16");
+    }
+
+    @Test
+    void otherKindKeepsWhatItCan() {
+        Property pattern = property("pattern", Set.of(Item.body(1)));
+        Scene checkered = Alternatives.choose(pattern, scene, Pattern.Checker.class);
+        assertThat(((Pattern.Checker) ((Material) checkered.objects().get(1).material()).pattern()).even()).isEqualTo(new Rgb(255, 0, 0));
+        assertThat(Alternatives.choose(pattern, checkered, Pattern.Plain.class)).isEqualTo(scene);
+        Property aim = property("aim", Set.of(Item.CAMERA));
+        Scene aimed = Alternatives.choose(aim, scene, Camera.Target.class);
+        assertThat(aimed.camera().forward()).isEqualTo(scene.camera().forward());
+        assertThat(Alternatives.choose(aim, aimed, Camera.Direction.class).camera().forward()).isEqualTo(scene.camera().forward());
+    }
+
+    @Test
+    void operationOfCsgIsAProperty() {
+        Scene csg = Scene.EMPTY.plus(SceneObject.of(Csg.union(new Sphere(1), new Sphere(2))));
+        EditorState state = EditorState.of(csg).withSelection(Set.of(Item.body(0)));
+        Property operation = Sections.of(state).stream().flatMap(section -> section.properties().stream())
+                .filter(p -> p.name().equals("operation")).findFirst().orElseThrow();
+        assertThat(((Csg) operation.write(csg, Csg.Operation.DIFFERENCE).objects().get(0).shape()).operation()).isEqualTo(Csg.Operation.DIFFERENCE);
+    }
+
+    @Test
+    void sectionsStayEqualWhileValuesChange() {
+        EditorState state = EditorState.of(scene).withSelection(Set.of(Item.body(0)));
+        assertThat(Sections.of(state.withScene(property("radius", Set.of(Item.body(0))).write(scene, 3.0)))).isEqualTo(Sections.of(state));
+    }
+
+    /** What a new kind of shape must not forget: an example to add, an icon does with the general one, and a label for each component. */
+    @ParameterizedTest
+    @FieldSource("LANGUAGES")
+    void everyKindOfShapeHasAnExampleAndEveryPropertyALabel(Locale language) {
+        List<Shape> examples = Examples.ofSize(2);
+        assertThat(examples.stream().<Class<?>>map(Object::getClass)).containsExactlyInAnyOrderElementsOf(
+                leaves(Shape.class).filter(kind -> kind != Csg.class).toList());
+        Texts texts = Texts.in(language);
+        List<SceneObject> objects = new ArrayList<>(examples.stream().map(SceneObject::of).toList());
+        objects.add(SceneObject.of(Csg.union(new Sphere(1))));
+        Scene all = Scene.EMPTY.plus(Light.at(0, 0, 0)).withObjects(objects.stream().map(object -> object.madeOf(Material.DEFAULT)).toList());
+        Stream<Set<Item>> selections = Stream.concat(
+                Stream.of(Set.of(), Set.of(Item.CAMERA), Set.of(Item.light(0))), IntStream.range(0, objects.size()).mapToObj(i -> Set.of(Item.body(i))));
+        selections.flatMap(items -> Sections.of(EditorState.of(all).withSelection(items)).stream()).forEach(section -> {
+            assertThat(texts.of(section.title())).isNotBlank();
+            section.properties().forEach(property -> {
+                assertThat(texts.of("field." + property.name())).isNotBlank();
+                property.trait().presets().forEach(preset -> assertThat(texts.of(preset.name())).isNotBlank());
+            });
+        });
+    }
+
+    private static Stream<Class<?>> leaves(Class<?> kind) {
+        return kind.isSealed() ? Stream.of(kind.getPermittedSubclasses()).flatMap(SectionsTest::leaves) : Stream.of(kind);
+    }
+
+    private static Set<Item> items(Item... items) {
+        return new LinkedHashSet<>(List.of(items));
+    }
+
+    private List<Section> sections(Set<? extends Item> items) {
+        return Sections.of(EditorState.of(scene).withSelection(items));
+    }
+
+    private List<String> titles(Set<? extends Item> items) {
+        return sections(items).stream().map(Section::title).toList();
+    }
+
+    private List<String> names(Set<? extends Item> items) {
+        return sections(items).stream().flatMap(section -> section.properties().stream()).map(Property::name).toList();
+    }
+
+    private Property property(String name, Set<? extends Item> items) {
+        return sections(items).stream().flatMap(section -> section.properties().stream())
+                .filter(property -> property.name().equals(name)).findFirst().orElseThrow();
+    }
+
+    private Optional<Object> read(String name, Set<? extends Item> items) {
+        return property(name, items).read(scene);
+    }
+}
