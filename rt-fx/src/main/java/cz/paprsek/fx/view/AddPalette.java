@@ -10,6 +10,7 @@ import cz.paprsek.shape.Shape;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -18,7 +19,6 @@ import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.scene.control.Button;
 import javafx.scene.control.MenuItem;
-import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.FlowPane;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -39,6 +39,7 @@ public final class AddPalette extends FlowPane {
         Commands commands = new Commands(model, texts, refusal);
         setId("add-palette");
         getStyleClass().add("add-palette");
+        getStylesheets().add(Objects.requireNonNull(AddPalette.class.getResource("palette.css")).toExternalForm());
         BooleanBinding always = Bindings.createBooleanBinding(() -> true);
         for (Shape kind : Examples.ofSize(1)) {
             adding.add(new Entry("add-" + kind.kind(), texts.kind(kind), Icons.of(kind), always, () -> {
@@ -59,12 +60,9 @@ public final class AddPalette extends FlowPane {
         combining.forEach(entry -> getChildren().add(button(entry, entry.text())));
     }
 
-    /** The same as a menu. */
+    /** What is added, as a menu; what combines stands in the menu of objects. */
     public List<MenuItem> menuItems() {
-        List<MenuItem> items = new ArrayList<>(adding.stream().map(AddPalette::menuItem).toList());
-        items.add(new SeparatorMenuItem());
-        combining.forEach(entry -> items.add(menuItem(entry)));
-        return items;
+        return adding.stream().map(AddPalette::menuItem).toList();
     }
 
     private static BooleanBinding when(EditorModel model, Predicate<Set<Item>> condition) {

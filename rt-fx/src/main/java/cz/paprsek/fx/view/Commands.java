@@ -15,9 +15,11 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
 import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
@@ -57,8 +59,11 @@ public final class Commands {
         edit(Edit.DISSOLVE, subject(), state -> Structure.dissolve(state, state.selection()));
     }
 
+    /** Deletes what is selected and not locked. */
     public void delete() {
-        edit(Edit.DELETE, subject(), state -> Structure.delete(state, state.selection()));
+        Set<Item> items = new LinkedHashSet<>(model.selection());
+        items.removeIf(model.state()::isLocked);
+        edit(Edit.DELETE, subject(items), state -> Structure.delete(state, items));
     }
 
     /** Copies what is selected, beside it. */

@@ -16,10 +16,14 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.javafx.FontIcon;
 
@@ -37,6 +41,7 @@ final class MaterialEditor implements PropertyEditor {
     private final TextEditor name;
     private final Label shared = new Label();
     private final Button share;
+    private final HBox naming;
     private final VBox box = new VBox();
 
     MaterialEditor(EditorModel model, PropertyEdit edit, Texts texts, Property property) {
@@ -57,7 +62,13 @@ final class MaterialEditor implements PropertyEditor {
         shared.getStyleClass().add("hint");
         shared.setWrapText(true);
         box.getStyleClass().add("material-editor");
-        box.getChildren().addAll(choice.node(), name.node(), shared);
+        Label caption = new Label(texts.of("field.name"));
+        caption.setLabelFor(name.node());
+        caption.setMinWidth(Region.USE_PREF_SIZE);
+        naming = new HBox(8, caption, name.node());
+        naming.setAlignment(Pos.CENTER_LEFT);
+        HBox.setHgrow(name.node(), Priority.ALWAYS);
+        box.getChildren().addAll(choice.node(), naming, shared);
     }
 
     @Override
@@ -75,7 +86,7 @@ final class MaterialEditor implements PropertyEditor {
         choice.show(scene);
         name.show(scene);
         Optional<String> named = named(scene);
-        setShown(name.node(), named.isPresent());
+        setShown(naming, named.isPresent());
         setShown(shared, named.isPresent());
         named.ifPresent(known -> shared.setText(texts.of("material.uses", Materials.uses(scene, known))));
         share.setDisable(property.target().read(scene).isEmpty() || !chosen(scene).equals(Optional.of(Own.OWN)));

@@ -27,6 +27,7 @@ final class NumberField extends TextField implements PropertyEditor {
     private final Writer writer;
     private Optional<Double> value = Optional.empty();
     private String shown = "";
+    private double arrows;
 
     /** How a number is written: the property itself, or with others in step. */
     @FunctionalInterface
@@ -122,8 +123,6 @@ final class NumberField extends TextField implements PropertyEditor {
         }
     }
 
-    private double arrows;
-
     private void arrow(double steps) {
         if (!edit.isOpen()) {
             begin();
@@ -182,7 +181,11 @@ final class NumberField extends TextField implements PropertyEditor {
             if (event.getButton() == MouseButton.PRIMARY) {
                 x = event.getScreenX();
                 steps = 0;
+                // Having the focus, the field hears Escape during the drag.
+                requestFocus();
                 begin();
+                // The sheet around would take the focus away again.
+                event.consume();
             }
         }
 

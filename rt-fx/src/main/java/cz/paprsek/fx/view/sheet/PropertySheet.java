@@ -13,6 +13,8 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import javafx.application.Platform;
+import javafx.beans.InvalidationListener;
+import javafx.beans.WeakInvalidationListener;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -32,6 +34,8 @@ public final class PropertySheet extends BorderPane {
     private final Set<String> collapsed = new HashSet<>();
     private final List<SectionPane> panes = new ArrayList<>();
     private final MaterialsPane materials;
+    /** Held here, for the model, which outlives the window's content, holds it weakly. */
+    private final InvalidationListener onChange = property -> later();
     private List<Section> sections = List.of();
     private boolean isStale;
 
@@ -52,7 +56,7 @@ public final class PropertySheet extends BorderPane {
         setTop(heading);
         setCenter(scroll);
         UndoKeys.reach(model, this);
-        model.stateProperty().addListener((property, was, is) -> later());
+        model.stateProperty().addListener(new WeakInvalidationListener(onChange));
         refresh();
     }
 

@@ -4,9 +4,11 @@ import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.scene.Scene;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.Optional;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Slider;
+import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.HBox;
@@ -20,6 +22,7 @@ final class ShareEditor implements PropertyEditor {
     private final PropertyEdit edit;
     private final NumberField field;
     private boolean showing;
+    private boolean pressed;
 
     ShareEditor(Property property, PropertyEdit edit, String mixed) {
         this.property = property;
@@ -33,10 +36,27 @@ final class ShareEditor implements PropertyEditor {
         box.setAlignment(Pos.CENTER_LEFT);
         box.getStyleClass().add("share-editor");
         box.getChildren().addAll(slider, field);
-        slider.addEventFilter(MouseEvent.MOUSE_PRESSED, event -> edit.begin());
-        slider.addEventHandler(MouseEvent.MOUSE_RELEASED, event -> edit.commit());
+        slider.addEventFilter(MouseEvent.MOUSE_PRESSED, event -> {
+            pressed = true;
+            edit.begin();
+        });
+        slider.addEventHandler(MouseEvent.MOUSE_RELEASED, event -> {
+            pressed = false;
+            edit.commit();
+            show(edit.scene());
+        });
+        slider.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE && edit.isOpen()) {
+                edit.cancel();
+                event.consume();
+            }
+        });
         slider.addEventHandler(KeyEvent.KEY_RELEASED, event -> edit.commit());
-        slider.focusedProperty().addListener((focus, was, is) -> edit.commit());
+        slider.focusedProperty().addListener((focus, was, is) -> {
+            if (!is) {
+                edit.commit();
+            }
+        });
         slider.valueProperty().addListener((value, was, is) -> slid(is.doubleValue()));
     }
 
@@ -53,12 +73,15 @@ final class ShareEditor implements PropertyEditor {
     public void show(Scene scene) {
         field.show(scene);
         showing = true;
-        property.read(scene).ifPresent(value -> slider.setValue((Double) value));
+        Optional<Object> common = property.read(scene);
+        common.ifPresent(value -> slider.setValue((Double) value));
+        // Several that differ have no one place on the slider.
+        slider.setOpacity(common.isPresent() ? 1 : 0.4);
         showing = false;
     }
 
     private void slid(double value) {
-        if (!showing) {
+        if (!showing && (edit.isOpen() || !pressed)) {
             if (!edit.isOpen()) {
                 edit.begin();
             }

@@ -6,11 +6,14 @@ import cz.paprsek.fx.model.Item.BodyAt;
 import cz.paprsek.fx.view.Commands;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.UndoKeys;
+import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import javafx.application.Platform;
+import javafx.beans.value.ChangeListener;
+import javafx.beans.value.WeakChangeListener;
 import javafx.scene.control.IndexedCell;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
@@ -34,6 +37,9 @@ public final class ObjectTree extends BorderPane {
     private final Label refusal = new Label();
     private final Expansion expansion;
     private final TreeState state;
+    /** Held here, for the model, which outlives the window's content, holds them weakly. */
+    private final ChangeListener<Scene> onScene = (property, was, is) -> later();
+    private final ChangeListener<Set<Item>> onSelection = (property, was, is) -> reveal(is);
     private boolean isStale;
 
     public ObjectTree(EditorModel model, Texts texts) {
@@ -64,8 +70,8 @@ public final class ObjectTree extends BorderPane {
         setCenter(list);
         setBottom(refusal);
         UndoKeys.reach(model, this);
-        model.sceneProperty().addListener((property, was, is) -> later());
-        model.selectionProperty().addListener((property, was, is) -> reveal(is));
+        model.sceneProperty().addListener(new WeakChangeListener<>(onScene));
+        model.selectionProperty().addListener(new WeakChangeListener<>(onSelection));
         refresh();
     }
 

@@ -18,6 +18,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Sphere;
+import java.util.List;
 import java.util.Locale;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -28,6 +29,7 @@ import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseButton;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -129,6 +131,22 @@ class PropertySheetTest {
         assertThat(material().transparency()).isBetween(0.05, 0.3);
         gui.act(model::undo);
         assertThat(model.scene()).isSameAs(START);
+    }
+
+    @Test
+    void escapeGivesASliderAndADraggedLetterBack() {
+        for (String handle : List.of("#transparency-slider .thumb", ".axis-y")) {
+            Node node = gui.node(handle);
+            gui.moveTo(node, 5, 5);
+            gui.press(MouseButton.PRIMARY);
+            gui.moveTo(node, -25, 5);
+            assertThat(model.scene()).as(handle).isNotEqualTo(START);
+            gui.keys(KeyCode.ESCAPE);
+            assertThat(model.scene()).as(handle).isSameAs(START);
+            gui.moveTo(node, -45, 5);
+            gui.release(MouseButton.PRIMARY);
+            assertThat(model.scene()).as(handle).isSameAs(START);
+        }
     }
 
     @Test

@@ -6,6 +6,8 @@ import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.fx.model.Structure;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.Theme;
 import cz.paprsek.math.Vec3;
@@ -203,8 +205,10 @@ class ObjectTreeTest {
         assertThat(names()).containsExactly("union", "bowl", "floor");
         fire("menu-dissolve");
         assertThat(names()).containsExactly("ball", "moon", "bowl", "floor");
+        gui.act(() -> model.editState(cz.paprsek.fx.model.Label.of(Edit.LOCK),
+                state -> Structure.lock(state, List.of(Item.body(1)), true)));
         fire("menu-delete");
-        assertThat(names()).containsExactly("bowl", "floor");
+        assertThat(names()).as("what is locked stays").containsExactly("moon", "bowl", "floor");
     }
 
     @Test
