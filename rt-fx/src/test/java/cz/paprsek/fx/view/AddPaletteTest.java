@@ -11,9 +11,9 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
 import java.util.List;
+import java.util.Objects;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicReference;
-import javafx.scene.control.Button;
 import javafx.scene.control.MenuItem;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -67,8 +67,9 @@ class AddPaletteTest {
 
     @Test
     void menuAddsWhatThePaletteAdds() {
-        List<String> buttons = Gui.on(() -> palette.get().getChildren().stream().map(Button.class::cast).map(button -> "menu-" + button.getId()).toList());
-        List<MenuItem> items = Gui.on(() -> palette.get().menuItems());
+        AddPalette shown = Objects.requireNonNull(palette.get());
+        List<String> buttons = Gui.on(() -> shown.getChildren().stream().map(button -> "menu-" + button.getId()).toList());
+        List<MenuItem> items = Gui.on(shown::menuItems);
         assertThat(buttons).startsWith(items.stream().map(MenuItem::getId).toArray(String[]::new));
         gui.act(() -> items.forEach(MenuItem::fire));
         assertThat(model.scene().objects()).hasSize(Examples.ofSize(1).size());
