@@ -38,6 +38,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         StackPane.setAlignment(size, Pos.BOTTOM_LEFT);
         setId("camera-pane");
         getStyleClass().add("camera-pane");
+        getStylesheets().add(PictureStyle.sheet());
         getChildren().addAll(picture, size);
         picture.setOnMouseReleased(this::released);
         picture.setOnMouseMoved(event -> pointed.set(picture.at(event.getX(), event.getY())));

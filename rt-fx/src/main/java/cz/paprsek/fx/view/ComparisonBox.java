@@ -1,14 +1,15 @@
 package cz.paprsek.fx.view;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javafx.collections.ListChangeListener;
+import javafx.geometry.Pos;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
 import javafx.scene.layout.HBox;
-import javafx.geometry.Pos;
 import javafx.util.StringConverter;
 
 /** Chooses which other render is laid over the one that is shown. */
@@ -41,13 +42,16 @@ final class ComparisonBox extends HBox {
 
     /** Offers all renders but the one shown; every tab remembers what it is compared with. */
     private void offer() {
-        List<Optional<RenderTab>> others = tabs.getTabs().stream().map(RenderTab.class::cast)
-                .filter(tab -> tab != tabs.getSelectionModel().getSelectedItem()).map(Optional::of).toList();
+        List<Optional<RenderTab>> choices = new ArrayList<>();
+        choices.add(Optional.empty());
+        tabs.getTabs().stream().map(RenderTab.class::cast).filter(tab -> tab != tabs.getSelectionModel().getSelectedItem())
+                .forEach(tab -> choices.add(Optional.of(tab)));
         Optional<RenderTab> wanted = shown().flatMap(RenderTab::comparedWith).filter(tab -> tabs.getTabs().contains(tab));
-        box.getItems().setAll(others);
-        box.getItems().add(0, Optional.empty());
-        box.setValue(wanted);
-        box.setDisable(others.isEmpty());
+        // Else the box would go on counting from where the value stood in the old list.
+        box.getSelectionModel().clearSelection();
+        box.getItems().setAll(choices);
+        box.getSelectionModel().select(wanted);
+        box.setDisable(choices.size() == 1);
     }
 
     private void compare() {

@@ -5,7 +5,6 @@ import cz.paprsek.fx.model.Body;
 import cz.paprsek.fx.model.Item.BodyAt;
 import cz.paprsek.image.Image;
 import cz.paprsek.scene.Scene;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
@@ -22,7 +21,7 @@ final class PixelText {
         int x = point.column();
         int y = point.row();
         int argb = image.argb(x, y);
-        return String.format(Locale.ROOT, "%d, %d    sRGB %d %d %d    %s %.4f %.4f %.4f    %s", x, y,
+        return String.format(texts.locale(), "%d, %d    sRGB %d %d %d    %s %.4f %.4f %.4f    %s", x, y,
                 argb >> 16 & 0xFF, argb >> 8 & 0xFF, argb & 0xFF,
                 texts.of("picture.linear"), image.red(x, y), image.green(x, y), image.blue(x, y), seen(point));
     }

@@ -78,6 +78,7 @@ public final class RenderPane extends BorderPane {
         VBox top = new VBox(8, form, toolbar);
         top.getStyleClass().add("render-tools");
         setId("render-pane");
+        getStylesheets().add(PictureStyle.sheet());
         setTop(top);
         setCenter(center);
     }

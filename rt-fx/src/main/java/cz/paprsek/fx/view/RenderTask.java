@@ -69,6 +69,11 @@ final class RenderTask extends Task<RenderResult> {
         return Optional.ofNullable(image);
     }
 
+    /** Whether nothing more will be painted; after cancelling, that is a moment later. */
+    boolean isStopped() {
+        return ended != 0;
+    }
+
     /** How far it is by now. */
     RenderProgress progress() {
         long now = ended == 0 ? System.nanoTime() : ended;
