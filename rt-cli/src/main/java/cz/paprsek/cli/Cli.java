@@ -15,6 +15,12 @@ import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The commands put together: what there is, and how a mistake is answered. */
 final class Cli {
+    /** Of all commands, in the order of the help. */
+    private static final List<String> NAMES = List.of(
+            "render", "validate", "info", "explain", "convert", "bench", "compare", "crosscheck", "db", "schema", "generate-completion", "help");
+
+    private static final List<String> NEEDING_ALL = List.of("generate-completion", "help");
+
     private final Terminal terminal;
     private final Stop stop;
 
@@ -25,26 +31,17 @@ final class Cli {
 
     /** Runs the command that the arguments say; returns its {@linkplain ExitCode exit code}. */
     int run(String... args) {
-        int code = commandLine().execute(args);
+        boolean isOneEnough = args.length > 0 && NAMES.contains(args[0]) && !NEEDING_ALL.contains(args[0]);
+        int code = commandLine(isOneEnough ? List.of(args[0]) : NAMES).execute(args);
         terminal.out().flush();
         terminal.err().flush();
         return code;
     }
 
-    private CommandLine commandLine() {
-        CommandLine root = new CommandLine(new RootCommand())
-                .addSubcommand("render", new RenderCommand(terminal, stop))
-                .addSubcommand("validate", new ValidateCommand(terminal, stop))
-                .addSubcommand("info", new InfoCommand(terminal, stop))
-                .addSubcommand("explain", new ExplainCommand(terminal, stop))
-                .addSubcommand("convert", new ConvertCommand(terminal, stop))
-                .addSubcommand("bench", new BenchCommand(terminal, stop))
-                .addSubcommand("compare", new CompareCommand(terminal, stop))
-                .addSubcommand("crosscheck", new CrossCheckCommand(terminal, stop))
-                .addSubcommand("db", DbCommand.of(terminal, stop))
-                .addSubcommand("schema", new SchemaCommand(terminal, stop))
-                .addSubcommand("generate-completion", new AutoComplete.GenerateCompletion())
-                .addSubcommand("help", new CommandLine.HelpCommand());
+    /** With the commands of these names: picocli takes longer to look at all of them than a small picture takes to render. */
+    private CommandLine commandLine(List<String> names) {
+        CommandLine root = new CommandLine(new RootCommand());
+        names.forEach(name -> root.addSubcommand(name, command(name)));
         root.registerConverter(Size.class, Size::parse);
         root.registerConverter(RenderMode.class, Modes::parse);
         root.registerConverter(PixelPlace.class, PixelPlace::parse);
@@ -60,6 +57,24 @@ final class Cli {
                 OptionSpec.builder("-V", "--version").versionHelp(true).description("Prints the version and exits.").build());
         describe(root);
         return root;
+    }
+
+    private Object command(String name) {
+        return switch (name) {
+            case "render" -> new RenderCommand(terminal, stop);
+            case "validate" -> new ValidateCommand(terminal, stop);
+            case "info" -> new InfoCommand(terminal, stop);
+            case "explain" -> new ExplainCommand(terminal, stop);
+            case "convert" -> new ConvertCommand(terminal, stop);
+            case "bench" -> new BenchCommand(terminal, stop);
+            case "compare" -> new CompareCommand(terminal, stop);
+            case "crosscheck" -> new CrossCheckCommand(terminal, stop);
+            case "db" -> DbCommand.of(terminal, stop);
+            case "schema" -> new SchemaCommand(terminal, stop);
+            case "generate-completion" -> new AutoComplete.GenerateCompletion();
+            case "help" -> new CommandLine.HelpCommand();
+            default -> throw new IllegalArgumentException(name);
+        };
     }
 
     private static void describe(CommandLine command) {

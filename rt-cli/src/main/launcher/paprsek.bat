@@ -1,0 +1,9 @@
+@echo off
+rem Starts Paprsek's command line with an archive of loaded classes, which saves time until the first pixel. Java 19 or newer makes it by itself;
+rem 17 starts without. PAPRSEK_JAVA_OPTIONS is passed on to Java, as in set PAPRSEK_JAVA_OPTIONS=-Xmx8g.
+setlocal
+set "java=java"
+if defined JAVA_HOME set "java=%JAVA_HOME%\bin\java"
+set "cache=%LOCALAPPDATA%\paprsek"
+if not exist "%cache%" mkdir "%cache%" 2> nul
+"%java%" -XX:+IgnoreUnrecognizedVMOptions -Xshare:auto -XX:+AutoCreateSharedArchive "-XX:SharedArchiveFile=%cache%\paprsek.jsa" -Xlog:disable -Xlog:all=error:stderr %PAPRSEK_JAVA_OPTIONS% -jar "%~dp0rt-cli.jar" %*
