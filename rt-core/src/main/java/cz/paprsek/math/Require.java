@@ -44,15 +44,21 @@ public final class Require {
 
     /** @throws IllegalArgumentException unless every coordinate lies within ±{@link #LARGEST} */
     public static Vec3 place(String what, Vec3 point) {
-        coordinate(what + " x", point.x());
-        coordinate(what + " y", point.y());
-        coordinate(what + " z", point.z());
+        if (Math.max(Math.abs(point.x()), Math.max(Math.abs(point.y()), Math.abs(point.z()))) > LARGEST) {
+            coordinate(what + " x", point.x());
+            coordinate(what + " y", point.y());
+            coordinate(what + " z", point.z());
+        }
         return point;
     }
 
     /** @throws IllegalArgumentException unless low ≤ value ≤ high */
     public static double within(String what, double value, double low, double high) {
-        return check(value >= low && value <= high, what, "a number from " + plain(low) + " to " + plain(high), value);
+        // Not NaN either. The sentence is put together only when it is needed: this runs for every number of a million objects.
+        if (!(value >= low && value <= high)) {
+            throw refused(what, "a number from " + plain(low) + " to " + plain(high), Double.toString(value));
+        }
+        return value;
     }
 
     /** @throws IllegalArgumentException unless low ≤ value ≤ high */

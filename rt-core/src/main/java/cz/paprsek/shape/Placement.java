@@ -17,8 +17,9 @@ public record Placement(Vec3 position, Vec3 rotation, Vec3 scale) {
     /** @throws IllegalArgumentException if a scale is 0, or a number is out of all proportion ({@link Require#LARGEST}) */
     public Placement {
         Require.place("position", position);
-        Require.that(scale.x() != 0 && scale.y() != 0 && scale.z() != 0,
-                "scale must not be 0 along any axis, but is " + scale.x() + " " + scale.y() + " " + scale.z());
+        if (scale.x() == 0 || scale.y() == 0 || scale.z() == 0) {
+            throw new IllegalArgumentException("scale must not be 0 along any axis, but is " + scale.x() + " " + scale.y() + " " + scale.z());
+        }
         Require.size("scale along x", Math.abs(scale.x()));
         Require.size("scale along y", Math.abs(scale.y()));
         Require.size("scale along z", Math.abs(scale.z()));

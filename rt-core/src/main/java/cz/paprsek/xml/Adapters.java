@@ -22,7 +22,9 @@ final class Adapters {
     }
 
     private static void expect(double[] numbers, int count) {
-        Require.that(numbers.length == count, "expected " + count + " numbers, but found " + numbers.length);
+        if (numbers.length != count) {
+            throw new IllegalArgumentException("expected " + count + " numbers, but found " + numbers.length);
+        }
     }
 
     /** One direction only: files are written by {@link SceneWriter}. */
