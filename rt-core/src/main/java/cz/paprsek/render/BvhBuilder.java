@@ -99,17 +99,22 @@ final class BvhBuilder {
             }
             putBox(start, middle, 12 * node);
             putBox(middle, end, 12 * node + 6);
+            int larger = Bins.halfArea(boxes, 12 * node) >= Bins.halfArea(boxes, 12 * node + 6) ? 0 : 1;
+            if (larger == 1) {
+                putBox(middle, end, 12 * node);
+                putBox(start, middle, 12 * node + 6);
+            }
             int rightNode = node + middle - start;
             if (count > FORK) {
                 Subtree left = new Subtree(start, middle, node + 1, at + 1);
                 Subtree right = new Subtree(middle, end, rightNode, at + 1);
                 invokeAll(left, right);
-                child[2 * node] = left.name;
-                child[2 * node + 1] = right.name;
+                child[2 * node + larger] = left.name;
+                child[2 * node + 1 - larger] = right.name;
                 depth = Math.max(depth, at - level + 1 + Math.max(left.depth, right.depth));
             } else {
-                child[2 * node] = build(start, middle, node + 1, at + 1, bins);
-                child[2 * node + 1] = build(middle, end, rightNode, at + 1, bins);
+                child[2 * node + larger] = build(start, middle, node + 1, at + 1, bins);
+                child[2 * node + 1 - larger] = build(middle, end, rightNode, at + 1, bins);
             }
             return node;
         }
@@ -235,7 +240,7 @@ final class BvhBuilder {
             empty(grown, 0);
             for (int bin = BINS - 1; bin > 0; bin--) {
                 grow(grown, 0, box, 6 * (first + bin));
-                area[bin] = halfArea(grown);
+                area[bin] = halfArea(grown, 0);
             }
             empty(grown, 0);
             int left = 0;
@@ -245,7 +250,7 @@ final class BvhBuilder {
                 grow(grown, 0, box, 6 * (first + bin - 1));
                 left += count[first + bin - 1];
                 if (left > 0 && left < total) {
-                    double cost = halfArea(grown) * left + area[bin] * (total - left);
+                    double cost = halfArea(grown, 0) * left + area[bin] * (total - left);
                     if (cost < best) {
                         best = cost;
                         at = bin;
@@ -253,7 +258,7 @@ final class BvhBuilder {
                 }
             }
             grow(grown, 0, box, 6 * (first + BINS - 1));
-            double whole = halfArea(grown);
+            double whole = halfArea(grown, 0);
             double cost = whole > 0 ? best / whole : best < Double.POSITIVE_INFINITY ? total : best;
             if (cost < bestCost) {
                 bestCost = cost;
@@ -276,10 +281,10 @@ final class BvhBuilder {
             }
         }
 
-        private static double halfArea(double[] b) {
-            double x = b[3] - b[0];
-            double y = b[4] - b[1];
-            double z = b[5] - b[2];
+        private static double halfArea(double[] boxes, int b) {
+            double x = boxes[b + 3] - boxes[b];
+            double y = boxes[b + 4] - boxes[b + 1];
+            double z = boxes[b + 5] - boxes[b + 2];
             return x < 0 ? 0 : x * y + y * z + z * x;
         }
     }

@@ -31,6 +31,7 @@ final class Probe {
     private int lastZ;
 
     void set(Ray ray) {
+        ray.needReciprocals();
         ox = ray.ox;
         oy = ray.oy;
         oz = ray.oz;

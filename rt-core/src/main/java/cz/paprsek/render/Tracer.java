@@ -33,7 +33,7 @@ class Tracer extends Witness {
     private final double[] samples;
     private final double[] background;
     private final double[] ambient;
-    /** What last stood between each light and a point: likely to stand there again. */
+    /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
     private final @Nullable Surface[] lastOccluder;
     private final Bundle bundle = new Bundle();
     private final Entries entries = new Entries(MOST_FROM_EYE);
@@ -56,7 +56,7 @@ class Tracer extends Witness {
         this.parts = scene.parts();
         this.lamps = scene.lamps();
         this.stack = bvh.newStack();
-        this.lastOccluder = new Surface[lamps.length];
+        this.lastOccluder = new Surface[maxDepth * lamps.length];
         this.towardsLamp = Stream.generate(() -> new Entries(MOST_FROM_LAMP)).limit(lamps.length).toArray(Entries[]::new);
         this.anywhere = Stream.generate(bvh::whole).limit(lamps.length).toArray(Entries[]::new);
         this.samples = IntStream.range(0, samplesPerSide).mapToDouble(i -> (i + 0.5) / samplesPerSide).toArray();
@@ -214,7 +214,7 @@ class Tracer extends Witness {
         met(level, leaving, c, mirrorX, mirrorY, mirrorZ, size);
         if (finish.isLit()) {
             for (int i = 0; i < lamps.length; i++) {
-                illuminate(i, between[i], level, finish, mirrorX, mirrorY, mirrorZ, size);
+                illuminate(depth, i, between[i], level, finish, mirrorX, mirrorY, mirrorZ, size);
             }
         }
         if (depth + 1 < levels.length && (finish.reflection > 0 || finish.transparency > 0)) {
@@ -237,7 +237,8 @@ class Tracer extends Witness {
     }
 
     /** Adds one light's diffuse and specular part. */
-    private void illuminate(int light, Entries between, Level level, Finish finish, double mirrorX, double mirrorY, double mirrorZ, double size) {
+    private void illuminate(int depth, int light, Entries between, Level level, Finish finish,
+            double mirrorX, double mirrorY, double mirrorZ, double size) {
         Hit hit = level.hit;
         Lamp lamp = lamps[light];
         double lx = lamp.x() - hit.px;
@@ -257,7 +258,7 @@ class Tracer extends Witness {
         shadows++;
         if (!bvh.isClear(between)) {
             shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.OFFSET * size);
-            visibility = visibility(light, between);
+            visibility = visibility(depth * lamps.length + light, between);
         }
         sought(light, lx, ly, lz, distance, facing, visibility);
         if (visibility > 0) {
@@ -272,8 +273,8 @@ class Tracer extends Witness {
     }
 
     /** The share of a light that comes along the shadow ray: the product of the transparencies of all surfaces in between. */
-    private double visibility(int light, Entries between) {
-        Surface last = lastOccluder[light];
+    private double visibility(int memory, Entries between) {
+        Surface last = lastOccluder[memory];
         if (last != null && last.occludes(shadow)) {
             return 0;
         }
@@ -282,7 +283,7 @@ class Tracer extends Witness {
         double product = occluder == null ? product(mark) : 0;
         spans.release(mark);
         if (occluder != last) {
-            lastOccluder[light] = occluder;
+            lastOccluder[memory] = occluder;
         }
         return product;
     }

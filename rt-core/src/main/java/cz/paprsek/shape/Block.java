@@ -68,6 +68,7 @@ public record Block(Vec3 min, Vec3 max) implements Solid {
 
         @Override
         boolean clip(Ray ray) {
+            ray.needReciprocals();
             boolean forwardX = ray.rx > 0;
             ray.enter = ((forwardX ? minX : maxX) - ray.ox) * ray.rx;
             ray.leave = ((forwardX ? maxX : minX) - ray.ox) * ray.rx;

@@ -17,10 +17,14 @@ public final class Ray {
     public double dx;
     public double dy;
     public double dz;
-    /** Reciprocal direction, always finite: 0 · infinity is NaN, and in Java a NaN wins every min and max. */
+    /**
+     * Reciprocal direction, always finite: 0 · infinity is NaN, and in Java a NaN wins every min and max. Known only after
+     * {@link #needReciprocals}: many a ray meets no box, and three divisions are slow.
+     */
     public double rx;
     public double ry;
     public double rz;
+    private boolean hasReciprocals;
     /** The size of the numbers that led to the origin: what its rounding errors are relative to. */
     public double scale;
     public double min;
@@ -64,13 +68,21 @@ public final class Ray {
         dx = directionX;
         dy = directionY;
         dz = directionZ;
-        rx = reciprocal(directionX);
-        ry = reciprocal(directionY);
-        rz = reciprocal(directionZ);
+        hasReciprocals = false;
         scale = size;
         min = OFFSET * size;
         max = end;
         part = -1;
+    }
+
+    /** Works the reciprocal direction out, once. */
+    public void needReciprocals() {
+        if (!hasReciprocals) {
+            rx = reciprocal(dx);
+            ry = reciprocal(dy);
+            rz = reciprocal(dz);
+            hasReciprocals = true;
+        }
     }
 
     /** Takes a hit that is known to lie between min and max. */
@@ -82,6 +94,7 @@ public final class Ray {
 
     /** Whether the part of the ray between min and max meets the box. */
     public boolean meets(Bounds box) {
+        needReciprocals();
         boolean forwardX = rx > 0;
         double near = ((forwardX ? box.minX() : box.maxX()) - ox) * rx;
         double far = ((forwardX ? box.maxX() : box.minX()) - ox) * rx;
