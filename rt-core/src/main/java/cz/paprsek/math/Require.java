@@ -44,12 +44,16 @@ public final class Require {
 
     /** @throws IllegalArgumentException unless every coordinate lies within ±{@link #LARGEST} */
     public static Vec3 place(String what, Vec3 point) {
-        if (Math.max(Math.abs(point.x()), Math.max(Math.abs(point.y()), Math.abs(point.z()))) > LARGEST) {
+        if (!isCoordinate(point.x()) || !isCoordinate(point.y()) || !isCoordinate(point.z())) {
             coordinate(what + " x", point.x());
             coordinate(what + " y", point.y());
             coordinate(what + " z", point.z());
         }
         return point;
+    }
+
+    private static boolean isCoordinate(double value) {
+        return Math.abs(value) <= LARGEST;
     }
 
     /** @throws IllegalArgumentException unless low ≤ value ≤ high */

@@ -50,21 +50,19 @@ final class Bvh {
     /** Builds the hierarchy; empty surfaces are left out. */
     static Bvh of(Surface[] surfaces, boolean[] opaque, RenderMonitor monitor) {
         Bounds[] bounds = new Bounds[surfaces.length];
-        for (int i = 0; i < bounds.length; i++) {
+        IntStream.range(0, bounds.length).parallel().forEach(i -> {
             stopIfAsked(i, monitor);
-            bounds[i] = surfaces[i].bounds();
-        }
+            bounds[i] = surfaces[i].bounds().padded();
+        });
         int[] infinite = IntStream.range(0, bounds.length).filter(i -> !bounds[i].isFinite()).toArray();
         int[] finite = IntStream.range(0, bounds.length).filter(i -> bounds[i].isFinite() && !bounds[i].isEmpty()).toArray();
         double[] box = new double[6 * finite.length];
-        for (int i = 0; i < finite.length; i++) {
-            stopIfAsked(i, monitor);
-            BvhBuilder.put(box, i, bounds[finite[i]].padded());
-        }
         float[] cost = new float[surfaces.length];
-        for (int i : finite) {
-            cost[i] = (float) surfaces[i].cost();
-        }
+        IntStream.range(0, finite.length).parallel().forEach(i -> {
+            stopIfAsked(i, monitor);
+            BvhBuilder.put(box, i, bounds[finite[i]]);
+            cost[finite[i]] = (float) surfaces[finite[i]].cost();
+        });
         return new Bvh(surfaces, opaque, finite, infinite, new BvhBuilder(box, finite, cost, monitor));
     }
 

@@ -12,6 +12,7 @@ import java.util.concurrent.RecursiveAction;
  * @source Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007
  */
 final class BvhBuilder {
+    /** The most bins; few records get one each. */
     private static final int BINS = 16;
     private static final int FORK = 4096;
     /** The cost of visiting a node in units of testing a surface. */
@@ -171,9 +172,10 @@ final class BvhBuilder {
         for (int k = 0; k < 3; k++) {
             double low = box[6 * start + k];
             double high = box[6 * start + k + 3];
+            // Not Math.min, here and below: a comparison that mostly goes one way costs far less.
             for (int i = start + 1; i < end; i++) {
-                low = Math.min(low, box[6 * i + k]);
-                high = Math.max(high, box[6 * i + k + 3]);
+                low = box[6 * i + k] < low ? box[6 * i + k] : low;
+                high = box[6 * i + k + 3] > high ? box[6 * i + k + 3] : high;
             }
             boxes[at + k] = low;
             boxes[at + k + 3] = high;
@@ -188,6 +190,7 @@ final class BvhBuilder {
         private final double[] scale = new double[3];
         private final double[] area = new double[BINS];
         private final double[] grown = new double[6];
+        private int bins;
         double bestCost;
         int bestAxis;
         int bestBin;
@@ -214,20 +217,21 @@ final class BvhBuilder {
         /** Which bin the record's centre falls into. */
         int bin(double[] records, int i, int axis) {
             double centre = records[6 * i + axis] + records[6 * i + axis + 3];
-            return Math.min(BINS - 1, (int) ((centre - low[axis]) * scale[axis]));
+            return Math.min(bins - 1, (int) ((centre - low[axis]) * scale[axis]));
         }
 
         private void reset(double[] records, int start, int end) {
+            bins = Math.max(4, Math.min(BINS, end - start));
             for (int axis = 0; axis < 3; axis++) {
                 double least = Double.POSITIVE_INFINITY;
                 double most = Double.NEGATIVE_INFINITY;
                 for (int i = start; i < end; i++) {
                     double centre = records[6 * i + axis] + records[6 * i + axis + 3];
-                    least = Math.min(least, centre);
-                    most = Math.max(most, centre);
+                    least = centre < least ? centre : least;
+                    most = centre > most ? centre : most;
                 }
                 low[axis] = least;
-                scale[axis] = most > least ? Math.min(BINS / (most - least), Double.MAX_VALUE) : 0;
+                scale[axis] = most > least ? Math.min(bins / (most - least), Double.MAX_VALUE) : 0;
             }
             for (int bin = 0; bin < 3 * BINS; bin++) {
                 count[bin] = 0;
@@ -238,7 +242,7 @@ final class BvhBuilder {
         private void sweep(int axis, int total) {
             int first = axis * BINS;
             empty(grown, 0);
-            for (int bin = BINS - 1; bin > 0; bin--) {
+            for (int bin = bins - 1; bin > 0; bin--) {
                 grow(grown, 0, box, 6 * (first + bin));
                 area[bin] = halfArea(grown, 0);
             }
@@ -246,7 +250,7 @@ final class BvhBuilder {
             int left = 0;
             double best = Double.POSITIVE_INFINITY;
             int at = 0;
-            for (int bin = 1; bin < BINS; bin++) {
+            for (int bin = 1; bin < bins; bin++) {
                 grow(grown, 0, box, 6 * (first + bin - 1));
                 left += count[first + bin - 1];
                 if (left > 0 && left < total) {
@@ -257,7 +261,7 @@ final class BvhBuilder {
                     }
                 }
             }
-            grow(grown, 0, box, 6 * (first + BINS - 1));
+            grow(grown, 0, box, 6 * (first + bins - 1));
             double whole = halfArea(grown, 0);
             double cost = whole > 0 ? best / whole : best < Double.POSITIVE_INFINITY ? total : best;
             if (cost < bestCost) {
@@ -276,8 +280,12 @@ final class BvhBuilder {
 
         private static void grow(double[] boxes, int at, double[] by, int from) {
             for (int k = 0; k < 3; k++) {
-                boxes[at + k] = Math.min(boxes[at + k], by[from + k]);
-                boxes[at + k + 3] = Math.max(boxes[at + k + 3], by[from + k + 3]);
+                if (by[from + k] < boxes[at + k]) {
+                    boxes[at + k] = by[from + k];
+                }
+                if (by[from + k + 3] > boxes[at + k + 3]) {
+                    boxes[at + k + 3] = by[from + k + 3];
+                }
             }
         }
 

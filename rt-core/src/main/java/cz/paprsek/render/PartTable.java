@@ -21,6 +21,9 @@ import java.util.function.IntFunction;
 final class PartTable {
     private final Map<String, Material> materials;
     private final Map<Material, Finish> shared = new HashMap<>();
+    private final Finish standard = new Finish(Material.DEFAULT, Paint.of(Material.DEFAULT.pattern(), Affine.IDENTITY));
+    private Material lastMaterial = Material.DEFAULT;
+    private Finish lastFinish = standard;
     private Part[] parts;
     private Finish[] finishes;
     private int[] objects;
@@ -63,7 +66,6 @@ final class PartTable {
     /** Places an object and registers its parts. */
     Surface place(int number, SceneObject object) {
         Affine toWorld = object.placement().toParent();
-        Finish standard = finish(Material.DEFAULT, toWorld);
         return object.shape().place(toWorld, new Scope(number, own(object.material(), toWorld, standard)));
     }
 
@@ -81,7 +83,16 @@ final class PartTable {
     private Finish finish(Material material, Affine toWorld) {
         return material.pattern() instanceof Pattern.Checker checker
                 ? new Finish(material, Paint.of(checker, toWorld.inverse()))
-                : shared.computeIfAbsent(material, m -> new Finish(m, Paint.of(m.pattern(), Affine.IDENTITY)));
+                : shared(material);
+    }
+
+    /** Neighbours are mostly of one material: that saves hashing it. */
+    private Finish shared(Material material) {
+        if (material != lastMaterial) {
+            lastFinish = shared.computeIfAbsent(material, m -> new Finish(m, Paint.of(m.pattern(), Affine.IDENTITY)));
+            lastMaterial = material;
+        }
+        return lastFinish;
     }
 
     private int add(int object, Finish finish) {

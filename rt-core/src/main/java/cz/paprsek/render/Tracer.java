@@ -178,6 +178,11 @@ class Tracer extends Witness {
         return primary + reflected + refracted + shadows;
     }
 
+    /** Nodes of the tree visited so far, leaves included. */
+    long visits() {
+        return stack.visits;
+    }
+
     /** Finds what the level's ray hits, and where. */
     private void find(Level level, Entries among) {
         bvh.nearest(level.ray, among, stack);

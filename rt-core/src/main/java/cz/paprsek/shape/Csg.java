@@ -6,6 +6,7 @@ import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import java.util.Arrays;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import java.util.Locale;
 
 /**
@@ -105,17 +106,23 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
 
     /** The operands one after the other, each combined with the result of those before it. */
     private static final class Placed extends Volume {
+        /** More operands than this are looked for in a tree. */
+        private static final int MANY = 8;
+
         private final Operation operation;
         private final Volume[] operands;
         private final Bounds[] boxes;
         private final Bounds bounds;
         private final double cost;
+        /** Finds the operands that matter, if there are many, and one that is not met does not. */
+        private final @Nullable OperandTree tree;
 
         Placed(Operation operation, Volume[] operands) {
             this.operation = operation;
             this.operands = operands;
             this.boxes = Arrays.stream(operands).map(operand -> operand.bounds().padded()).toArray(Bounds[]::new);
             this.bounds = Arrays.stream(operands).map(Surface::bounds).reduce(operation::bounds).orElseThrow();
+            this.tree = operands.length > MANY && operation != Operation.INTERSECTION ? new OperandTree(boxes) : null;
             // To meet each operand, and to combine what it pushes.
             this.cost = Arrays.stream(operands).mapToDouble(operand -> operand.cost() + 3).sum();
         }
@@ -132,20 +139,50 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
 
         @Override
         public void spans(Ray ray, Spans out) {
+            if (tree != null) {
+                spansOfMany(tree, ray, out);
+                return;
+            }
             int left = out.size();
             operands[0].spans(ray, out);
             for (int i = 1; i < operands.length; i++) {
-                int right = out.size();
                 if (operation != Operation.UNION && !out.reaches(left, ray)) {
                     out.release(left);
                     return;
                 }
                 // Whoever meets an intersection has met the boxes of all its operands.
                 if (operation == Operation.INTERSECTION || ray.meets(boxes[i])) {
-                    operands[i].spans(ray, out);
-                    out.combine(operation, left, right, ray.scale);
+                    combine(i, left, ray, out);
                 }
             }
+        }
+
+        /** In the order of the operands all the same: of surfaces in one place, the first one's is seen. */
+        private void spansOfMany(OperandTree among, Ray ray, Spans out) {
+            int left = out.size();
+            if (operation == Operation.DIFFERENCE) {
+                operands[0].spans(ray, out);
+                if (!out.reaches(left, ray)) {
+                    out.release(left);
+                    return;
+                }
+            }
+            IntStack met = ray.met;
+            int mark = met.size();
+            among.meet(ray, met);
+            int end = met.size();
+            for (int i = mark; i < end; i++) {
+                if (operation == Operation.UNION || met.get(i) > 0) {
+                    combine(met.get(i), left, ray, out);
+                }
+            }
+            met.release(mark);
+        }
+
+        private void combine(int operand, int left, Ray ray, Spans out) {
+            int right = out.size();
+            operands[operand].spans(ray, out);
+            out.combine(operation, left, right, ray.scale);
         }
     }
 }

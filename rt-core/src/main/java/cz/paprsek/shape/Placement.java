@@ -43,6 +43,7 @@ public record Placement(Vec3 position, Vec3 rotation, Vec3 scale) {
 
     /** The map from the shape's own space to the space around it. */
     public Affine toParent() {
-        return Affine.translation(position).after(Affine.rotation(rotation)).after(Affine.scaling(scale));
+        Affine turn = rotation.equals(Vec3.ZERO) ? Affine.IDENTITY : Affine.rotation(rotation);
+        return Affine.translation(position).after(turn).after(Affine.scaling(scale));
     }
 }

@@ -41,6 +41,8 @@ public final class Ray {
     int leaveFace;
 
     final Line local = new Line();
+    /** The operands, of all operations being evaluated, that the ray meets. */
+    final IntStack met = new IntStack();
     final double[] breaks = new double[3];
     final Spans spans;
 

@@ -1,0 +1,76 @@
+package cz.paprsek.shape;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.Csg.Operation;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.function.IntFunction;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class OperandTreeTest {
+    @ParameterizedTest
+    @CsvSource({"UNION, 9", "UNION, 16", "UNION, 67", "DIFFERENCE, 9", "DIFFERENCE, 33", "DIFFERENCE, 100", "INTERSECTION, 12"})
+    void manyOperandsGiveWhatOneAfterTheOtherGives(Operation operation, int count) {
+        Random random = new Random(count);
+        List<Operand> operands = operands(operation, count, random);
+        Volume atOnce = place(new Csg(operation, operands));
+        Operand folded = operands.get(0);
+        for (Operand next : operands.subList(1, count)) {
+            folded = Operand.of(new Csg(operation, List.of(folded, next)));
+        }
+        Volume oneByOne = place(folded.solid());
+        Spans spans = new Spans();
+        int hits = 0;
+        for (int i = 0; i < 20_000; i++) {
+            Ray a = ray(random.doubles(6, -3, 3).toArray(), spans);
+            Ray b = new Ray(spans);
+            b.start(a.ox, a.oy, a.oz, a.dx, a.dy, a.dz);
+            assertThat(atOnce.occludes(a)).isEqualTo(oneByOne.occludes(b));
+            atOnce.nearest(a);
+            oneByOne.nearest(b);
+            assertThat(List.of(a.max, a.part, a.face)).isEqualTo(List.of(b.max, b.part, b.face));
+            hits += a.part >= 0 ? 1 : 0;
+        }
+        assertThat(hits).isGreaterThan(100);
+    }
+
+    /** Some touch or coincide; one has no end. */
+    private static List<Operand> operands(Operation operation, int count, Random random) {
+        List<Operand> operands = new ArrayList<>();
+        double size = operation == Operation.INTERSECTION ? 3 : 0.5;
+        operands.add(Operand.of(new Block(new Vec3(-2, -2, -2), new Vec3(2, 2, 2))).scaled(0.9, 0.9, 0.9));
+        operands.add(Operand.of(new Plane()).at(0, operation == Operation.INTERSECTION ? 1 : -1.5, 0));
+        for (int i = 2; i < count; i++) {
+            operands.add(Operand.of(i % 2 == 0 ? new Sphere(size) : new Block(Vec3.ONE.times(-size), Vec3.ONE.times(size)))
+                    .at((random.nextInt(9) - 4) / 2.0, (random.nextInt(9) - 4) / 2.0, (random.nextInt(9) - 4) / 2.0));
+        }
+        return operands;
+    }
+
+    private static Ray ray(double[] n, Spans spans) {
+        double length = Math.sqrt(n[3] * n[3] + n[4] * n[4] + n[5] * n[5]);
+        Ray ray = new Ray(spans);
+        ray.start(n[0], n[1], n[2], n[3] / length, n[4] / length, n[5] / length);
+        return ray;
+    }
+
+    private static Volume place(Solid solid) {
+        int[] next = {0};
+        return solid.place(Affine.IDENTITY, new Parts() {
+            @Override
+            public <P extends Part> P add(IntFunction<P> maker) {
+                return maker.apply(next[0]++);
+            }
+
+            @Override
+            public Parts within(Operand operand, Affine toWorld) {
+                return this;
+            }
+        });
+    }
+}
