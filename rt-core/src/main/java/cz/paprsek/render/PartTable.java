@@ -88,7 +88,7 @@ final class PartTable {
 
     /** Neighbours are mostly of one material: that saves hashing it. */
     private Finish shared(Material material) {
-        if (material != lastMaterial) {
+        if (!material.equals(lastMaterial)) {
             lastFinish = shared.computeIfAbsent(material, m -> new Finish(m, Paint.of(m.pattern(), Affine.IDENTITY)));
             lastMaterial = material;
         }

@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.StandardScenes;
-import java.util.function.Supplier;
-import org.junit.jupiter.api.Test;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** How much work the standard scenes are, counted rather than timed: a tree of poorer quality shows here on every machine. */
 class WorkTest {
@@ -14,42 +16,29 @@ class WorkTest {
     private static final int HEIGHT = 88;
 
     /** Visits were recorded when the tree was last improved: a better tree calls for new figures, a poorer one for a reason. */
-    private enum Work {
-        FEW(StandardScenes::few, 0, 0, 0),
-        FLAKE(() -> StandardScenes.flake(4), 0, 0, 0),
-        CLOUD(() -> StandardScenes.cloud(100_000), 0, 0, 0),
-        CARVED(() -> StandardScenes.carved(1000), 0, 0, 0),
-        PIERCED(() -> StandardScenes.pierced(1000), 0, 0, 0),
-        CHAIN(() -> StandardScenes.chain(100), 0, 0, 0);
-
-        private final Supplier<Scene> scene;
-        private final long reflected;
-        private final long shadows;
-        private final long visits;
-
-        Work(Supplier<Scene> scene, long reflected, long shadows, long visits) {
-            this.scene = scene;
-            this.reflected = reflected;
-            this.shadows = shadows;
-            this.visits = visits;
-        }
+    static Stream<Arguments> work() {
+        return Stream.of(
+                Arguments.of("few", StandardScenes.few(), 10_717, 28_590, 77_876),
+                Arguments.of("flake4", StandardScenes.flake(4), 7727, 41_067, 606_024),
+                Arguments.of("cloud100k", StandardScenes.cloud(100_000), 0, 5514, 527_918),
+                Arguments.of("csg1000", StandardScenes.carved(1000), 0, 12_188, 135_406),
+                Arguments.of("csgn1000", StandardScenes.pierced(1000), 0, 11_763, 139_395),
+                Arguments.of("chain100", StandardScenes.chain(100), 0, 441, 14_512));
     }
 
-    @Test
-    void raysAndVisitedNodesAreAsRecorded() {
-        for (Work work : Work.values()) {
-            Scene scene = work.scene.get();
-            Tracer tracer = new Tracer(RenderScene.of(scene), 5, 1, RenderMonitor.NONE);
-            Eye eye = new Eye(scene.camera(), WIDTH, HEIGHT);
-            for (int y = 0; y < HEIGHT; y += 8) {
-                for (int x = 0; x < WIDTH; x += 8) {
-                    tracer.trace(eye, x, y, 8, 8);
-                }
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("work")
+    void raysAndVisitedNodesAreAsRecorded(String name, Scene scene, long reflected, long shadows, long visits) {
+        Tracer tracer = new Tracer(RenderScene.of(scene), 5, 1, RenderMonitor.NONE);
+        Eye eye = new Eye(scene.camera(), WIDTH, HEIGHT);
+        for (int y = 0; y < HEIGHT; y += 8) {
+            for (int x = 0; x < WIDTH; x += 8) {
+                tracer.trace(eye, x, y, 8, 8);
             }
-            String found = work + ": " + tracer.reflected + ", " + tracer.shadows + ", " + tracer.visits();
-            assertThat(tracer.reflected).as(found).isEqualTo(work.reflected);
-            assertThat(tracer.shadows).as(found).isEqualTo(work.shadows);
-            assertThat(tracer.visits()).as(found).isCloseTo(work.visits, within(work.visits / 100));
         }
+        String found = tracer.reflected + ", " + tracer.shadows + ", " + tracer.visits();
+        assertThat(tracer.reflected).as(found).isEqualTo(reflected);
+        assertThat(tracer.shadows).as(found).isEqualTo(shadows);
+        assertThat(tracer.visits()).as(found).isCloseTo(visits, within(visits / 100));
     }
 }

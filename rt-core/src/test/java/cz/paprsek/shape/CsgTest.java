@@ -7,6 +7,7 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg.Operation;
 import java.util.Random;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -160,13 +161,16 @@ class CsgTest {
             b.release(0);
             one.spans(ray, a);
             other.spans(ray, b);
-            assertThat(b.size()).isEqualTo(a.size());
-            for (int k = 0; k < a.size(); k++) {
-                assertThat(b.t(k)).isCloseTo(a.t(k), within(1e-8));
-            }
-            crossed += a.size();
+            double[] ahead = ahead(a);
+            assertThat(ahead(b)).containsExactly(ahead, within(1e-8));
+            crossed += ahead.length;
         }
         assertThat(crossed).isGreaterThan(5_000);
+    }
+
+    /** Boundaries before the eye; what lies behind it may be left out. */
+    private static double[] ahead(Spans spans) {
+        return IntStream.range(0, spans.size()).mapToDouble(spans::t).filter(t -> t > 0).toArray();
     }
 
     @Test
