@@ -2,10 +2,12 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -52,8 +54,7 @@ class ConvertCommandTest {
         Run nowhere = Run.cli("convert", scene, folder.resolve("no/b.pov"));
         assertThat(nowhere.code()).isEqualTo(1);
         assertThat(nowhere.err()).contains("there is no such folder").hasLineCount(1);
-        Files.writeString(folder.resolve("two.xml"), SceneFiles.formatAll(java.util.List.of(
-                cz.paprsek.scene.Scene.EMPTY, cz.paprsek.scene.Scene.EMPTY)));
+        Files.writeString(folder.resolve("two.xml"), SceneFiles.formatAll(List.of(Scene.EMPTY.withName("a"), Scene.EMPTY.withName("b"))));
         assertThat(Run.cli("convert", folder.resolve("two.xml"), folder.resolve("b.pov")).err()).contains("is a database of 2 scenes");
         assertThat(folder.resolve("b.pov")).doesNotExist();
     }

@@ -37,11 +37,11 @@ class MistakesTest {
     void callWithoutCommandSaysWhatThereIs() {
         Run run = Run.cli();
         assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err()).contains("say what to do: render, validate, info, convert, bench, compare, crosscheck, db, schema, generate-completion, help");
+        assertThat(run.err()).contains("say what to do: render, validate, info, explain, convert, bench, compare, crosscheck, db, schema, generate-completion, help");
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"render", "validate", "info", "convert", "bench", "compare", "crosscheck", "schema"})
+    @ValueSource(strings = {"render", "validate", "info", "explain", "convert", "bench", "compare", "crosscheck", "db", "schema"})
     void everyCommandExplainsItself(String command) {
         Run run = Run.cli(command, "--help");
         assertThat(run.code()).isZero();
