@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What every shape must keep, tried with a hundred thousand random rays each. */
 class ShapeContractTest {
@@ -88,6 +89,18 @@ class ShapeContractTest {
             volume.nearest(ray);
             assertThat(ray.max).isEqualTo(first);
         }
+    }
+
+    /** One of the quadratic's roots runs to infinity; the other is where two lines in the plane z = 0 cross, x = y − 1 being the left side. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e-15, 1e-12, -1e-12, 1e-9, -1e-9, 1e-6, 1e-3})
+    void aRayAlmostAlongTheSideOfAConeMeetsTheOtherSideExactly(double turn) {
+        Surface cone = new Cone(1, 1).place(Affine.IDENTITY, new TestParts());
+        Vec3 d = new Vec3(1, -1 + turn, 0).normalized();
+        Ray ray = new Ray(new Spans());
+        ray.start(-1.5, 1, 0, d.x(), d.y(), 0);
+        cone.nearest(ray);
+        assertThat(ray.max).isCloseTo(1.5 / (d.x() - d.y()), within(1e-15));
     }
 
     /** One placed shape and a source of rays that mostly hit it. */
