@@ -39,7 +39,7 @@ public class BreakFormulas {
             new Break("highlight not clamped", "render/Finish.java", "if (!(cosine > 0) || specular == 0) {", "if (specular == 0) {"),
             new Break("mirrors that see nothing are black", "render/Tracer.java", "level.light(background[0], background[1], background[2]);",
                     "if (depth == 0) { level.light(background[0], background[1], background[2]); } else { level.light(0, 0, 0); }"),
-            new Break("one level of rays too many", "render/Tracer.java", "new Level[maxDepth]", "new Level[maxDepth + 1]"),
+            new Break("one level of rays too many", "render/Tracer.java", "new Surface[maxDepth * lamps.length]", "new Surface[++maxDepth * lamps.length]"),
             new Break("Snell upside down", "render/Tracer.java", "double t = 1 + e * e * (c * c - 1);", "double t = 1 + (c * c - 1) / (e * e);"),
             new Break("no total internal reflection", "render/Tracer.java", "reflection += finish.transparency;", "reflection += 0;"),
             new Break("shadows from beyond the light", "render/Tracer.java", "distance - Ray.OFFSET * size)", "Double.POSITIVE_INFINITY)"),

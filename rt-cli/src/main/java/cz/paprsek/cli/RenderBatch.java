@@ -50,6 +50,7 @@ record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, boole
         RenderOptions options;
         try {
             options = wishes.applyTo(scene.settings()).withMode(view.mode());
+            Image.requireRoom(options.region().width(), options.region().height());
         } catch (IllegalArgumentException refused) {
             return fail(target, Outcome.WRONG_USAGE, List.of(target.source().label() + ": " + refused.getMessage()));
         }

@@ -118,6 +118,16 @@ class RenderCommandTest {
     }
 
     @Test
+    void aPictureBeyondAllMemoryIsRefusedButAPartOfItIsNot() throws IOException {
+        Path huge = folder.resolve("huge.xml");
+        Files.writeString(huge, Files.readString(ball).replaceAll("(width|height)=\"[0-9]+\"", "$1=\"32768\""));
+        Run whole = Run.cli("render", huge, "-o", folder.resolve("huge.png"), "--quiet");
+        assertThat(whole.code()).isEqualTo(2);
+        assertThat(whole.err()).contains("32768 × 32768 pixels").contains("region by region").hasLineCount(1);
+        assertThat(Run.cli("render", huge, "-o", folder.resolve("part.png"), "--region", "0,0,8,8", "--quiet").code()).isZero();
+    }
+
+    @Test
     void aFileThatCannotBeWrittenIsAFailure() throws IOException {
         Path picture = Files.createFile(folder.resolve("a.png"));
         assumeTrue(picture.toFile().setWritable(false) && !Files.isWritable(picture),

@@ -9,19 +9,27 @@ import java.awt.image.DataBufferInt;
  * Threads may write different pixels at the same time.
  */
 public final class Image {
+    /** How many pixels there can be: as many as one array holds. */
+    public static final int MOST_PIXELS = (Integer.MAX_VALUE - 8) / 3;
+
     private final int width;
     private final int height;
     private final float[] linear;
 
     /** A black picture. */
     public Image(int width, int height) {
-        Require.within("picture width", width, 1, 1 << 16);
-        Require.within("picture height", height, 1, 1 << 16);
-        long size = 3L * width * height;
-        Require.that(size <= Integer.MAX_VALUE - 8, "a picture of " + width + " × " + height + " pixels is too large for one array");
+        requireRoom(width, height);
         this.width = width;
         this.height = height;
-        this.linear = new float[(int) size];
+        this.linear = new float[3 * width * height];
+    }
+
+    /** @throws IllegalArgumentException if there can be no picture of this size */
+    public static void requireRoom(int width, int height) {
+        Require.within("picture width", width, 1, 1 << 16);
+        Require.within("picture height", height, 1, 1 << 16);
+        Require.that((long) width * height <= MOST_PIXELS, "a picture of " + width + " × " + height + " pixels is larger than the "
+                + MOST_PIXELS + " that can be computed at once; render it in parts, region by region");
     }
 
     public int width() {

@@ -34,7 +34,7 @@ final class LimitedInput extends FilterInputStream {
     private void count(int read) throws IOException {
         left -= read;
         if (left < 0) {
-            throw new IOException(file + ": this file is larger than the " + limit + " bytes that a scene file may have");
+            throw new IOException(file + ": this file is larger than the " + limit + " bytes that a scene file may have (java -Dpaprsek.largest-file=BYTES allows more)");
         }
     }
 }

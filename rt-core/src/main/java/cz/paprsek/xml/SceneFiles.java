@@ -25,8 +25,8 @@ public final class SceneFiles {
      */
     public static final int DEEPEST = 250;
 
-    /** How many bytes a file may have: 1 GiB, ten million spheres. */
-    public static final long LARGEST = 1L << 30;
+    /** How many bytes a file may have: 1 GiB, ten million spheres, or what the system property {@code paprsek.largest-file} says. */
+    public static final long LARGEST = Long.getLong("paprsek.largest-file", 1L << 30);
 
     private SceneFiles() {}
 
