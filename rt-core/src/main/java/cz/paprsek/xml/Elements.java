@@ -20,12 +20,16 @@ import org.xml.sax.helpers.AttributesImpl;
 final class Elements extends DefaultHandler2 implements Locator {
     /** The longest value of an attribute: longer than any that means something, short enough to be checked in no time. */
     private static final int LONGEST_VALUE = 100_000;
+    /** The longest text that is handed on; far longer than any that may be kept. */
+    private static final int LONGEST_TEXT = 1_000_000;
     private static final Set<String> AT_MOST_ONCE = Set.of("description", "render", "background", "ambient", "camera");
     private static final Attributes NO_ATTRIBUTES = new AttributesImpl();
 
     private final ValidatorHandler next;
     private final Prolog prolog;
     private final Problems problems;
+    /** Told of everything that is found. */
+    private final Runnable found;
     /** Local names; those of another namespace than ours after that namespace in braces. */
     private final List<String> path = new ArrayList<>();
     /** Line and column where each open element starts, and the problems there were before it. */
@@ -44,11 +48,14 @@ final class Elements extends DefaultHandler2 implements Locator {
     private int nextColumn;
     /** Whether the text at hand has been told to be out of place: the parser hands it over in pieces. */
     private boolean isTextTold;
+    /** Characters of text since the last tag. */
+    private int textLength;
     /** Whether the root has been closed. */
     private boolean isOver;
 
-    Elements(ValidatorHandler next, Prolog prolog, Problems problems) {
+    Elements(ValidatorHandler next, Prolog prolog, Problems problems, Runnable found) {
         this.next = next;
+        this.found = found;
         this.prolog = prolog;
         this.problems = problems;
     }
@@ -80,13 +87,14 @@ final class Elements extends DefaultHandler2 implements Locator {
     }
 
     @Override
-    public void startElement(String uri, String localName, String qName, Attributes found) throws SAXException {
+    public void startElement(String uri, String localName, String qName, Attributes given) throws SAXException {
         line = path.isEmpty() ? prolog.rootLine() : nextLine;
         column = path.isEmpty() ? prolog.rootColumn() : nextColumn;
         path.add(uri.equals(SceneFiles.NAMESPACE) ? localName : "{" + uri + "}" + localName);
-        attributes = found;
-        setLimits(found);
+        attributes = given;
+        setLimits(given);
         isTextTold = false;
+        textLength = 0;
         lines[path.size()] = line;
         columns[path.size()] = column;
         problemsBefore[path.size()] = problems.size();
@@ -94,7 +102,7 @@ final class Elements extends DefaultHandler2 implements Locator {
         if (complaints != null) {
             complaints.addIfUnknown(path, line, column);
         }
-        next.startElement(uri, localName, qName, found);
+        next.startElement(uri, localName, qName, given);
         attributes = NO_ATTRIBUTES;
         advance();
     }
@@ -107,15 +115,15 @@ final class Elements extends DefaultHandler2 implements Locator {
         }
     }
 
-    private void setLimits(Attributes found) {
+    private void setLimits(Attributes given) {
         if (path.size() > SceneFiles.DEEPEST) {
             problems.add(line, column, "elements must not be nested deeper than " + SceneFiles.DEEPEST);
             throw new Problems.Stop();
         }
-        for (int i = 0; i < found.getLength(); i++) {
-            if (found.getValue(i).length() > LONGEST_VALUE) {
-                problems.add(line, column, "the value of " + found.getQName(i) + " must not be longer than " + LONGEST_VALUE
-                        + " characters, but has " + found.getValue(i).length());
+        for (int i = 0; i < given.getLength(); i++) {
+            if (given.getValue(i).length() > LONGEST_VALUE) {
+                problems.add(line, column, "the value of " + given.getQName(i) + " must not be longer than " + LONGEST_VALUE
+                        + " characters, but has " + given.getValue(i).length());
                 throw new Problems.Stop();
             }
         }
@@ -128,6 +136,7 @@ final class Elements extends DefaultHandler2 implements Locator {
         column = columns[path.size()];
         next.endElement(uri, localName, qName);
         isTextTold = false;
+        textLength = 0;
         path.remove(path.size() - 1);
         isOver = path.isEmpty();
         advance();
@@ -136,6 +145,12 @@ final class Elements extends DefaultHandler2 implements Locator {
     @Override
     public void characters(char[] text, int start, int length) throws SAXException {
         complainOfText(text, start, start + length);
+        textLength += length;
+        if (textLength > LONGEST_TEXT && path.get(path.size() - 1).equals("description")) {
+            problems.add(lines[path.size()], columns[path.size()], "a description must not be longer than " + SceneWriter.LONGEST_DESCRIPTION
+                    + " characters, but this has more than " + LONGEST_TEXT);
+            throw new Problems.Stop();
+        }
         next.characters(text, start, length);
         advance();
         // The parser has already taken the < that ends the text.
@@ -179,6 +194,7 @@ final class Elements extends DefaultHandler2 implements Locator {
     }
 
     private void advance() {
+        found.run();
         if (parser != null) {
             nextLine = parser.getLineNumber();
             nextColumn = parser.getColumnNumber();
@@ -225,6 +241,16 @@ final class Elements extends DefaultHandler2 implements Locator {
             sentence = "the file ends before its first element; a scene file starts with " + sample;
         }
         problems.add(Math.max(1, atLine), Math.max(1, atColumn), sentence);
+        throw new Problems.Stop();
+    }
+
+    /**
+     * What comes after all that was found has no end.
+     *
+     * @throws Problems.Stop always
+     */
+    void endless(String sentence) {
+        problems.add(Math.max(1, nextLine), Math.max(1, nextColumn), "from here on, " + sentence + ", which is beyond all measure");
         throw new Problems.Stop();
     }
 

@@ -24,12 +24,12 @@ final class Parse extends XMLFilterImpl {
     private final Problems problems;
     private final Prolog prolog;
 
-    Parse(ValidatorHandler validator, Prolog prolog, Problems problems) throws ParserConfigurationException, SAXException {
+    Parse(ValidatorHandler validator, Prolog prolog, Problems problems, Runnable found) throws ParserConfigurationException, SAXException {
         super(hardened().getXMLReader());
         this.validator = validator;
         this.prolog = prolog;
         this.problems = problems;
-        elements = new Elements(validator, prolog, problems);
+        elements = new Elements(validator, prolog, problems, found);
         validator.setProperty("http://apache.org/xml/properties/locale", Locale.ROOT);
         validator.setErrorHandler(elements);
     }
@@ -55,6 +55,8 @@ final class Parse extends XMLFilterImpl {
                 wrongEncoding(e.getLineNumber(), e.getColumnNumber());
             }
             elements.malformed(theirs, e.getLineNumber(), e.getColumnNumber());
+        } catch (PieceInput.TooLong e) {
+            elements.endless(String.valueOf(e.getMessage()));
         } catch (UnsupportedEncodingException e) {
             wrongEncoding(1, 1);
         } catch (CharConversionException e) {

@@ -71,21 +71,22 @@ final class SceneReader {
         // Halves of characters, which no bytes stand for, are told apart from question marks.
         Optional<List<Scene>> scenes = new String(bytes, StandardCharsets.UTF_8).equals(text)
                 ? QuickReader.read(new ByteArrayInputStream(bytes)) : Optional.empty();
-        return scenes.isPresent() ? scenes.get() : read(new InputSource(new StringReader(text)), new Prolog(text), file);
+        return scenes.isPresent() ? scenes.get() : read(new InputSource(new StringReader(text)), () -> {}, new Prolog(text), file);
     }
 
     /** Without the quick reader. */
     static List<Scene> thoroughly(InputStream input, String file) throws SceneFileException, IOException {
         BufferedInputStream buffered = new BufferedInputStream(input);
         Prolog prolog = Prolog.of(buffered);
-        return read(new InputSource(buffered), prolog, file);
+        PieceInput pieces = new PieceInput(buffered);
+        return read(new InputSource(pieces), pieces::found, prolog, file);
     }
 
-    private static List<Scene> read(InputSource input, Prolog prolog, String file) throws SceneFileException, IOException {
+    private static List<Scene> read(InputSource input, Runnable found, Prolog prolog, String file) throws SceneFileException, IOException {
         Problems problems = new Problems(file);
         List<Scene> scenes = new ArrayList<>();
         try {
-            Object root = bind(input, prolog, problems);
+            Object root = bind(input, found, prolog, problems);
             List<SceneBean> beans = root instanceof DatabaseBean database ? database.scenes
                     : root instanceof SceneBean scene ? List.of(scene) : List.of();
             if (root instanceof DatabaseBean database) {
@@ -105,10 +106,10 @@ final class SceneReader {
     }
 
     /** The bean of the root element; null if that is wrong. */
-    private static @Nullable Object bind(InputSource input, Prolog prolog, Problems problems) throws IOException {
+    private static @Nullable Object bind(InputSource input, Runnable found, Prolog prolog, Problems problems) throws IOException {
         try {
             Unmarshaller unmarshaller = Shared.CONTEXT.createUnmarshaller();
-            Parse parse = new Parse(Shared.SCHEMA.newValidatorHandler(), prolog, problems);
+            Parse parse = new Parse(Shared.SCHEMA.newValidatorHandler(), prolog, problems, found);
             unmarshaller.setListener(new Unmarshaller.Listener() {
                 @Override
                 public void beforeUnmarshal(Object target, Object parent) {

@@ -1,0 +1,52 @@
+package cz.paprsek.xml;
+
+import java.io.FilterInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+
+/** A stream that a parser must make something of: it ends with an error if so much is read without a tag or text being found in it. */
+final class PieceInput extends FilterInputStream {
+    /** In bytes. The parser keeps what it is in the middle of, so this bounds its memory. */
+    private static final int LONGEST = 1 << 23;
+
+    private int length;
+
+    PieceInput(InputStream input) {
+        super(input);
+    }
+
+    /** The parser has found something. */
+    void found() {
+        length = 0;
+    }
+
+    @Override
+    public int read() throws IOException {
+        int read = super.read();
+        count(1);
+        return read;
+    }
+
+    @Override
+    public int read(byte[] into, int offset, int most) throws IOException {
+        int read = super.read(into, offset, most);
+        count(read);
+        return read;
+    }
+
+    private void count(int read) throws TooLong {
+        length += read;
+        if (length > LONGEST) {
+            throw new TooLong();
+        }
+    }
+
+    /** There is a comment, a value or a name beyond all measure. */
+    static final class TooLong extends IOException {
+        private static final long serialVersionUID = 1;
+
+        TooLong() {
+            super("a comment, value or name is longer than " + LONGEST + " bytes");
+        }
+    }
+}
