@@ -110,7 +110,7 @@ public final class RenderPane extends BorderPane {
         RenderTask task;
         try {
             task = new RenderTask(scene, options);
-        } catch (ArithmeticException | OutOfMemoryError tooLarge) {
+        } catch (IllegalArgumentException | ArithmeticException | OutOfMemoryError tooLarge) {
             message.setText(texts.of("render.too-large", options.settings().width(), options.settings().height()));
             return;
         }

@@ -50,7 +50,7 @@ class PictureScreenshotsTest {
         try (Gui gui = Gui.show(() -> pane, 1000, 720)) {
             gui.act(() -> theme.applyTo(gui.stage().getScene()));
             gui.act(pane::renderAsTheSceneAsks);
-            RenderTab first = (RenderTab) ((TabPane) pane.getCenter()).getTabs().get(0);
+            RenderTab first = (RenderTab) ((TabPane) pane.lookup("#renders")).getTabs().get(0);
             gui.until("it is half done", () -> first.task().progress().share() > 0.5);
             shoot(gui, "render-running", theme);
             gui.until("it is done", () -> first.task().getState() == Worker.State.SUCCEEDED);
@@ -61,7 +61,7 @@ class PictureScreenshotsTest {
                 ((WholeNumberField) pane.lookup("#render-samples")).set(1);
             });
             gui.click("#render-start");
-            RenderTab second = (RenderTab) ((TabPane) pane.getCenter()).getTabs().get(1);
+            RenderTab second = (RenderTab) ((TabPane) pane.lookup("#renders")).getTabs().get(1);
             gui.until("the second one is done", () -> second.task().getState() == Worker.State.SUCCEEDED);
             gui.act(() -> gui.stage().getScene().lookup("#render-compare").requestFocus());
             gui.keys(KeyCode.DOWN);

@@ -226,7 +226,7 @@ class RenderPaneTest {
     }
 
     private TabPane tabs() {
-        return (TabPane) pane.getCenter();
+        return (TabPane) pane.lookup("#renders");
     }
 
     private String status() {

@@ -53,7 +53,8 @@ class ExplainPaneTest {
         gui.act(() -> pane.show(point));
         assertThat(tree().getRoot().getValue().name()).isEqualTo("E");
         assertThat(steps().getItems()).extracting(Step::name).contains("refraction", "light of E");
-        gui.act(() -> tree().getSelectionModel().select(2));
+        TreeView<Outline> tree = tree();
+        gui.act(() -> tree.getSelectionModel().select(2));
         assertThat(steps().getItems()).extracting(Step::name).contains("light of ET");
         assertThat(Screenshots.save(gui, "explain")).isNotEmptyFile();
     }
