@@ -1,0 +1,74 @@
+package cz.paprsek.render;
+
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.StandardScenes;
+import cz.paprsek.shape.Ray;
+import cz.paprsek.shape.Rays;
+import cz.paprsek.shape.Spans;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/** The hierarchy over a cloud of spheres: one box, the search for the nearest hit and for any, all by random rays, and preparing the scene. */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@Fork(value = 1, jvmArgs = "-Xmx6g")
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+public class TreeBenchmark {
+    @Param({"1000", "100000", "1000000"})
+    private int spheres;
+
+    private final Spans spans = new Spans();
+    private final Rays rays = new Rays(spans);
+    private final Probe probe = new Probe();
+    private final double[] box = {-0.5, -0.4, -0.3, 0.3, 0.4, 0.5};
+    private Scene scene;
+    private Bvh bvh;
+    private Bvh.Stack stack;
+
+    @Setup
+    public void prepare() {
+        scene = StandardScenes.cloud(spheres);
+        bvh = build().bvh();
+        stack = bvh.newStack();
+    }
+
+    @Benchmark
+    @OutputTimeUnit(TimeUnit.NANOSECONDS)
+    public int box() {
+        Ray ray = rays.next();
+        probe.set(ray);
+        return probe.enter(box, 0);
+    }
+
+    @Benchmark
+    @OutputTimeUnit(TimeUnit.NANOSECONDS)
+    public double nearest() {
+        Ray ray = rays.next();
+        bvh.nearest(ray, bvh.whole(), stack);
+        return ray.max;
+    }
+
+    @Benchmark
+    @OutputTimeUnit(TimeUnit.NANOSECONDS)
+    public boolean any() {
+        spans.release(0);
+        return bvh.occluder(rays.next(), bvh.whole(), stack, spans) != null;
+    }
+
+    @Benchmark
+    @OutputTimeUnit(TimeUnit.MILLISECONDS)
+    public RenderScene build() {
+        return RenderScene.of(scene);
+    }
+}
