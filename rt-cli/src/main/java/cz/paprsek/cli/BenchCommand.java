@@ -23,6 +23,7 @@ import picocli.CommandLine.Option;
             "Examples:",
             "  rt-cli bench",
             "  rt-cli bench --against povray                  in turn with POV-Ray, which must be installed",
+            "  rt-cli bench --scale --rounds 3                how time and memory grow with the scene",
             "  rt-cli bench --scene few --scene cloud1M --threads 2 --json"
         })
 final class BenchCommand implements Callable<Integer> {
@@ -35,8 +36,11 @@ final class BenchCommand implements Callable<Integer> {
     private final Stop stop;
 
     @Option(names = "--scene", paramLabel = "NAME", completionCandidates = BenchScenes.class, split = ",",
-            description = "One of ${COMPLETION-CANDIDATES}; may be given several times. Default: all.")
+            description = "One of ${COMPLETION-CANDIDATES}; may be given several times. Default: the standard ones.")
     private List<String> names = new ArrayList<>();
+
+    @Option(names = "--scale", description = "Shows how cost grows instead: clouds of 10 to 10M spheres (10M need java -Xmx6g), unions of 2 to 1000.")
+    private boolean scale;
 
     @Option(names = "--against", paramLabel = "PROGRAM", description =
             "Renders each scene in turn with ${COMPLETION-CANDIDATES} on as many threads, and tells how many times its processor time is ours.")
@@ -71,14 +75,17 @@ final class BenchCommand implements Callable<Integer> {
                 + opponent.map(povRay -> ", against POV-Ray " + povRay.version()).orElse(""));
         Benchmark benchmark = new Benchmark(stop, size, threads, rounds, opponent);
         try {
-            for (String name : names.isEmpty() ? new BenchScenes() : names) {
-                report.add(benchmark.run(name, BenchScenes.make(name)));
+            for (String name : !names.isEmpty() ? names : scale ? BenchScenes.growingNames() : BenchScenes.standardNames()) {
+                report.add(benchmark.run(name));
             }
             return ExitCode.DONE;
         } catch (InterruptedIOException stopped) {
             return ExitCode.INTERRUPTED;
         } catch (IOException e) {
             terminal.message("rt-cli: " + e.getMessage());
+            return ExitCode.FAILED;
+        } catch (OutOfMemoryError e) {
+            terminal.message("rt-cli: not enough memory for this scene; give Java more with -Xmx");
             return ExitCode.FAILED;
         }
     }

@@ -9,8 +9,8 @@ record BenchReport(Terminal terminal, boolean json, boolean compares) {
     void begin(String machine) {
         if (!json) {
             terminal.result(machine);
-            terminal.result(String.format(Locale.ROOT, "%-10s %8s %9s %9s %9s %9s %7s %8s %8s %8s", "scene", "objects", "primary", "reflected",
-                    "refracted", "shadow", "Mray/s", "build s", "trace s", "CPU s") + (compares ? "  POV-Ray  ratio" : ""));
+            terminal.result(String.format(Locale.ROOT, "%-9s %8s %8s %7s %9s %9s %8s %7s %7s %7s %7s", "scene", "objects", "B/object", "primary",
+                    "reflected", "refracted", "shadow", "ns/ray", "build s", "trace s", "CPU s") + (compares ? "  POV-Ray  ratio" : ""));
         }
     }
 
@@ -19,8 +19,8 @@ record BenchReport(Terminal terminal, boolean json, boolean compares) {
     }
 
     private String asText(Benchmark.Result r) {
-        String ours = String.format(Locale.ROOT, "%-10s %8d %9d %9d %9d %9d %7.2f %8.3f %8.3f %8.3f", r.name(), r.objects(), r.rays().primary(),
-                r.rays().reflected(), r.rays().refracted(), r.rays().shadow(), r.raysPerSecond() / 1e6, r.build(), r.trace(), r.cpu());
+        String ours = String.format(Locale.ROOT, "%-9s %8d %8.0f %7d %9d %9d %8d %7.1f %7.3f %7.3f %7.3f", r.name(), r.objects(), r.bytesPerObject(),
+                r.rays().primary(), r.rays().reflected(), r.rays().refracted(), r.rays().shadow(), r.nanosPerRay(), r.build(), r.trace(), r.cpu());
         return ours + (compares ? String.format(Locale.ROOT, " %8.3f %6.2f", r.opponentCpu(), r.ratio()) : "");
     }
 
@@ -28,6 +28,7 @@ record BenchReport(Terminal terminal, boolean json, boolean compares) {
         Json object = new Json()
                 .with("scene", r.name())
                 .with("objects", r.objects())
+                .with("bytes", r.bytes())
                 .with("rays", RayCounts.asJson(r.rays()))
                 .with("rays-per-second", Math.rint(r.raysPerSecond()))
                 .with("seconds", new Json().with("build", r.build()).with("trace", r.trace()).with("cpu", r.cpu()));

@@ -7,13 +7,16 @@ import java.util.Collections;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Supplier;
 
-/** The standard scenes by name, in the order of the table. */
+/** Scenes to measure by name, in the order of the table. */
 final class BenchScenes implements Iterable<String> {
+    private static final Map<String, Supplier<Scene>> STANDARD = standard();
+    private static final Map<String, Supplier<Scene>> GROWING = growing();
     private static final Map<String, Supplier<Scene>> KNOWN = known();
 
-    private static Map<String, Supplier<Scene>> known() {
+    private static Map<String, Supplier<Scene>> standard() {
         Map<String, Supplier<Scene>> scenes = new LinkedHashMap<>();
         scenes.put("few", StandardScenes::few);
         scenes.put("flake4", () -> StandardScenes.flake(4));
@@ -23,6 +26,39 @@ final class BenchScenes implements Iterable<String> {
         scenes.put("csg1000", () -> StandardScenes.carved(1000));
         scenes.put("csgn1000", () -> StandardScenes.pierced(1000));
         return Collections.unmodifiableMap(scenes);
+    }
+
+    /** More and more bodies, and bodies of more and more operands. */
+    private static Map<String, Supplier<Scene>> growing() {
+        Map<String, Supplier<Scene>> scenes = new LinkedHashMap<>();
+        for (int spheres = 10; spheres <= 10_000_000; spheres *= 10) {
+            int number = spheres;
+            scenes.put("cloud" + thousands(number), () -> StandardScenes.cloud(number));
+        }
+        for (int operands : new int[] {2, 10, 100, 1000}) {
+            scenes.put("chain" + operands, () -> StandardScenes.chain(operands));
+        }
+        return Collections.unmodifiableMap(scenes);
+    }
+
+    private static Map<String, Supplier<Scene>> known() {
+        Map<String, Supplier<Scene>> scenes = new LinkedHashMap<>(STANDARD);
+        GROWING.forEach(scenes::putIfAbsent);
+        return Collections.unmodifiableMap(scenes);
+    }
+
+    private static String thousands(int number) {
+        return number >= 1_000_000 ? number / 1_000_000 + "M" : number >= 1000 ? number / 1000 + "k" : Integer.toString(number);
+    }
+
+    /** The names of the standard scenes. */
+    static Set<String> standardNames() {
+        return STANDARD.keySet();
+    }
+
+    /** The names of those that show how cost grows. */
+    static Set<String> growingNames() {
+        return GROWING.keySet();
     }
 
     /** All names; picocli shows them as completion candidates. */

@@ -29,12 +29,22 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
      * What was measured of one scene: medians, seconds.
      *
      * @param trace the time on the clock that one picture took
+     * @param bytes the memory that the scene and all that was prepared of it take
      * @param cpu the processor time of all workers for it
      * @param opponentCpu that of the opponent; not a number if there is none
      */
-    record Result(String name, int objects, RenderStats rays, double build, double trace, double cpu, double opponentCpu) {
+    record Result(String name, int objects, RenderStats rays, long bytes, double build, double trace, double cpu, double opponentCpu) {
         double raysPerSecond() {
             return rays.rays() / Math.max(trace, 1e-9);
+        }
+
+        /** Of the processor. */
+        double nanosPerRay() {
+            return cpu * 1e9 / Math.max(rays.rays(), 1);
+        }
+
+        double bytesPerObject() {
+            return (double) bytes / Math.max(objects, 1);
         }
 
         /** How many times the opponent's processor time is ours. */
@@ -44,11 +54,14 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
     }
 
     /** @throws InterruptedIOException if a stop was asked for */
-    Result run(String name, Scene standard) throws IOException {
+    Result run(String name) throws IOException {
+        long before = usedBytes();
+        Scene standard = BenchScenes.make(name);
         Scene scene = size.map(s -> standard.withSettings(standard.settings().withSize(s.width(), s.height()))).orElse(standard);
         RenderOptions options = RenderOptions.of(scene).withThreads(threads);
         double[] build = new double[rounds];
         RenderScene ready = prepare(scene, build);
+        long bytes = Math.max(0, usedBytes() - before);
         double[] trace = new double[rounds];
         double[] cpu = new double[rounds];
         double[] theirs = new double[rounds];
@@ -63,7 +76,7 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
                 theirs[i] = opponent.isPresent() ? opponentSeconds(opponent.get(), scene) : Double.NaN;
             }
         }
-        return new Result(name, scene.objects().size(), rays, median(build), median(trace), median(cpu), median(theirs));
+        return new Result(name, scene.objects().size(), rays, bytes, median(build), median(trace), median(cpu), median(theirs));
     }
 
     private RenderScene prepare(Scene scene, double[] seconds) throws InterruptedIOException {
@@ -96,6 +109,12 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
         if (stop.requested()) {
             throw new InterruptedIOException("interrupted");
         }
+    }
+
+    @SuppressWarnings("SystemGc") // What is in use is known only after what is not has been collected.
+    private static long usedBytes() {
+        System.gc();
+        return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
     }
 
     private static double median(double[] values) {
