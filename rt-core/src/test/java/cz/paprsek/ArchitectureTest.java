@@ -31,7 +31,7 @@ class ArchitectureTest {
             .layer("drawing").definedBy("cz.paprsek.drawing")
             .layer("xml").definedBy("cz.paprsek.xml")
             .layer("pov").definedBy("cz.paprsek.pov")
-            .whereLayer("io").mayOnlyBeAccessedByLayers("image", "explain", "xml", "pov")
+            .whereLayer("io").mayOnlyBeAccessedByLayers("query", "image", "explain", "xml", "pov")
             .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "query", "image", "render", "explain", "drawing", "xml", "pov")
             .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "drawing", "xml", "pov")
             .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "drawing", "xml", "pov")

@@ -1,14 +1,15 @@
 package cz.paprsek.cli;
 
-import cz.paprsek.io.Json;
 import cz.paprsek.io.PlainText;
 import cz.paprsek.math.Numbers;
 import cz.paprsek.query.Column;
+import cz.paprsek.query.TableText;
 import cz.paprsek.query.Type;
 import cz.paprsek.query.Value;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 
 /**
  * Rows of a table as text. Written as it goes: a table may have a million rows.
@@ -26,7 +27,7 @@ record Listing<R>(List<Column<R>> columns, List<R> rows, int widest) {
         switch (form) {
             case ALIGNED -> aligned(out);
             case CSV -> csv(out);
-            case JSON -> rows.forEach(row -> out.println(json(row)));
+            case JSON -> TableText.json(columns, rows).forEach(out::print);
         }
         out.flush();
     }
@@ -76,38 +77,16 @@ record Listing<R>(List<Column<R>> columns, List<R> rows, int widest) {
         line.append(line.length() == 0 ? "" : "  ").append(isRight ? blanks + text : text + blanks);
     }
 
-    /**
-     * Comma-separated values.
-     *
-     * @source RFC 4180
-     */
     private void csv(PrintWriter out) {
-        out.print(String.join(",", columns.stream().map(Column::name).toList()) + "\r\n");
-        for (R row : rows) {
-            out.print(String.join(",", columns.stream().map(column -> quoted(column.cell(row).text())).toList()) + "\r\n");
-        }
+        TableText.csv(columns, rows).forEach(line -> out.print(plain(line)));
     }
 
-    private static String quoted(String text) {
-        StringBuilder safe = new StringBuilder();
-        text.codePoints().forEach(c -> safe.append(c == '\n' || c == '\t' || PlainText.isPlain(c) ? Character.toString(c) : String.format("\\u%04x", c)));
-        boolean needsQuotes = text.chars().anyMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
-        return needsQuotes ? "\"" + safe.toString().replace("\"", "\"\"") + "\"" : safe.toString();
-    }
-
-    /** An object with a member for every column that has a value. */
-    private Json json(R row) {
-        Json json = new Json();
-        for (Column<R> column : columns) {
-            Value value = column.cell(row);
-            if (value instanceof Value.Scalar number) {
-                json.with(column.name(), number.value());
-            } else if (value instanceof Value.Triple triple) {
-                json.with(column.name(), triple.numbers());
-            } else if (value instanceof Value.Text text) {
-                json.with(column.name(), text.text());
-            }
+    /** The line without anything that a terminal would obey, but for line breaks and tabs. */
+    private static String plain(String line) {
+        if (line.chars().allMatch(c -> (c >= ' ' && c <= '~') || c == '\r' || c == '\n')) {
+            return line;
         }
-        return json;
+        return line.codePoints().mapToObj(c -> c == '\r' || c == '\n' || c == '\t' || PlainText.isPlain(c)
+                ? Character.toString(c) : String.format("\\u%04x", c)).collect(Collectors.joining());
     }
 }

@@ -22,10 +22,15 @@ public final class SceneTables {
 
     private SceneTables() {}
 
+    /** The scenes, as rows that belong to themselves. */
+    public static Relation<Scene, Scene> scenes() {
+        return new Relation<>(SCENE, Stream::of, false);
+    }
+
     /** All tables, with the way from a scene to their rows; that of scenes first. */
     public static List<Relation<Scene, ?>> all() {
         List<Relation<Scene, ?>> all = new ArrayList<>();
-        all.add(new Relation<>(SCENE, Stream::of, false));
+        all.add(scenes());
         all.addAll(PARTS);
         return all;
     }

@@ -18,6 +18,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import javafx.scene.input.ClipboardContent;
+import org.jspecify.annotations.Nullable;
 
 /** What menus do with the selection; a sentence in the status bar if it cannot be done. */
 final class EditActions {
@@ -65,7 +66,11 @@ final class EditActions {
     }
 
     void paste() {
-        String text = javafx.scene.input.Clipboard.getSystemClipboard().getString();
+        paste(javafx.scene.input.Clipboard.getSystemClipboard().getString());
+    }
+
+    /** Adds what is in the text of a scene file. */
+    void paste(@Nullable String text) {
         try {
             if (text == null) {
                 notices.say(texts.of("edit-problem.clipboard"));

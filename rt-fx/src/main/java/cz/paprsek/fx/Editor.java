@@ -8,6 +8,7 @@ import cz.paprsek.fx.model.Settings;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.Theme;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.Problem;
 import java.nio.file.Path;
 import java.util.List;
@@ -36,6 +37,7 @@ final class Editor implements Notices {
     private final Autosave autosave;
     private final Dialogs dialogs;
     private final RenderWindow renders;
+    private final LibraryWindow library;
     private final ObjectProperty<Theme> theme;
     private final ObjectProperty<Texts> texts;
     private final BooleanProperty snapping = new SimpleBooleanProperty(true);
@@ -55,9 +57,10 @@ final class Editor implements Notices {
         this.texts = new SimpleObjectProperty<>(Texts.in(settings.get("language").map(Locale::forLanguageTag).orElse(system)));
         this.dialogs = asking.make(stage, texts::get);
         Recovery recovery = new Recovery(folder);
-        this.files = new FileActions(document, settings, recovery, dialogs, this, texts::get);
+        this.files = new FileActions(document, settings, recovery, dialogs, this, texts::get, this::showLibrary);
         this.autosave = new Autosave(document, recovery, this::say);
         this.renders = new RenderWindow(this, dialogs);
+        this.library = new LibraryWindow(this, document, dialogs);
         stage.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1280, 800));
         texts.addListener((property, old, now) -> build());
         theme.addListener((property, old, now) -> {
@@ -120,6 +123,10 @@ final class Editor implements Notices {
         return renders;
     }
 
+    LibraryWindow library() {
+        return library;
+    }
+
     /** Changes the language of the window, now and for later. */
     void setLanguage(Locale language) {
         settings.set("language", language.toLanguageTag());
@@ -147,6 +154,7 @@ final class Editor implements Notices {
         autosave.stop();
         disk.stop();
         renders.close();
+        library.close();
         if (window != null) {
             window.close();
         }
@@ -203,7 +211,12 @@ final class Editor implements Notices {
         window = fresh;
         stage.getScene().setRoot(fresh.root());
         theme.get().applyTo(stage.getScene());
+        library.fill();
         showTitle();
+    }
+
+    private void showLibrary(DatabaseFile opened) {
+        library.show(opened);
     }
 
     private void showTitle() {
@@ -214,11 +227,12 @@ final class Editor implements Notices {
     private void lookAtDisk() {
         if (!model.gesturingProperty().get()) {
             files.checkDisk();
+            library.checkDisk();
         }
     }
 
     private void closing(WindowEvent event) {
-        if (files.mayLeave()) {
+        if (files.mayLeave() && library.mayLeave()) {
             close();
         } else {
             event.consume();

@@ -7,6 +7,7 @@ import cz.paprsek.fx.model.SceneSource;
 import cz.paprsek.fx.model.Settings;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
@@ -14,12 +15,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /** New, open, save and reload. What is asked, and what goes wrong, is said here; the files themselves are the model's business. */
 final class FileActions {
     /** A scene with where it came from. */
-    private record Loaded(SceneSource source, Scene scene, Optional<Path> left) {}
+    private record Loaded(SceneSource source, Scene scene, Optional<Path> left, Optional<DatabaseFile> database) {}
 
     private final Document document;
     private final Settings settings;
@@ -27,14 +30,18 @@ final class FileActions {
     private final Dialogs dialogs;
     private final Notices notices;
     private final Supplier<Texts> texts;
+    private final Consumer<DatabaseFile> onDatabase;
 
-    FileActions(Document document, Settings settings, Recovery recovery, Dialogs dialogs, Notices notices, Supplier<Texts> texts) {
+    /** @param onDatabase takes a database whose first scene was opened */
+    FileActions(Document document, Settings settings, Recovery recovery, Dialogs dialogs, Notices notices, Supplier<Texts> texts,
+            Consumer<DatabaseFile> onDatabase) {
         this.document = document;
         this.settings = settings;
         this.recovery = recovery;
         this.dialogs = dialogs;
         this.notices = notices;
         this.texts = texts;
+        this.onDatabase = onDatabase;
     }
 
     /** Starts from a template or example. */
@@ -54,27 +61,45 @@ final class FileActions {
     /** Opens a file; if something is wrong with it, says what, and stays with the scene there is. */
     void open(Path file) {
         if (mayLeave()) {
-            load(() -> SceneSource.of(file), file);
+            load(() -> read(file), file);
         }
     }
 
-    /** Opens a scene out of a database. */
-    void open(SceneSource source) {
+    /** Opens a scene that is kept in a database, as it was read from there. */
+    void open(SceneSource source, Scene scene) {
         if (mayLeave()) {
-            load(() -> source, source.file());
+            load(() -> new Loaded(source, scene, recovery.left(Optional.of(source)), Optional.empty()), source.file());
         }
     }
 
-    private interface Finding {
-        SceneSource find() throws IOException, SceneFileException;
+    /** Takes note that the scene that is edited is kept in a database from now on, under that name. */
+    void kept(SceneSource source, Scene scene) {
+        Optional<SceneSource> before = document.sourceProperty().get();
+        document.model().edit(Label.of(Label.Edit.RENAME, scene.name()), old -> scene);
+        document.kept(source, scene);
+        try {
+            recovery.discard(before);
+        } catch (IOException e) {
+            notices.say(String.valueOf(e.getMessage()));
+        }
     }
 
-    private void load(Finding finding, Path file) {
+    private void load(Callable<Loaded> reading, Path file) {
         notices.say(texts.get().of("file.opening", file.getFileName()));
-        Background.run("paprsek-open", () -> {
-            SceneSource source = finding.find();
-            return new Loaded(source, source.read(), recovery.left(Optional.of(source)));
-        }, this::opened, fault -> failed(file, fault));
+        Background.run("paprsek-open", reading, this::opened, fault -> failed(file, fault));
+    }
+
+    /** Reads a scene, or a database and its first scene. */
+    private Loaded read(Path file) throws IOException, SceneFileException {
+        if (!SceneFiles.isDatabase(file)) {
+            SceneSource source = SceneSource.file(file);
+            return new Loaded(source, source.read(), recovery.left(Optional.of(source)), Optional.empty());
+        }
+        DatabaseFile database = DatabaseFile.open(file);
+        Scene first = database.database().scenes().stream().findFirst()
+                .orElseThrow(() -> new IOException(file + ": there is no scene in this database"));
+        SceneSource source = SceneSource.inDatabase(file, first.name());
+        return new Loaded(source, first, recovery.left(Optional.of(source)), Optional.of(database));
     }
 
     private void opened(Loaded loaded) {
@@ -84,6 +109,7 @@ final class FileActions {
         notices.quiet();
         notices.say(texts.get().of("file.opened", loaded.source().title()));
         loaded.left().ifPresent(copy -> offer(Optional.of(loaded.source()), copy));
+        loaded.database().ifPresent(onDatabase);
     }
 
     private void failed(Path file, Throwable fault) {
@@ -165,27 +191,38 @@ final class FileActions {
 
     /** Looks whether the file was changed by somebody else: takes it over if nothing is unsaved here, else asks. */
     void checkDisk() {
-        if (!document.hasChangedOnDisk()) {
+        if (document.hasChangedOnDisk()) {
+            document.noticeDisk();
+            document.sourceProperty().get().ifPresent(source -> Background.run("paprsek-reload", source::read,
+                    scene -> changedOnDisk(source, scene), fault -> failed(source.file(), fault)));
+        }
+    }
+
+    /** In a database, only other scenes may have changed. */
+    private void changedOnDisk(SceneSource source, Scene scene) {
+        if (document.knows(scene) || !document.sourceProperty().get().equals(Optional.of(source))) {
             return;
         }
-        document.noticeDisk();
         if (document.model().unsavedProperty().get()) {
             String title = document.sourceProperty().get().map(SceneSource::title).orElse("");
             notices.ask(texts.get().of("file.changed", title), List.of(
                     new MessageBar.Choice("disk-reload", texts.get().of("file.reload"), this::reload),
-                    new MessageBar.Choice("disk-keep", texts.get().of("file.keep"), () -> {})));
+                    new MessageBar.Choice("disk-keep", texts.get().of("file.keep"), () -> document.noticeDisk(scene))));
         } else {
-            reload();
+            reloaded(source, scene);
         }
     }
 
     /** Takes over what is on disk, as a step that can be undone. */
     void reload() {
-        document.sourceProperty().get().ifPresent(source -> Background.run("paprsek-reload", source::read, scene -> {
-            document.reloaded(Label.of(Label.Edit.RELOAD, source.title()), scene);
-            notices.quiet();
-            notices.say(texts.get().of("file.reloaded", source.title()));
-        }, fault -> failed(source.file(), fault)));
+        document.sourceProperty().get().ifPresent(source -> Background.run("paprsek-reload", source::read, scene ->
+                reloaded(source, scene), fault -> failed(source.file(), fault)));
+    }
+
+    private void reloaded(SceneSource source, Scene scene) {
+        document.reloaded(Label.of(Label.Edit.RELOAD, source.title()), scene);
+        notices.quiet();
+        notices.say(texts.get().of("file.reloaded", source.title()));
     }
 
     /** Whether this scene may be left: nothing is unsaved, or the user saves it or gives it up. */

@@ -88,10 +88,10 @@ final class MainWindow {
         status.showSelection(ItemNames.of(model.scene(), model.selection(), editor.texts()));
     }
 
-    /** Opens a scene file that is dropped on the window. */
+    /** Opens a scene file that is dropped on the window, and adds what is dropped as text: a scene or material out of the library. */
     private void acceptFiles() {
         root.setOnDragOver(event -> {
-            if (event.getDragboard().hasFiles()) {
+            if (event.getDragboard().hasFiles() || event.getDragboard().hasString()) {
                 event.acceptTransferModes(TransferMode.COPY);
             }
         });
@@ -99,6 +99,9 @@ final class MainWindow {
             List<File> files = event.getDragboard().getFiles();
             if (event.getDragboard().hasFiles() && !files.isEmpty()) {
                 editor.files().open(files.get(0).toPath());
+                event.setDropCompleted(true);
+            } else if (event.getDragboard().hasString()) {
+                new EditActions(editor.model(), editor.texts(), editor).paste(event.getDragboard().getString());
                 event.setDropCompleted(true);
             }
         });

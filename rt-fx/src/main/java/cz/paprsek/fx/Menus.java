@@ -32,6 +32,7 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignD;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignM;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
@@ -113,6 +114,7 @@ final class Menus {
         return menu("menu.file", command("file.new", () -> files.newFrom("plain")).keys("Shortcut+N").icon(MaterialDesignF.FILE_OUTLINE).menuItem(),
                 fresh, examples, open.menuItem(), recent, new SeparatorMenuItem(),
                 save.menuItem(), command("file.save-as", files::saveAs).keys("Shortcut+Shift+S").menuItem(),
+                command("file.library", editor.library()::show).keys("Shortcut+Shift+O").icon(MaterialDesignI.IMAGE_MULTIPLE_OUTLINE).menuItem(),
                 command("file.revert", files::reload).disabledIf(noFile()).menuItem(), new SeparatorMenuItem(),
                 command("file.quit", editor::quit).keys("Shortcut+Q").menuItem());
     }

@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.view.PictureChooser;
 import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.library.LibraryFiles;
 import java.io.File;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -69,6 +70,11 @@ final class SystemDialogs implements Dialogs {
     @Override
     public PictureChooser pictureChooser(Texts language) {
         return PictureChooser.ofSystem(language);
+    }
+
+    @Override
+    public LibraryFiles libraryFiles(Texts language) {
+        return LibraryFiles.ofSystem(language);
     }
 
     @Override

@@ -2,10 +2,12 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.view.PictureChooser;
 import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.library.LibraryFiles;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javafx.stage.Window;
 
 /** Answers questions as a test says beforehand, and remembers what was asked. */
 final class TestDialogs implements Dialogs {
@@ -37,6 +39,26 @@ final class TestDialogs implements Dialogs {
     @Override
     public PictureChooser pictureChooser(Texts texts) {
         return (owner, name) -> picture;
+    }
+
+    @Override
+    public LibraryFiles libraryFiles(Texts texts) {
+        return new LibraryFiles() {
+            @Override
+            public Optional<Path> toOpen(Window owner) {
+                return open;
+            }
+
+            @Override
+            public Optional<Path> toCreate(Window owner) {
+                return save;
+            }
+
+            @Override
+            public Optional<Path> toExport(Window owner, String table) {
+                return save;
+            }
+        };
     }
 
     @Override

@@ -55,15 +55,22 @@ public final class Clipboard {
     }
 
     /**
-     * Adds the objects and lights of a scene file and selects them. Materials come along; one whose name is taken by another material is
-     * given a free name.
+     * As {@link #insert}, from a scene file.
      *
      * @throws SceneFileException if the text is not a scene
-     * @throws IllegalArgumentException if there is nothing in it
      */
     public static EditorState paste(EditorState state, String xml) throws SceneFileException {
-        Scene pasted = SceneFiles.parse(xml);
-        if (pasted.objects().isEmpty() && pasted.lights().isEmpty()) {
+        return insert(state, SceneFiles.parse(xml));
+    }
+
+    /**
+     * Adds the objects and lights of a scene and selects them. Materials come along; one whose name is taken by another material is given a
+     * free name.
+     *
+     * @throws IllegalArgumentException if there is nothing in it
+     */
+    public static EditorState insert(EditorState state, Scene pasted) {
+        if (pasted.objects().isEmpty() && pasted.lights().isEmpty() && pasted.materials().isEmpty()) {
             throw new IllegalArgumentException("there are no objects or lights in the clipboard");
         }
         Map<String, Material> materials = new LinkedHashMap<>(state.scene().materials());
@@ -73,8 +80,11 @@ public final class Clipboard {
             renamed.put(name, fresh);
             materials.put(fresh, material);
         });
-        return Structure.add(
-                state.withScene(state.scene().withMaterials(materials)),
+        EditorState withMaterials = state.withScene(state.scene().withMaterials(materials));
+        if (pasted.objects().isEmpty() && pasted.lights().isEmpty()) {
+            return withMaterials;
+        }
+        return Structure.add(withMaterials,
                 pasted.objects().stream().map(object -> Materials.mapped(Body.of(object), source -> renamed(source, renamed)).toObject()).toList(),
                 pasted.lights());
     }

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.model;
 
+import cz.paprsek.math.Require;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.SceneFileException;
@@ -52,18 +53,23 @@ public record SceneSource(Path file, Optional<String> inDatabase) {
     /**
      * Writes the scene; in a database it takes the place of the one that was read, and the others stay.
      *
+     * @param known the scene as it was read from there; if a database has another one now, nothing is written. Empty for whatever there is
      * @return where it is now: in a database, under its own name
      * @throws SceneFileException if the database is no longer valid
      * @throws IOException if the file cannot be written
      */
-    public SceneSource write(Scene scene) throws IOException, SceneFileException {
+    public SceneSource write(Scene scene, Optional<Scene> known) throws IOException, SceneFileException {
         if (inDatabase.isEmpty()) {
             SceneFiles.write(scene, file);
             return this;
         }
         Scene named = scene.name().isEmpty() ? scene.withName(inDatabase.get()) : scene;
-        DatabaseFile.update(file, database ->
-                database.find(inDatabase.get()).isPresent() ? database.replace(inDatabase.get(), named) : database.plus(named));
+        DatabaseFile.update(file, database -> {
+            Optional<Scene> there = database.find(inDatabase.get());
+            Require.that(there.isEmpty() || known.isEmpty() || there.equals(known) || there.get().equals(named),
+                    "somebody else has changed the scene \"" + inDatabase.get() + "\" since it was read; nothing is written");
+            return there.isPresent() ? database.replace(inDatabase.get(), named) : database.plus(named);
+        });
         return inDatabase(file, named.name());
     }
 

@@ -13,7 +13,7 @@ import java.util.ResourceBundle;
 /** All words that a user reads, in one language. They stand in one properties file per part of the window and language. */
 public final class Texts {
     /** The files, in the folder {@code texts}. */
-    static final List<String> PARTS = List.of("common", "window", "sheet", "picture", "explain");
+    static final List<String> PARTS = List.of("common", "window", "sheet", "picture", "explain", "library");
     /** The languages, the first being that of the files without a language in their name. */
     public static final List<Locale> LANGUAGES = List.of(Locale.ENGLISH, Locale.forLanguageTag("cs"));
 

@@ -18,12 +18,17 @@ public final class UndoKeys {
 
     /** Makes the keys work in a node and all within it. */
     public static void reach(EditorModel model, Node node) {
+        reach(model::undo, model::redo, node);
+    }
+
+    /** As {@link #reach(EditorModel, Node)}, for another history. */
+    public static void reach(Runnable undo, Runnable redo, Node node) {
         node.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
             if (UNDO.match(event)) {
-                model.undo();
+                undo.run();
                 event.consume();
             } else if (REDO.match(event) || REDO_TOO.match(event)) {
-                model.redo();
+                redo.run();
                 event.consume();
             }
         });

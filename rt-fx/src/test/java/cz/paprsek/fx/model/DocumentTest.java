@@ -38,7 +38,7 @@ class DocumentTest {
     void renamedSceneStaysAtItsPlaceInADatabase() throws IOException, SceneFileException {
         Path file = folder.resolve("d.xml");
         SceneFiles.writeAll(List.of(kitchen, Scene.EMPTY.withName("empty")), file);
-        SceneSource after = SceneSource.of(file).write(kitchen.withName("cellar"));
+        SceneSource after = SceneSource.of(file).write(kitchen.withName("cellar"), Optional.of(kitchen));
         assertThat(after.inDatabase()).contains("cellar");
         assertThat(SceneFiles.readDatabase(file).names()).containsExactlyInAnyOrder("cellar", "empty");
         assertThat(after.read().name()).isEqualTo("cellar");

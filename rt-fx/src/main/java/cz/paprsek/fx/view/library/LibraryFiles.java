@@ -1,0 +1,59 @@
+package cz.paprsek.fx.view.library;
+
+import cz.paprsek.fx.view.Texts;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+import javafx.stage.FileChooser;
+import javafx.stage.FileChooser.ExtensionFilter;
+import javafx.stage.Window;
+
+/** Asks for files, and waits for the answer; empty if the user thought better of it. */
+public interface LibraryFiles {
+    /** A database that is there. */
+    Optional<Path> toOpen(Window owner);
+
+    /** A database that is to be. */
+    Optional<Path> toCreate(Window owner);
+
+    /** Where a table goes, as JSON if the name ends so, else as CSV. */
+    Optional<Path> toExport(Window owner, String table);
+
+    /** Asks in the system's own dialogs. */
+    static LibraryFiles ofSystem(Texts texts) {
+        ExtensionFilter database = new ExtensionFilter(texts.of("library.database"), "*.xml");
+        ExtensionFilter csv = new ExtensionFilter(texts.of("library.csv"), "*.csv");
+        ExtensionFilter json = new ExtensionFilter(texts.of("library.json"), "*.json");
+        return new LibraryFiles() {
+            @Override
+            public Optional<Path> toOpen(Window owner) {
+                return Optional.ofNullable(chooser("", database).showOpenDialog(owner)).map(File::toPath);
+            }
+
+            @Override
+            public Optional<Path> toCreate(Window owner) {
+                return saved(chooser("database.xml", database), owner);
+            }
+
+            @Override
+            public Optional<Path> toExport(Window owner, String table) {
+                return saved(chooser(table + ".csv", csv, json), owner);
+            }
+
+            private Optional<Path> saved(FileChooser chooser, Window owner) {
+                String ending = chooser.getExtensionFilters().get(0).getExtensions().get(0).substring(1);
+                return Optional.ofNullable(chooser.showSaveDialog(owner)).map(File::toPath)
+                        .map(path -> String.valueOf(path.getFileName()).contains(".") ? path : Path.of(path + ending));
+            }
+
+            private FileChooser chooser(String name, ExtensionFilter... filters) {
+                FileChooser chooser = new FileChooser();
+                chooser.setTitle(texts.of("library.title"));
+                chooser.setInitialFileName(name);
+                chooser.getExtensionFilters().addAll(Arrays.asList(filters));
+                return chooser;
+            }
+        };
+    }
+}

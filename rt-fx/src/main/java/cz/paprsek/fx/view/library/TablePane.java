@@ -1,0 +1,163 @@
+package cz.paprsek.fx.view.library;
+
+import cz.paprsek.fx.model.Library;
+import cz.paprsek.fx.model.LibraryRows;
+import cz.paprsek.material.Material;
+import cz.paprsek.query.Column;
+import cz.paprsek.query.Relation;
+import cz.paprsek.query.SceneTables;
+import cz.paprsek.query.Table;
+import cz.paprsek.query.TableText;
+import cz.paprsek.query.Type;
+import cz.paprsek.query.Value;
+import cz.paprsek.scene.Scene;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import javafx.application.Platform;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.StringProperty;
+import javafx.scene.control.Label;
+import javafx.scene.control.TableCell;
+import javafx.scene.control.TableColumn;
+import javafx.scene.control.TableRow;
+import javafx.scene.control.TableView;
+import javafx.scene.layout.BorderPane;
+import org.jspecify.annotations.Nullable;
+
+/** Everything of one kind in all scenes, as a table to be sorted by any column. */
+final class TablePane extends BorderPane implements AutoCloseable {
+    private final Library library;
+    private final Executor searcher;
+    private final StringProperty filter;
+    private final Label problem;
+    private final Consumer<String> onOpen;
+    private final Consumer<Integer> onCount;
+    private @Nullable LibraryRows<?> current;
+    private Supplier<Stream<String>> csv = Stream::empty;
+    private Supplier<Stream<String>> json = Stream::empty;
+
+    /**
+     * @param problem where it is said what is wrong with the filter
+     * @param onOpen is told the scene of a row that is clicked twice
+     * @param onCount is told how many rows there are
+     */
+    TablePane(Library library, Executor searcher, StringProperty filter, Label problem, Consumer<String> onOpen, Consumer<Integer> onCount) {
+        this.library = library;
+        this.searcher = searcher;
+        this.filter = filter;
+        this.problem = problem;
+        this.onOpen = onOpen;
+        this.onCount = onCount;
+    }
+
+    /** Shows the table of that name. */
+    void show(String table) {
+        show(SceneTables.named(table));
+    }
+
+    private <R> void show(Relation<Scene, R> relation) {
+        close();
+        LibraryRows<R> rows = new LibraryRows<>(library, relation, searcher, Platform::runLater);
+        current = rows;
+        List<Column<R>> columns = relation.table().columns();
+        TableView<R> view = new TableView<>();
+        view.setId("table");
+        view.setFixedCellSize(24);
+        columns.forEach(column -> view.getColumns().add(column(column)));
+        view.setRowFactory(made -> row(relation.table()));
+        view.setSortPolicy(sorted -> {
+            rows.sort(sorted.getSortOrder().stream().map(column -> order(columns, column)).toList());
+            return true;
+        });
+        rows.filterProperty().bind(filter);
+        rows.rowsProperty().subscribe(found -> {
+            // Another list would make the view forget what it is sorted by.
+            view.getItems().setAll(found);
+            onCount.accept(found.size());
+        });
+        problem.textProperty().bind(rows.problemProperty());
+        csv = () -> TableText.csv(columns, rows.rows());
+        json = () -> TableText.json(columns, rows.rows());
+        setCenter(view);
+    }
+
+    /** What is shown, all of it and in its order, for another program. */
+    Stream<String> csv() {
+        return csv.get();
+    }
+
+    /** As {@link #csv}, in another form. */
+    Stream<String> json() {
+        return json.get();
+    }
+
+    @Override
+    public void close() {
+        if (current != null) {
+            current.close();
+        }
+        current = null;
+        csv = Stream::empty;
+        json = Stream::empty;
+        setCenter(null);
+    }
+
+    private static <R> LibraryRows.Order<R> order(List<Column<R>> columns, TableColumn<R, ?> sorted) {
+        Column<R> column = columns.stream().filter(each -> each.name().equals(sorted.getText())).findFirst().orElseThrow();
+        return new LibraryRows.Order<>(column, sorted.getSortType() == TableColumn.SortType.ASCENDING);
+    }
+
+    private static <R> TableColumn<R, Value> column(Column<R> column) {
+        TableColumn<R, Value> made = new TableColumn<>(column.name());
+        boolean isNumber = column.type() == Type.NUMBER;
+        made.setPrefWidth(isNumber ? 90 : column.name().equals("description") ? 400 : 140);
+        made.setCellValueFactory(row -> new ReadOnlyObjectWrapper<>(column.cell(row.getValue())));
+        made.setCellFactory(view -> new TableCell<>() {
+            @Override
+            protected void updateItem(Value value, boolean empty) {
+                super.updateItem(value, empty);
+                setText(empty || value == null ? "" : value.text().strip().replace('\n', ' '));
+            }
+        });
+        made.setStyle(isNumber ? "-fx-alignment: CENTER-RIGHT" : "-fx-alignment: CENTER-LEFT");
+        return made;
+    }
+
+    private <R> TableRow<R> row(Table<R> table) {
+        TableRow<R> row = new TableRow<>();
+        row.setOnMouseClicked(event -> {
+            if (event.getClickCount() == 2 && !row.isEmpty()) {
+                onOpen.accept(scene(table, row.getItem()));
+            }
+        });
+        row.setOnDragDetected(event -> {
+            if (!row.isEmpty()) {
+                dragged(table, row.getItem()).ifPresent(scene -> LibraryDrag.start(row, scene, Optional.empty()));
+                event.consume();
+            }
+        });
+        return row;
+    }
+
+    /** What is taken along by the mouse: a scene, or a scene of one material. */
+    private <R> Optional<Scene> dragged(Table<R> table, R row) {
+        Optional<Scene> scene = library.database().find(scene(table, row));
+        if (!table.name().equals("material")) {
+            return table.name().equals("scene") ? scene : Optional.empty();
+        }
+        String name = text(table, "name", row);
+        return scene.map(from -> Scene.EMPTY.plus(name, from.materials().getOrDefault(name, Material.DEFAULT)));
+    }
+
+    private static <R> String scene(Table<R> table, R row) {
+        return text(table, table.ownColumn("scene").isPresent() ? "scene" : "name", row);
+    }
+
+    private static <R> String text(Table<R> table, String column, R row) {
+        return table.ownColumn(column).map(found -> found.cell(row).text()).orElse("");
+    }
+}

@@ -1,0 +1,135 @@
+package cz.paprsek.fx.view.library;
+
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderResult;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import java.util.ArrayDeque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.ExecutorService;
+import javafx.application.Platform;
+import javafx.scene.image.Image;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
+
+/**
+ * Small pictures of scenes, rendered one after the other in the background. Kept by the scene's content: a
+ * scene that is renamed or tagged keeps its picture. For JavaFX's thread.
+ */
+final class Thumbnails implements AutoCloseable {
+    /** Pixels. */
+    static final int WIDTH = 192;
+    static final int HEIGHT = 108;
+    /** A picture has 80 kB. */
+    private static final int MOST = 2_000;
+
+    private final ExecutorService worker = Worker.named("library-thumbnails");
+    private final Map<Content, Picture> made = new LinkedHashMap<>(16, 0.75f, true) {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Content, Picture> eldest) {
+            return size() > MOST;
+        }
+    };
+    private final Queue<Wish> wishes = new ArrayDeque<>();
+    private boolean isBusy;
+    private volatile boolean closed;
+
+    /** A picture, or a sentence why there is none. */
+    record Picture(Optional<Image> image, String fault) {}
+
+    /** A picture that is asked for, and who wants to know when it is there. */
+    private record Wish(Scene scene, Runnable receiver) {}
+
+    /** All that a picture depends on. */
+    private record Content(int maxDepth, Rgb background, Rgb ambient, Camera camera, List<Light> lights, Map<String, Material> materials,
+            List<SceneObject> objects) {
+        static Content of(Scene scene) {
+            return new Content(scene.settings().maxDepth(), scene.background(), scene.ambient(), scene.camera(), scene.lights(), scene.materials(),
+                    scene.objects());
+        }
+
+        /** Looks at one object only: there may be a million, and this is asked for every tile that comes into sight. */
+        @Override
+        public int hashCode() {
+            return 31 * (31 * camera.hashCode() + objects.size()) + (objects.isEmpty() ? 0 : objects.get(objects.size() / 2).hashCode());
+        }
+    }
+
+    /** The picture, if there is one already. */
+    Optional<Picture> get(Scene scene) {
+        return Optional.ofNullable(made.get(Content.of(scene)));
+    }
+
+    /** Makes a picture, and tells when it is there. */
+    void request(Scene scene, Runnable receiver) {
+        wishes.add(new Wish(scene, receiver));
+        next();
+    }
+
+    /** Withdraws the wishes of one who has no use for them any more. */
+    void cancel(Runnable receiver) {
+        wishes.removeIf(wish -> wish.receiver().equals(receiver));
+    }
+
+    private void next() {
+        if (isBusy || closed || wishes.isEmpty()) {
+            return;
+        }
+        Wish wish = wishes.remove();
+        isBusy = true;
+        worker.execute(() -> {
+            Optional<Picture> picture = render(wish.scene());
+            Platform.runLater(() -> {
+                isBusy = false;
+                picture.ifPresent(done -> {
+                    made.put(Content.of(wish.scene()), done);
+                    wish.receiver().run();
+                });
+                next();
+            });
+        });
+    }
+
+    /** Nothing if the window was closed meanwhile. */
+    private Optional<Picture> render(Scene scene) {
+        RenderMonitor monitor = new RenderMonitor() {
+            @Override
+            public boolean cancelled() {
+                return closed;
+            }
+        };
+        RenderSettings small = new RenderSettings(WIDTH, HEIGHT, scene.settings().maxDepth(), 2);
+        try {
+            RenderResult result = Renderer.render(RenderScene.of(scene), RenderOptions.of(small).withThreads(1), monitor);
+            return result.outcome() == RenderResult.Outcome.CANCELLED ? Optional.empty() : Optional.of(new Picture(Optional.of(image(result)), ""));
+        } catch (RuntimeException | StackOverflowError | OutOfMemoryError fault) {
+            return Optional.of(new Picture(Optional.empty(), String.valueOf(fault.getMessage())));
+        }
+    }
+
+    private static Image image(RenderResult result) {
+        WritableImage image = new WritableImage(WIDTH, HEIGHT);
+        image.getPixelWriter().setPixels(0, 0, WIDTH, HEIGHT, PixelFormat.getIntArgbInstance(), result.image().toArgb(), 0, WIDTH);
+        return image;
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        worker.shutdown();
+    }
+}
