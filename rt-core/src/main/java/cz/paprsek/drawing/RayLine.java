@@ -20,12 +20,12 @@ public record RayLine(String ray, Style style, Vec3 from, Vec3 to) {
 
     /** What a line is, with the colour and the dashes that tell it apart, also without the other. */
     public enum Style {
-        PRIMARY("#d99000", ""),
-        REFLECTED("#2f7de0", "8 3"),
-        REFRACTED("#1f9e57", "12 3 3 3"),
-        SHADOW_FREE("#c2a500", "2 3"),
-        SHADOW_BLOCKED("#d64545", "5 5"),
-        NORMAL("#8a8f98", "");
+        PRIMARY("#b85c00", ""),
+        REFLECTED("#1f6fd0", "8 3"),
+        REFRACTED("#17803f", "12 3 3 3"),
+        SHADOW_FREE("#8a7400", "2 3"),
+        SHADOW_BLOCKED("#cf2f3a", "5 5"),
+        NORMAL("#6b7280", "");
 
         private final String color;
         private final String dashes;

@@ -77,9 +77,8 @@ public final class TreeDrawing {
 
     /** A straight line as far as it is within the frame, in the words of SVG; empty if none of it is. */
     private String path(Vec3 from, Vec3 to) {
-        double[] seen = Projection.clipped(x(from), y(from), x(to), y(to), SIDE);
-        return seen.length == 0 ? ""
-                : "M" + number(left + seen[0]) + "," + number(TITLE + seen[1]) + " L" + number(left + seen[2]) + "," + number(TITLE + seen[3]) + " ";
+        return segment(from, to).within(SIDE, SIDE).map(seen -> "M" + number(left + seen.x1()) + "," + number(TITLE + seen.y1())
+                + " L" + number(left + seen.x2()) + "," + number(TITLE + seen.y2()) + " ").orElse("");
     }
 
     /** A small triangle at the end of a line, unless the line is seen from its end or the end is not seen. */
@@ -101,11 +100,10 @@ public final class TreeDrawing {
 
     /** The ray's name beside the middle of what is seen of it. */
     private void label(RayLine line) {
-        double[] seen = Projection.clipped(x(line.from()), y(line.from()), x(line.to()), y(line.to()), SIDE);
-        if (seen.length > 0) {
-            double x = Math.min(SIDE - 8 - 8 * line.ray().length(), (seen[0] + seen[2]) / 2 + 4);
-            text(left + x, TITLE + Math.max(14, (seen[1] + seen[3]) / 2 - 4), line.style().color(), line.ray());
-        }
+        segment(line.from(), line.to()).within(SIDE, SIDE).ifPresent(seen -> {
+            double x = Math.min(SIDE - 8 - 8 * line.ray().length(), (seen.x1() + seen.x2()) / 2 + 4);
+            text(left + x, TITLE + Math.max(14, (seen.y1() + seen.y2()) / 2 - 4), line.style().color(), line.ray());
+        });
     }
 
     private void text(double x, double y, String color, String text) {
@@ -126,6 +124,10 @@ public final class TreeDrawing {
     private static String stroke(RayLine.Style style) {
         String dashes = style.dashes().stream().map(String::valueOf).collect(Collectors.joining(" "));
         return "stroke=\"" + style.color() + "\" stroke-width=\"1.5\"" + (dashes.isEmpty() ? "" : " stroke-dasharray=\"" + dashes + "\"");
+    }
+
+    private Segment segment(Vec3 from, Vec3 to) {
+        return new Segment(x(from), y(from), x(to), y(to));
     }
 
     private double x(Vec3 point) {

@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.view.PictureChooser;
 import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.fx.view.library.LibraryFiles;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -25,6 +26,9 @@ interface Dialogs {
 
     /** Asks for databases, and where tables go. */
     LibraryFiles libraryFiles(Texts texts);
+
+    /** Asks where trees of rays are to be saved. */
+    TreeChooser treeChooser(Texts texts);
 
     /** Shows that the program has a fault; with a way to save a copy of the scene. */
     void fault(Throwable fault, Runnable saveCopy);

@@ -7,6 +7,7 @@ import cz.paprsek.fx.model.SceneSource;
 import cz.paprsek.fx.model.Settings;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.Theme;
+import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.Problem;
@@ -117,6 +118,10 @@ final class Editor implements Notices {
     /** Whether the live picture shows the scene in full quality. */
     boolean isPictureComplete() {
         return window != null && window.isPictureComplete();
+    }
+
+    TreeChooser treeChooser() {
+        return dialogs.treeChooser(texts());
     }
 
     RenderWindow renders() {

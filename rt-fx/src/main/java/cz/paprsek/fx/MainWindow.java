@@ -12,6 +12,7 @@ import javafx.beans.value.ChangeListener;
 import javafx.beans.value.WeakChangeListener;
 import javafx.scene.Parent;
 import javafx.scene.control.SplitPane;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.input.TransferMode;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.Priority;
@@ -48,6 +49,11 @@ final class MainWindow {
         SplitPane center = new SplitPane(left, views.root(), sheet);
         center.setId("columns");
         center.setDividerPositions(0.17, 0.77);
+        views.explaining().onProperty().addListener((property, old, now) -> {
+            center.getItems().set(2, now ? views.explaining().pane() : sheet);
+            center.setDividerPositions(now ? new double[] {0.14, 0.6} : new double[] {0.17, 0.77});
+        });
+        root.addEventHandler(KeyEvent.KEY_PRESSED, views.explaining()::key);
         root.setId("main-window");
         root.getStylesheets().add(String.valueOf(MainWindow.class.getResource("editor.css")));
         root.setTop(new VBox(menus.menuBar(), menus.toolBar(), messages));

@@ -165,12 +165,17 @@ final class Menus {
                 value -> value == editor.theme().get(), value -> editor.theme().set(value));
         Menu language = menu("view-menu.language");
         choices(language, Texts.LANGUAGES, value -> value.getDisplayLanguage(value), value -> value.equals(texts.locale()), editor::setLanguage);
+        CheckMenuItem explain = new CheckMenuItem(texts.of("view-menu.explain"));
+        explain.setId("view-menu-explain");
+        explain.setAccelerator(KeyCombination.valueOf("Shortcut+E"));
+        explain.selectedProperty().bindBidirectional(views.explaining().onProperty());
         return menu("menu.view",
                 maximize("view-menu.top", 0, "Shortcut+1"), maximize("view-menu.camera", 1, "Shortcut+2"),
                 maximize("view-menu.front", 2, "Shortcut+3"), maximize("view-menu.right", 3, "Shortcut+4"), new SeparatorMenuItem(),
                 command("view-menu.zoom-in", () -> views.zoom(pane -> pane.zoom(1.25))).keys("Shortcut+Plus").menuItem(),
                 command("view-menu.zoom-out", () -> views.zoom(pane -> pane.zoom(0.8))).keys("Shortcut+Minus").menuItem(), fitAll.menuItem(),
-                command("view-menu.fit-selection", views::fitSelection).keys("Shortcut+Shift+0").menuItem(), new SeparatorMenuItem(), theme, language);
+                command("view-menu.fit-selection", views::fitSelection).keys("Shortcut+Shift+0").menuItem(), new SeparatorMenuItem(), explain,
+                new SeparatorMenuItem(), theme, language);
     }
 
     private Menu renderMenu() {

@@ -28,7 +28,7 @@ final class RenderWindow {
         Stage open = stage;
         RenderPane content = pane;
         if (open == null || content == null) {
-            content = new RenderPane(editor.model(), editor.texts(), dialogs.pictureChooser(editor.texts()));
+            content = new RenderPane(editor.model(), editor.texts(), editor.theme(), dialogs.pictureChooser(editor.texts()), editor.treeChooser());
             open = new Stage();
             open.initOwner(editor.stage());
             open.setTitle(editor.texts().of("window.renders"));

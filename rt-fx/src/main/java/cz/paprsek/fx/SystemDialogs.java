@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.view.PictureChooser;
 import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.fx.view.library.LibraryFiles;
 import java.io.File;
 import java.io.PrintWriter;
@@ -75,6 +76,11 @@ final class SystemDialogs implements Dialogs {
     @Override
     public LibraryFiles libraryFiles(Texts language) {
         return LibraryFiles.ofSystem(language);
+    }
+
+    @Override
+    public TreeChooser treeChooser(Texts language) {
+        return TreeChooser.ofSystem(language);
     }
 
     @Override

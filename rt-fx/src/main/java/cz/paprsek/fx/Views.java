@@ -6,6 +6,8 @@ import cz.paprsek.fx.view.CameraPane;
 import cz.paprsek.fx.view.PaneGrid;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.TitledView;
+import cz.paprsek.fx.view.explain.ExplainMode;
+import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import java.util.List;
@@ -13,6 +15,10 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.scene.Node;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 
 /** The four views, and where they look. */
 final class Views {
@@ -21,6 +27,7 @@ final class Views {
     private final CameraPane camera;
     private final List<TitledView> titled;
     private final PaneGrid grid;
+    private final ExplainMode explaining;
     private Optional<ProjectionPane> active = Optional.empty();
 
     Views(Editor editor) {
@@ -35,6 +42,8 @@ final class Views {
                 titled("top", texts.of("view.top"), texts, top), titled("camera", texts.of("view.camera"), texts, camera),
                 titled("front", texts.of("view.front"), texts, front), titled("right", texts.of("view.right"), texts, right));
         grid = new PaneGrid(titled);
+        explaining = new ExplainMode(model, camera, projections, new ExplainPane(texts, editor.theme(), editor.treeChooser()));
+        titled.get(1).addTool(explainButton(texts));
         for (ProjectionPane pane : projections) {
             pane.focusedProperty().addListener((property, old, now) -> active = now ? Optional.of(pane) : active);
         }
@@ -48,6 +57,21 @@ final class Views {
 
     private static TitledView titled(String name, String caption, Texts texts, Node content) {
         return new TitledView(name, caption, texts.of("view.maximize"), content);
+    }
+
+    private ToggleButton explainButton(Texts texts) {
+        ToggleButton button = new ToggleButton(texts.of("explain.mode"), new FontIcon(MaterialDesignC.CHART_TIMELINE_VARIANT));
+        button.setId("camera-explain");
+        button.getStyleClass().add("view-button");
+        button.setTooltip(new Tooltip(texts.of("explain.hint")));
+        button.setFocusTraversable(false);
+        button.selectedProperty().bindBidirectional(explaining.onProperty());
+        return button;
+    }
+
+    /** Explains pixels of the camera's picture. */
+    ExplainMode explaining() {
+        return explaining;
     }
 
     Node root() {

@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.view.PictureChooser;
 import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.fx.view.library.LibraryFiles;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,6 +15,7 @@ final class TestDialogs implements Dialogs {
     Optional<Path> open = Optional.empty();
     Optional<Path> save = Optional.empty();
     Optional<Path> picture = Optional.empty();
+    Optional<Path> tree = Optional.empty();
     Unsaved unsaved = Unsaved.STAY;
     final List<String> asked = new ArrayList<>();
     final List<Throwable> faults = new ArrayList<>();
@@ -58,6 +60,14 @@ final class TestDialogs implements Dialogs {
             public Optional<Path> toExport(Window owner, String table) {
                 return save;
             }
+        };
+    }
+
+    @Override
+    public TreeChooser treeChooser(Texts texts) {
+        return (owner, name) -> {
+            asked.add("tree " + name);
+            return tree;
         };
     }
 

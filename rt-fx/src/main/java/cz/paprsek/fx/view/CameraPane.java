@@ -3,6 +3,7 @@ package cz.paprsek.fx.view;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Item;
 import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.fx.view.explain.DrawnRays;
 import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
@@ -61,6 +62,21 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     /** Lets somebody else have a click first: if it returns true, nothing is selected. */
     public void setClickedFirst(Predicate<PicturePoint> listener) {
         clickedFirst = listener;
+    }
+
+    /** Draws rays above the picture. */
+    public void setRays(Optional<DrawnRays> rays) {
+        picture.setRays(rays);
+    }
+
+    /** Is told when the picture of another scene, or of another size, has come to be seen. */
+    public void setOnRefreshed(Runnable listener) {
+        picture.setOnRefreshed(listener);
+    }
+
+    /** The point of the picture at shares of its width and height; empty as long as there is no picture. */
+    public Optional<PicturePoint> at(double across, double down) {
+        return picture.atShare(across, down);
     }
 
     /** Whether the picture is that of the model's scene, with all its samples. */

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view;
 
+import cz.paprsek.fx.view.explain.DrawnRays;
 import cz.paprsek.image.Image;
 import cz.paprsek.render.LiveListener;
 import cz.paprsek.render.LivePass;
@@ -26,8 +27,10 @@ final class LivePicture extends Region implements AutoCloseable {
     private final LiveRender live = new LiveRender(Runtime.getRuntime().availableProcessors());
     private final ImageView view = new ImageView();
     private final Rectangle frame = new Rectangle();
+    private final RayOverlay rays = new RayOverlay();
     private final ReadOnlyBooleanWrapper complete = new ReadOnlyBooleanWrapper();
     private final Consumer<Throwable> onFault;
+    private Runnable onRefreshed = () -> {};
     private Scene scene;
     private @Nullable PictureBuffer buffer;
     private @Nullable LivePass seen;
@@ -44,7 +47,7 @@ final class LivePicture extends Region implements AutoCloseable {
         // Else each of them, when it changes, would have the other laid out again.
         view.setManaged(false);
         frame.setManaged(false);
-        getChildren().addAll(view, frame);
+        getChildren().addAll(view, frame, rays);
         // While nobody can see it, it does not take the processor from what is seen.
         sceneProperty().addListener((property, old, now) -> restart());
         visibleProperty().addListener((property, old, now) -> restart());
@@ -71,6 +74,11 @@ final class LivePicture extends Region implements AutoCloseable {
     Optional<PicturePoint> at(double x, double y) {
         double across = (x - frame.getX()) / frame.getWidth();
         double down = (y - frame.getY()) / frame.getHeight();
+        return atShare(across, down);
+    }
+
+    /** The point of the picture at shares of its width and height; empty beside it, and as long as there is no picture. */
+    Optional<PicturePoint> atShare(double across, double down) {
         boolean inside = across >= 0 && across < 1 && down >= 0 && down < 1;
         LivePass pass = seen;
         return inside && pass != null
@@ -81,6 +89,16 @@ final class LivePicture extends Region implements AutoCloseable {
     /** The point in the middle of the picture. */
     Optional<PicturePoint> middle() {
         return at(frame.getX() + frame.getWidth() / 2, frame.getY() + frame.getHeight() / 2);
+    }
+
+    /** Draws rays above the picture. */
+    void setRays(Optional<DrawnRays> drawn) {
+        rays.show(drawn);
+    }
+
+    /** Is told when another picture has come to be seen. */
+    void setOnRefreshed(Runnable listener) {
+        onRefreshed = listener;
     }
 
     /** Ends rendering for ever. */
@@ -110,6 +128,7 @@ final class LivePicture extends Region implements AutoCloseable {
         view.setY(frame.getY());
         view.setFitWidth(width);
         view.setFitHeight(height);
+        rays.place(frame.getX(), frame.getY(), width, height);
         return otherSize;
     }
 
@@ -136,6 +155,7 @@ final class LivePicture extends Region implements AutoCloseable {
         if (target == buffer) {
             seen = pass;
             view.setImage(target.image());
+            onRefreshed.run();
         }
     }
 

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.view.explain.ExplainPane;
+import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.render.RenderOptions;
@@ -11,6 +12,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javafx.beans.binding.Bindings;
+import javafx.beans.value.ObservableValue;
 import javafx.concurrent.Task;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -39,19 +41,18 @@ public final class RenderPane extends BorderPane {
     private final ToggleButton explaining = new ToggleButton();
     private final ExplainPane explanation;
     private final SplitPane center;
-    /** Whether the explanation stays at a pixel that was clicked, wherever the mouse goes. */
-    private boolean pinned;
     private Consumer<Optional<PicturePoint>> onPointed = point -> {};
     private Consumer<PicturePoint> onClicked = point -> {};
     private int count;
 
-    public RenderPane(EditorModel model, Texts texts, PictureChooser chooser) {
+    public RenderPane(EditorModel model, Texts texts, ObservableValue<Theme> theme, PictureChooser chooser, TreeChooser trees) {
         this.model = model;
         this.texts = texts;
         this.chooser = chooser;
         this.form = new RenderForm(texts);
         this.comparison = new ComparisonBox(tabs, texts);
-        this.explanation = new ExplainPane(texts);
+        this.explanation = new ExplainPane(texts, theme, trees);
+        explanation.addDrawings(theme);
         this.center = new SplitPane(tabs);
         center.setDividerPositions(0.55);
         explaining.setText(texts.of("explain.mode"));
@@ -123,18 +124,18 @@ public final class RenderPane extends BorderPane {
     }
 
     private void explain(boolean on) {
-        pinned = false;
         if (on) {
             center.getItems().setAll(tabs, explanation);
         } else {
             center.getItems().setAll(tabs);
+            explanation.clear();
         }
     }
 
     private void pointed(Optional<PicturePoint> point) {
         onPointed.accept(point);
-        if (explaining.isSelected() && !pinned) {
-            point.ifPresent(explanation::show);
+        if (explaining.isSelected()) {
+            explanation.hover(point);
         }
     }
 
@@ -142,11 +143,8 @@ public final class RenderPane extends BorderPane {
     private void clicked(PicturePoint point) {
         onClicked.accept(point);
         if (explaining.isSelected()) {
-            pinned = !pinned;
-            explanation.show(point);
-            if (pinned) {
-                explanation.takeKeys();
-            }
+            explanation.click(point);
+            explanation.takeKeys();
         }
     }
 

@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import javafx.beans.property.SimpleObjectProperty;
 import javafx.concurrent.Worker;
 import javafx.scene.Node;
 import javafx.scene.control.Labeled;
@@ -46,7 +47,8 @@ class PictureScreenshotsTest {
     void renders(Theme theme) throws Exception {
         // Czech words are the longer ones.
         Locale language = theme == Theme.LIGHT ? Locale.ENGLISH : Locale.forLanguageTag("cs");
-        RenderPane pane = Gui.on(() -> new RenderPane(new EditorModel(scene()), Texts.in(language), (owner, name) -> Optional.empty()));
+        RenderPane pane = Gui.on(() -> new RenderPane(new EditorModel(scene()), Texts.in(language), new SimpleObjectProperty<>(Theme.LIGHT),
+                (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty()));
         try (Gui gui = Gui.show(() -> pane, 1000, 720)) {
             gui.act(() -> theme.applyTo(gui.stage().getScene()));
             gui.act(pane::renderAsTheSceneAsks);

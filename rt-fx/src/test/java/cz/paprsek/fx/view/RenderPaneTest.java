@@ -27,6 +27,7 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import javafx.beans.property.SimpleObjectProperty;
 import javafx.concurrent.Worker;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -53,10 +54,10 @@ class RenderPaneTest {
     private final AtomicReference<String> suggested = new AtomicReference<>("");
     private final AtomicReference<Optional<Path>> answer = new AtomicReference<>(Optional.empty());
     private final EditorModel model = new EditorModel(SCENE);
-    private final RenderPane pane = Gui.on(() -> new RenderPane(model, Texts.in(Locale.ENGLISH), (owner, name) -> {
+    private final RenderPane pane = Gui.on(() -> new RenderPane(model, Texts.in(Locale.ENGLISH), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> {
         suggested.set(name);
         return Objects.requireNonNull(answer.get());
-    }));
+    }, (owner, name) -> Optional.empty()));
     private final Gui gui = Gui.show(() -> pane, 900, 600);
 
     @AfterEach

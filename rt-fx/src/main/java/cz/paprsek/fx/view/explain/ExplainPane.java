@@ -1,111 +1,187 @@
 package cz.paprsek.fx.view.explain;
 
+import cz.paprsek.drawing.DrawingFrame;
+import cz.paprsek.drawing.RayLine;
 import cz.paprsek.fx.view.PicturePoint;
 import cz.paprsek.fx.view.Texts;
-import cz.paprsek.drawing.DrawingFrame;
+import cz.paprsek.fx.view.Theme;
+import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.drawing.Projection;
-import cz.paprsek.drawing.RayLine;
-import cz.paprsek.render.explain.Step;
+import cz.paprsek.render.explain.SurfacePath;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
-import java.util.function.Function;
-import java.util.stream.Stream;
-import javafx.beans.property.ReadOnlyStringWrapper;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.value.ObservableValue;
 import javafx.geometry.Orientation;
+import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.SplitPane;
-import javafx.scene.control.TableColumn;
-import javafx.scene.control.TableView;
 import javafx.scene.control.TreeItem;
 import javafx.scene.control.TreeView;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
 
 /**
- * Why a pixel of a picture has its colour: the tree of its rays as an outline, the chosen ray as a worked exercise, and all of them in three
- * projections. With the drawings focused, arrow keys go from pixel to pixel; the slider lets the tree grow ray by ray.
+ * Why a pixel of a picture has its colour: the tree of its rays as an outline, and the chosen ray as a worked exercise. The slider lets the
+ * tree grow ray by ray. Whoever draws the rays follows {@link #drawnProperty}.
  */
 public final class ExplainPane extends BorderPane {
     /** Rays of a smaller share in the pixel are left out. */
-    private static final double SMALLEST_SHARE = 0.002;
+    static final double SMALLEST_SHARE = 0.002;
 
     private final Texts texts;
     private final Label title = new Label();
+    private final Label message = new Label();
     private final Slider grown = new Slider(1, 1, 1);
     private final TreeView<Outline> tree = new TreeView<>();
-    private final TableView<Step> steps = new TableView<>();
-    private final List<RayCanvas> drawings = Stream.of(Projection.values()).map(RayCanvas::new).toList();
-    private final HBox drawn = new HBox(4);
+    private final StepTable steps;
+    private final SplitPane parts;
+    private final ReadOnlyObjectWrapper<Optional<DrawnRays>> drawn = new ReadOnlyObjectWrapper<>(Optional.empty());
+    private Consumer<SurfacePath> onChosen = surface -> {};
     private List<Outline> outlines = List.of();
     private Optional<PicturePoint> explained = Optional.empty();
+    /** Whether it stays at a pixel that was clicked, wherever the mouse goes. */
+    private boolean pinned;
+    private boolean filling;
 
-    public ExplainPane(Texts texts) {
+    public ExplainPane(Texts texts, ObservableValue<Theme> theme, TreeChooser chooser) {
         this.texts = texts;
+        this.steps = new StepTable(texts);
         title.setId("explain-title");
-        title.setText(texts.of("explain.none"));
+        title.setMinWidth(Region.USE_PREF_SIZE);
+        message.setId("explain-message");
         tree.setId("explain-tree");
         tree.setCellFactory(view -> new OutlineCell());
         tree.getSelectionModel().selectedItemProperty().addListener((property, old, now) -> select());
-        steps.setId("explain-steps");
-        column("explain.what", 0.22, Step::name);
-        column("explain.how", 0.75, Step::equation);
         grown.setId("explain-grown");
         grown.setBlockIncrement(1);
         grown.setMajorTickUnit(1);
         grown.setMinorTickCount(0);
         grown.setSnapToTicks(true);
         grown.valueProperty().addListener((property, old, now) -> draw());
-        drawings.forEach(drawing -> {
-            HBox.setHgrow(drawing, Priority.ALWAYS);
-            drawn.getChildren().add(drawing);
-        });
-        drawn.setId("explain-drawings");
-        drawn.setFocusTraversable(true);
-        drawn.setOnMousePressed(event -> drawn.requestFocus());
-        drawn.setOnKeyPressed(this::step);
         HBox.setHgrow(grown, Priority.ALWAYS);
-        HBox top = new HBox(8, title, new Label(texts.of("explain.rays")), grown);
-        SplitPane parts = new SplitPane(tree, steps, drawn);
+        Label rays = new Label(texts.of("explain.rays"));
+        rays.setMinWidth(Region.USE_PREF_SIZE);
+        HBox top = new HBox(10, title, rays, grown, new TreeExport(this, texts, chooser, message::setText));
+        top.setAlignment(Pos.CENTER_LEFT);
+        top.getStyleClass().add("explain-top");
+        parts = new SplitPane(tree, steps);
         parts.setOrientation(Orientation.VERTICAL);
-        parts.setDividerPositions(0.25, 0.65);
+        parts.setDividerPositions(0.32);
+        message.managedProperty().bind(message.textProperty().isNotEmpty());
         setId("explain-pane");
+        getStylesheets().add(Objects.requireNonNull(ExplainPane.class.getResource("explain.css")).toExternalForm());
         setTop(top);
         setCenter(parts);
+        setBottom(new VBox(message, new RayLegend(texts, theme)));
+        clear();
     }
 
-    /** Explains the pixel at a point of a picture. */
-    public void show(PicturePoint point) {
-        if (explained.filter(now -> now.scene() == point.scene() && now.column() == point.column() && now.row() == point.row()).isPresent()) {
-            return;
-        }
-        explained = Optional.of(point);
-        Pixel pixel = point.scene().explain(point.settings().withSamples(1), point.column(), point.row());
-        Outline root = Outline.of(pixel.rays().get(0)).pruned(SMALLEST_SHARE);
-        outlines = new ArrayList<>();
-        tree.setRoot(item(root));
-        title.setText(texts.of("explain.pixel", point.column(), point.row()));
-        grown.setMax(outlines.size());
-        grown.setValue(outlines.size());
-        tree.getSelectionModel().select(0);
-        draw();
+    /** Adds the rays in three projections below, where no other window part draws them. */
+    public void addDrawings(ObservableValue<Theme> theme) {
+        parts.getItems().add(new RayDrawings(this, texts, theme));
+        parts.setDividerPositions(0.25, 0.65);
     }
 
-    /** Lets arrow keys go from pixel to pixel from now on. */
+    /** What drawings show now; empty before anything is explained. */
+    public ReadOnlyObjectProperty<Optional<DrawnRays>> drawnProperty() {
+        return drawn.getReadOnlyProperty();
+    }
+
+    /** Is told which surface a ray hits that the user chooses. */
+    public void setOnChosen(Consumer<SurfacePath> listener) {
+        onChosen = listener;
+    }
+
+    /** Gives the keyboard to the drawings, where arrow keys go from pixel to pixel. */
     public void takeKeys() {
-        drawn.requestFocus();
+        parts.getItems().get(parts.getItems().size() - 1).requestFocus();
     }
 
     /** The pixel explained. */
     public Optional<PicturePoint> explained() {
         return explained;
+    }
+
+    /** The mouse is at a point of a picture: explains it unless another pixel was clicked. */
+    public void hover(Optional<PicturePoint> point) {
+        if (!pinned) {
+            point.ifPresent(this::show);
+        }
+    }
+
+    /** Stays at a pixel, for arrow keys to go on from there; the next click lets the explanation follow the mouse again. */
+    public void click(PicturePoint point) {
+        pinned = !pinned;
+        show(point);
+        if (pinned) {
+            tellChosen();
+        }
+    }
+
+    /** Explains the pixel at a point of a picture. */
+    public void show(PicturePoint point) {
+        if (explained.filter(now -> now.scene() == point.scene() && now.settings().equals(point.settings())
+                && now.column() == point.column() && now.row() == point.row()).isPresent()) {
+            return;
+        }
+        explained = Optional.of(point);
+        message.setText("");
+        Outline root = Outline.of(pixel(point).rays().get(0)).pruned(SMALLEST_SHARE);
+        outlines = new ArrayList<>();
+        filling = true;
+        tree.setRoot(item(root));
+        title.setText(texts.of("explain.pixel", point.column(), point.row()));
+        grown.setMax(outlines.size());
+        grown.setValue(outlines.size());
+        tree.getSelectionModel().select(0);
+        filling = false;
+        select();
+    }
+
+    /** Forgets the pixel. */
+    public void clear() {
+        explained = Optional.empty();
+        pinned = false;
+        outlines = List.of();
+        tree.setRoot(null);
+        steps.getItems().clear();
+        title.setText(texts.of("explain.none"));
+        draw();
+    }
+
+    /** Goes to the next pixel if an arrow key was pressed. */
+    public void step(KeyEvent event) {
+        if (explained.isEmpty() || event.isShortcutDown() || event.isAltDown() || event.isShiftDown()) {
+            return;
+        }
+        switch (event.getCode()) {
+            case LEFT -> move(-1, 0);
+            case RIGHT -> move(1, 0);
+            case UP -> move(0, -1);
+            case DOWN -> move(0, 1);
+            default -> {
+                return;
+            }
+        }
+        pinned = true;
+        event.consume();
+    }
+
+    /** The pixel's tree, one ray from the eye. */
+    Pixel pixel(PicturePoint point) {
+        return point.scene().explain(point.settings().withSamples(1), point.column(), point.row());
     }
 
     private TreeItem<Outline> item(Outline outline) {
@@ -116,48 +192,36 @@ public final class ExplainPane extends BorderPane {
         return item;
     }
 
-    private void column(String key, double share, Function<Step, String> text) {
-        TableColumn<Step, String> column = new TableColumn<>(texts.of(key));
-        column.setSortable(false);
-        column.setReorderable(false);
-        column.setCellValueFactory(cell -> new ReadOnlyStringWrapper(text.apply(cell.getValue())));
-        column.prefWidthProperty().bind(steps.widthProperty().multiply(share));
-        steps.getColumns().add(column);
-    }
-
     private Optional<Outline> selected() {
         return Optional.ofNullable(tree.getSelectionModel().getSelectedItem()).map(TreeItem::getValue);
     }
 
     private void select() {
-        steps.getItems().setAll(selected().map(Outline::steps).orElse(List.of()));
-        draw();
+        if (!filling) {
+            steps.getItems().setAll(selected().map(Outline::steps).orElse(List.of()));
+            draw();
+            if (tree.isFocused()) {
+                tellChosen();
+            }
+        }
+    }
+
+    private void tellChosen() {
+        selected().flatMap(outline -> outline.ray().encounter()).map(Encounter::place).map(Encounter.Place::surface).ifPresent(onChosen);
     }
 
     private void draw() {
-        if (explained.isEmpty() || outlines.isEmpty()) {
+        if (filling) {
             return;
         }
-        Outline root = outlines.get(0);
-        DrawingFrame frame = DrawingFrame.of(explained.get().scene().scene(), root);
-        List<RayLine> lines = RayLine.of(root, frame.size());
-        Set<String> shown = new HashSet<>();
-        outlines.stream().limit(Math.round(grown.getValue())).forEach(outline -> shown.add(outline.name()));
-        String highlighted = selected().map(Outline::name).orElse("");
-        drawings.forEach(drawing -> drawing.draw(frame, lines, shown, highlighted));
-    }
-
-    private void step(KeyEvent event) {
-        switch (event.getCode()) {
-            case LEFT -> move(-1, 0);
-            case RIGHT -> move(1, 0);
-            case UP -> move(0, -1);
-            case DOWN -> move(0, 1);
-            default -> {
-                return;
-            }
-        }
-        event.consume();
+        drawn.set(explained.map(point -> {
+            Outline root = outlines.get(0);
+            Optional<DrawnRays> before = drawn.get();
+            DrawingFrame frame = DrawingFrame.of(point.scene().scene(), root);
+            return new DrawnRays(before.map(DrawnRays::frame).filter(frame::equals).orElse(frame), RayLine.of(root, frame.size()),
+                    outlines.stream().limit(Math.round(grown.getValue())).map(Outline::name).collect(Collectors.toSet()),
+                    selected().map(Outline::name).orElse(""));
+        }));
     }
 
     private void move(int columns, int rows) {

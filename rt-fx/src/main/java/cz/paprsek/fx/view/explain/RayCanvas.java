@@ -1,43 +1,43 @@
 package cz.paprsek.fx.view.explain;
 
-import cz.paprsek.math.Vec3;
 import cz.paprsek.drawing.DrawingFrame;
 import cz.paprsek.drawing.Projection;
-import cz.paprsek.drawing.RayLine;
+import cz.paprsek.drawing.Segment;
+import cz.paprsek.fx.view.Palette;
+import cz.paprsek.fx.view.Theme;
+import cz.paprsek.math.Vec3;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.layout.Region;
-import javafx.scene.paint.Color;
+import javafx.scene.text.Font;
 
-/** The rays of a tree in one projection. */
+/** The rays of a tree in one projection, with the outlines of what they meet. */
 final class RayCanvas extends Region {
-    private static final Color PAPER = Color.web("#f7f8fa");
-    private static final Color OUTLINE = Color.web("#9aa3b0");
-    private static final Color INK = Color.web("#30343a");
-
     private final Projection projection;
+    private final String title;
+    private final ObservableValue<Theme> theme;
     private final Canvas canvas = new Canvas();
-    private Optional<DrawingFrame> frame = Optional.empty();
-    private List<RayLine> lines = List.of();
-    private Set<String> shown = Set.of();
-    private String highlighted = "";
+    private Optional<DrawnRays> rays = Optional.empty();
+    private List<List<Vec3>> outlines = List.of();
 
-    RayCanvas(Projection projection) {
+    RayCanvas(Projection projection, String title, ObservableValue<Theme> theme) {
         this.projection = projection;
+        this.title = title;
+        this.theme = theme;
         setMinSize(80, 80);
         setPrefSize(240, 240);
         getChildren().add(canvas);
+        theme.addListener((property, old, now) -> paint());
     }
 
-    /** Draws those lines whose ray is among the shown, the highlighted ray's bold. */
-    void draw(DrawingFrame around, List<RayLine> all, Set<String> rays, String highlightedRay) {
-        frame = Optional.of(around);
-        lines = all;
-        shown = rays;
-        highlighted = highlightedRay;
+    void draw(Optional<DrawnRays> drawn) {
+        if (!drawn.map(DrawnRays::frame).equals(rays.map(DrawnRays::frame))) {
+            outlines = drawn.map(now -> now.frame().outlines(projection)).orElse(List.of());
+        }
+        rays = drawn;
         paint();
     }
 
@@ -49,69 +49,42 @@ final class RayCanvas extends Region {
     }
 
     private void paint() {
+        Palette palette = theme.getValue().palette();
         GraphicsContext g = canvas.getGraphicsContext2D();
         g.setLineDashes();
-        g.setFill(PAPER);
+        g.setFill(palette.background());
         g.fillRect(0, 0, getWidth(), getHeight());
-        g.setFill(INK);
-        g.fillText(projection.title(), 6, 15);
-        frame.ifPresent(around -> paint(g, around));
+        rays.ifPresent(now -> {
+            g.setStroke(palette.text());
+            g.setLineWidth(1);
+            outlines.forEach(curve -> outline(g, now.frame(), curve));
+            RayPainter.on(g, theme.getValue(), (from, to) -> Optional.of(segment(now.frame(), from, to))).draw(now);
+        });
+        g.setFont(Font.font("System", 12));
+        g.setFill(palette.text());
+        g.fillText(title, 6, 16);
     }
 
-    private void paint(GraphicsContext g, DrawingFrame around) {
-        g.setStroke(OUTLINE);
-        g.setLineWidth(1);
-        for (List<Vec3> outline : around.outlines(projection)) {
-            g.strokePolyline(outline.stream().mapToDouble(p -> x(around, p)).toArray(), outline.stream().mapToDouble(p -> y(around, p)).toArray(),
-                    outline.size());
-        }
-        for (RayLine line : lines) {
-            if (shown.contains(line.ray())) {
-                paint(g, around, line);
-            }
-        }
-    }
-
-    private void paint(GraphicsContext g, DrawingFrame around, RayLine line) {
-        boolean isBold = line.ray().equals(highlighted);
-        Color color = Color.web(line.style().color());
-        g.setStroke(color);
-        g.setLineWidth(isBold ? 3 : 1.5);
-        g.setLineDashes(line.style().dashes().stream().mapToDouble(Integer::doubleValue).toArray());
-        double fromX = x(around, line.from());
-        double fromY = y(around, line.from());
-        double toX = x(around, line.to());
-        double toY = y(around, line.to());
-        g.strokeLine(fromX, fromY, toX, toY);
-        g.setLineDashes();
-        if (line.isRay() || line.style() == RayLine.Style.NORMAL) {
-            arrow(g, color, toX, toY, toX - fromX, toY - fromY);
-        }
-        if (line.isRay() && isBold) {
-            g.setFill(color);
-            g.fillText(line.ray(), toX + 6, toY - 6);
+    private void outline(GraphicsContext g, DrawingFrame frame, List<Vec3> curve) {
+        for (int i = 1; i < curve.size(); i++) {
+            segment(frame, curve.get(i - 1), curve.get(i)).within(getWidth(), getHeight())
+                    .ifPresent(seen -> g.strokeLine(seen.x1(), seen.y1(), seen.x2(), seen.y2()));
         }
     }
 
-    private static void arrow(GraphicsContext g, Color color, double x, double y, double dx, double dy) {
-        double length = Math.hypot(dx, dy);
-        if (length > 2) {
-            double ux = 8 * dx / length;
-            double uy = 8 * dy / length;
-            g.setFill(color);
-            g.fillPolygon(new double[] {x, x - ux + 0.35 * uy, x - ux - 0.35 * uy}, new double[] {y, y - uy - 0.35 * ux, y - uy + 0.35 * ux}, 3);
-        }
+    private Segment segment(DrawingFrame frame, Vec3 from, Vec3 to) {
+        return new Segment(x(frame, from), y(frame, from), x(frame, to), y(frame, to));
     }
 
     private double side() {
         return Math.min(getWidth(), getHeight());
     }
 
-    private double x(DrawingFrame around, Vec3 point) {
-        return getWidth() / 2 + projection.right(point.minus(around.middle())) / around.size() * side();
+    private double x(DrawingFrame frame, Vec3 point) {
+        return getWidth() / 2 + projection.right(point.minus(frame.middle())) / frame.size() * side();
     }
 
-    private double y(DrawingFrame around, Vec3 point) {
-        return getHeight() / 2 - projection.up(point.minus(around.middle())) / around.size() * side();
+    private double y(DrawingFrame frame, Vec3 point) {
+        return getHeight() / 2 - projection.up(point.minus(frame.middle())) / frame.size() * side();
     }
 }

@@ -8,6 +8,9 @@ import cz.paprsek.fx.model.Sight;
 import cz.paprsek.fx.view.ItemNames;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.Theme;
+import cz.paprsek.drawing.Segment;
+import cz.paprsek.fx.view.explain.DrawnRays;
+import cz.paprsek.fx.view.explain.RayPainter;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import java.util.HashSet;
@@ -45,6 +48,7 @@ public final class ProjectionPane extends Region {
     private final Figures figures;
     private final Picker picker;
     private final ReadOnlyObjectWrapper<Optional<Vec3>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
+    private Optional<DrawnRays> rays = Optional.empty();
     private Viewport view = new Viewport(0, 0, 40, 0, 0);
     private boolean fitted;
     private @Nullable Look drawnLook;
@@ -123,6 +127,12 @@ public final class ProjectionPane extends Region {
     /** Shows a point of the world on the pane: its coordinates there, pixels. */
     public javafx.geometry.Point2D toPane(Vec3 point) {
         return new javafx.geometry.Point2D(view.x(axes.u(point)), view.y(axes.v(point)));
+    }
+
+    /** Draws the rays of an explained pixel above everything. */
+    public void setRays(Optional<DrawnRays> drawn) {
+        rays = drawn;
+        requestLayout();
     }
 
     EditorModel model() {
@@ -270,8 +280,13 @@ public final class ProjectionPane extends Region {
                 painter.name(ItemNames.of(state.scene(), state.selection(), texts), box);
             }
         }
+        rays.ifPresent(RayPainter.on(g, theme(), (from, to) -> Optional.of(segment(from, to)))::draw);
         if (drag != null) {
             drag.draw(g);
         }
+    }
+
+    private Segment segment(Vec3 from, Vec3 to) {
+        return new Segment(view.x(axes.u(from)), view.y(axes.v(from)), view.x(axes.u(to)), view.y(axes.v(to)));
     }
 }

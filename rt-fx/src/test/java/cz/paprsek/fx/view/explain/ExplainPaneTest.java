@@ -6,12 +6,16 @@ import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.view.PicturePoint;
 import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.Theme;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.Step;
 import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TableView;
 import javafx.scene.control.TreeView;
@@ -20,9 +24,15 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class ExplainPaneTest {
-    private final ExplainPane pane = Gui.on(() -> new ExplainPane(Texts.in(Locale.ENGLISH)));
+    private final ExplainPane pane = Gui.on(() -> pane(new SimpleObjectProperty<>(Theme.LIGHT)));
     private final Gui gui = Gui.show(() -> pane, 1000, 900);
     private final PicturePoint point = glassBall();
+
+    private static ExplainPane pane(ObservableValue<Theme> theme) {
+        ExplainPane pane = new ExplainPane(Texts.in(Locale.ENGLISH), theme, (owner, name) -> Optional.empty());
+        pane.addDrawings(theme);
+        return pane;
+    }
 
     private static PicturePoint glassBall() {
         try {

@@ -1,0 +1,33 @@
+package cz.paprsek.fx.view.explain;
+
+import cz.paprsek.fx.view.Texts;
+import cz.paprsek.render.explain.Step;
+import java.util.function.Function;
+import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.scene.control.Label;
+import javafx.scene.control.TableColumn;
+import javafx.scene.control.TableView;
+
+/** The worked exercise of one ray. */
+final class StepTable extends TableView<Step> {
+    /** Room for a scroll bar. */
+    private static final double BAR = 18;
+    private static final double NAMES = 0.24;
+
+    StepTable(Texts texts) {
+        setId("explain-steps");
+        setPlaceholder(new Label(""));
+        column(texts.of("explain.what"), NAMES, Step::name);
+        column(texts.of("explain.how"), 1 - NAMES, Step::equation);
+    }
+
+    private void column(String title, double share, Function<Step, String> text) {
+        TableColumn<Step, String> column = new TableColumn<>(title);
+        column.setSortable(false);
+        column.setReorderable(false);
+        column.setCellFactory(table -> new StepCell());
+        column.setCellValueFactory(cell -> new ReadOnlyStringWrapper(text.apply(cell.getValue())));
+        column.prefWidthProperty().bind(widthProperty().subtract(BAR).multiply(share));
+        getColumns().add(column);
+    }
+}

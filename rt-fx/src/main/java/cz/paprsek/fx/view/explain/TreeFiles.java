@@ -1,0 +1,36 @@
+package cz.paprsek.fx.view.explain;
+
+import cz.paprsek.drawing.TreeDrawing;
+import cz.paprsek.fx.view.PicturePoint;
+import cz.paprsek.io.AtomicFile;
+import cz.paprsek.render.explain.Decoration;
+import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.TreeJson;
+import cz.paprsek.render.explain.TreeText;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+
+/** The forms in which the tree of a pixel can be kept. */
+enum TreeFiles {
+    TXT, JSON, SVG;
+
+    /** With the dot. */
+    String extension() {
+        return switch (this) {
+            case TXT -> ".txt";
+            case JSON -> ".json";
+            case SVG -> ".svg";
+        };
+    }
+
+    /** @param smallestShare rays of a smaller share in the pixel are left out of text and drawing */
+    void write(PicturePoint point, Pixel pixel, double smallestShare, Path file) throws IOException {
+        String content = switch (this) {
+            case TXT -> String.join("\n", TreeText.lines(pixel, smallestShare, Decoration.NONE)) + "\n";
+            case JSON -> TreeJson.of(pixel) + "\n";
+            case SVG -> TreeDrawing.svg(point.scene().scene(), pixel.rays().get(0), smallestShare);
+        };
+        AtomicFile.write(file, out -> out.write(content.getBytes(StandardCharsets.UTF_8)));
+    }
+}
