@@ -25,7 +25,7 @@ public record Segment(double x1, double y1, double x2, double y2) {
     }
 
     public double length() {
-        return Math.hypot(x2 - x1, y2 - y1);
+        return Math.sqrt((x2 - x1) * (x2 - x1) + (y2 - y1) * (y2 - y1));
     }
 
     private Segment part(double begin, double end) {

@@ -41,7 +41,7 @@ class ExplainModeTest {
     /** Looks at the glass ball. */
     private static Scene scene() {
         Scene scene = Templates.read("showcase");
-        return scene.withCamera(Camera.lookingAt(scene.camera().position(), new Vec3(0.55, 0.5, 1)).withFovy(25));
+        return scene.withSettings(scene.settings().withSamples(1)).withCamera(Camera.lookingAt(scene.camera().position(), new Vec3(0.55, 0.5, 1)).withFovy(25));
     }
 
     @AfterEach

@@ -8,6 +8,7 @@ import java.util.Optional;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
+import javafx.scene.shape.StrokeLineCap;
 import javafx.scene.text.Font;
 import javafx.scene.text.FontWeight;
 import javafx.scene.text.TextAlignment;
@@ -52,8 +53,9 @@ public final class RayPainter {
     }
 
     public void draw(DrawnRays rays) {
+        g.save();
         rays.visible().forEach(line -> mapping.line(line.from(), line.to()).ifPresent(at -> draw(line, at, rays.isHighlighted(line))));
-        g.setLineDashes();
+        g.restore();
     }
 
     /** One line as long as it is, without arrow and name. */
@@ -68,7 +70,7 @@ public final class RayPainter {
                 .within(width + 2 * BEYOND, height + 2 * BEYOND)
                 .map(cut -> new Segment(cut.x1() - BEYOND, cut.y1() - BEYOND, cut.x2() - BEYOND, cut.y2() - BEYOND))
                 .ifPresent(seen -> {
-                    stroke(line.style(), seen, isBold ? 3.5 : 1.6);
+                    stroke(line.style(), seen, !isBold ? 1.6 : line.isRay() ? 3.5 : 2.4);
                     if (hasArrow) {
                         arrow(line.style(), whole, isBold ? ARROW * 1.4 : ARROW);
                     }
@@ -79,6 +81,8 @@ public final class RayPainter {
     }
 
     private void stroke(RayLine.Style style, Segment at, double thickness) {
+        // Square ends would fill the gaps between dashes.
+        g.setLineCap(StrokeLineCap.BUTT);
         g.setLineDashes();
         if (hasHalo) {
             g.setStroke(HALO);
