@@ -1,0 +1,91 @@
+package cz.paprsek.fx;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.Moves;
+import cz.paprsek.fx.model.Structure;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFiles;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The window worked in for long, its picture being rendered anew all the while. */
+class EditSoakTest {
+    private static final int ROUNDS = 10;
+    private static final int EDITS = 200;
+    private static final int AT_ONCE = 40;
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void twoThousandEditsAllUndoneLeaveTheSceneAndTheMemoryAsTheyWere() throws Exception {
+        Scene start = SceneFiles.read(Path.of("../scenes/showcase.xml"));
+        try (EditorGui editor = new EditorGui(folder.resolve("settings"), start)) {
+            EditorModel model = editor.model();
+            Random random = new Random(3);
+            long early = 0;
+            for (int round = 0; round < ROUNDS; round++) {
+                for (int i = 0; i < EDITS; i += AT_ONCE) {
+                    editor.gui.act(() -> {
+                        for (int k = 0; k < AT_ONCE; k++) {
+                            edit(model, random);
+                        }
+                    });
+                }
+                assertThat(model.scene()).isNotEqualTo(start);
+                for (int i = 0; i < EDITS; i += AT_ONCE) {
+                    editor.gui.act(() -> {
+                        for (int k = 0; k < AT_ONCE; k++) {
+                            model.undo();
+                        }
+                    });
+                }
+                assertThat(model.scene()).isSameAs(start);
+                assertThat(model.undoableProperty().get()).isEmpty();
+                if (round == ROUNDS / 3) {
+                    early = usedAtRest(editor);
+                }
+            }
+            assertThat(usedAtRest(editor) - early).as("bytes more after %d edits", ROUNDS * EDITS).isLessThan(5_000_000);
+        }
+    }
+
+    /** One step of history whatever comes; object 0 is the table, which has no inside, and stays. */
+    private static void edit(EditorModel model, Random random) {
+        int objects = model.scene().objects().size();
+        Item one = Item.body(1 + random.nextInt(objects - 1));
+        EditorState state = model.state();
+        switch (objects < 6 ? 0 : random.nextInt(6)) {
+            case 0 -> model.edit(Label.of(Label.Edit.ADD), scene -> scene.plus(SceneObject.of(new Sphere(0.1 + random.nextDouble())).at(random.nextDouble(), 1, 0)));
+            case 1 -> model.edit(Label.of(Label.Edit.MOVE), scene -> Moves.translated(scene, Set.of(one), new Vec3(0.1, random.nextDouble(), 0)));
+            case 2 -> model.editState(Label.of(Label.Edit.DUPLICATE), now -> Structure.duplicate(state, List.of(one), Vec3.X));
+            case 3 -> model.editState(Label.of(Label.Edit.DELETE), now -> Structure.delete(state, List.of(one)));
+            case 4 -> model.editState(Label.of(Label.Edit.COMBINE), now ->
+                    Structure.combine(state, List.of(Item.body(1), Item.body(2)), Csg.Operation.UNION, ""));
+            default -> model.edit(Label.of(Label.Edit.ADD), scene -> scene.plus(Light.at(random.nextDouble(), 5, 2)));
+        }
+    }
+
+    /** With the whole picture there, which takes more than one in the making. */
+    private static long usedAtRest(EditorGui editor) {
+        editor.gui.until("the picture is complete", editor.editor::isPictureComplete);
+        for (int i = 0; i < 3; i++) {
+            System.gc();
+        }
+        return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
+    }
+}
