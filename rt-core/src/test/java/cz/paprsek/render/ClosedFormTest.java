@@ -101,6 +101,23 @@ class ClosedFormTest {
         assertThat(middle(lit.plus(pane.at(0, 0, 4.5).madeOf(matte(1, 1))))).as("a pane behind the light").isCloseTo(0.8, within(CLOSE));
     }
 
+    /** In whatever order they stand, to the last bit: the shares are multiplied from the smallest on. */
+    @Test
+    void lightThroughManyPanesIsTheProductOfTheirShares() {
+        Scene lit = empty().plus(Light.at(3, 0, 4)).plus(wall(0, matte(1, 1)));
+        Scene rising = lit;
+        Scene falling = lit;
+        double product = 1;
+        for (int i = 0; i < 40; i++) {
+            double share = 0.9 + 0.0025 * i;
+            SceneObject pane = SceneObject.of(new Rectangle(0.5, -1, 3, 1)).madeOf(matte(0, 0).withTransparency(share, 1.5));
+            rising = rising.plus(pane.at(0, 0, 1 + 0.05 * i));
+            falling = falling.plus(pane.at(0, 0, 3 - 0.05 * i));
+            product *= share;
+        }
+        assertThat(middle(rising)).isCloseTo(0.8 * product, within(CLOSE)).isEqualTo(middle(falling));
+    }
+
     @Test
     void glassOfIndexOneAndFullTransparencyIsInvisible() {
         Scene scene = empty().withBackground(Rgb.ofLinear(0.2, 0.3, 0.4)).plus(AT_EYE).plus(wall(-3, matte(0.5, 1)
