@@ -60,7 +60,8 @@ class EditSoakTest {
                     early = usedAtRest(editor);
                 }
             }
-            assertThat(usedAtRest(editor) - early).as("bytes more after %d edits", ROUNDS * EDITS).isLessThan(5_000_000);
+            // A picture more or less is 11 MB; a window's worth of nodes kept for every edit would be hundreds.
+            assertThat(usedAtRest(editor) - early).as("bytes more after %d edits", ROUNDS * EDITS).isLessThan(16_000_000);
         }
     }
 
