@@ -2,7 +2,9 @@ package cz.paprsek.fx.view;
 
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
@@ -15,7 +17,7 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
 
-/** How to render: size, samples, depth, threads. */
+/** What to render and how: size, samples, depth, threads, what the picture shows, and which lights are lit. */
 final class RenderForm extends FlowPane {
     private record Preset(int width, int height, String name) {}
 
@@ -35,6 +37,8 @@ final class RenderForm extends FlowPane {
     private final WholeNumberField samples;
     private final WholeNumberField depth;
     private final WholeNumberField threads;
+    private final ModeBox mode;
+    private final LightBox lights;
     private final BooleanBinding valid;
 
     RenderForm(Texts texts) {
@@ -44,6 +48,8 @@ final class RenderForm extends FlowPane {
         depth = new WholeNumberField("render-depth", texts.of("render.depth.hint"), 1, RenderSettings.DEEPEST, 3);
         threads = new WholeNumberField("render-threads", texts.of("render.threads.hint"), 1, 1024, 3);
         threads.set(Runtime.getRuntime().availableProcessors());
+        mode = new ModeBox(texts);
+        lights = new LightBox(texts);
         MenuButton presets = new MenuButton(texts.of("render.size"));
         presets.setId("render-presets");
         PRESETS.forEach(preset -> presets.getItems().add(item(preset)));
@@ -53,15 +59,19 @@ final class RenderForm extends FlowPane {
         setVgap(6);
         setAlignment(Pos.CENTER_LEFT);
         getChildren().addAll(group(presets, width, new Label("×"), height), group(new Label(texts.of("render.samples")), samples),
-                group(new Label(texts.of("render.depth")), depth), group(new Label(texts.of("render.threads")), threads));
+                group(new Label(texts.of("render.depth")), depth), group(new Label(texts.of("render.threads")), threads),
+                group(new Label(texts.of("render.mode")), mode), group(new Label(texts.of("render.lights")), lights));
     }
 
     /** Fills in what a scene asks for. */
-    void set(RenderSettings settings) {
+    void set(Scene scene) {
+        RenderSettings settings = scene.settings();
         width.set(settings.width());
         height.set(settings.height());
         samples.set(settings.samples());
         depth.set(settings.maxDepth());
+        mode.reset();
+        lights.offer(scene);
     }
 
     /** Whether all fields hold numbers within their ranges. */
@@ -71,7 +81,19 @@ final class RenderForm extends FlowPane {
 
     /** What the fields say; only if they are valid. */
     RenderOptions options() {
-        return RenderOptions.of(new RenderSettings(width.get(), height.get(), depth.get(), samples.get())).withThreads(threads.get());
+        return RenderOptions.of(new RenderSettings(width.get(), height.get(), depth.get(), samples.get())).withThreads(threads.get())
+                .withMode(mode.mode());
+    }
+
+    /** The scene with those of its lights that are to be lit. */
+    Scene lit(Scene scene) {
+        return lights.lit(scene);
+    }
+
+    /** What beside its size tells this picture from others; empty for one that shows the light of all lights. */
+    String remark() {
+        return Stream.of(mode, lights).filter(box -> box.getSelectionModel().getSelectedIndex() > 0).map(box -> " · " + box.getValue())
+                .collect(Collectors.joining());
     }
 
     private Stream<WholeNumberField> fields() {

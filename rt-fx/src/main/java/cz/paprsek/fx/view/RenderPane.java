@@ -5,6 +5,7 @@ import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
+import cz.paprsek.render.Legend;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.Scene;
 import java.nio.file.Path;
@@ -59,7 +60,7 @@ public final class RenderPane extends BorderPane {
         explaining.setId("explain-mode");
         explaining.setMinWidth(Region.USE_PREF_SIZE);
         explaining.setOnAction(event -> explain(explaining.isSelected()));
-        form.set(model.scene().settings());
+        form.set(model.scene());
         Button render = button("render.start", () -> render(form.options()));
         render.setDefaultButton(true);
         render.disableProperty().bind(form.valid().not());
@@ -86,7 +87,7 @@ public final class RenderPane extends BorderPane {
 
     /** Fills the form with what the scene asks for, and renders. */
     public void renderAsTheSceneAsks() {
-        form.set(model.scene().settings());
+        form.set(model.scene());
         render(form.options());
     }
 
@@ -107,7 +108,7 @@ public final class RenderPane extends BorderPane {
 
     private void render(RenderOptions options) {
         message.setText("");
-        Scene scene = model.scene();
+        Scene scene = form.lit(model.scene());
         RenderTask task;
         try {
             task = new RenderTask(scene, options);
@@ -115,7 +116,7 @@ public final class RenderPane extends BorderPane {
             message.setText(texts.of("render.too-large", options.settings().width(), options.settings().height()));
             return;
         }
-        RenderTab tab = new RenderTab(++count + ": " + options.settings().width() + " × " + options.settings().height(), task, texts);
+        RenderTab tab = new RenderTab(++count + ": " + options.settings().width() + " × " + options.settings().height() + form.remark(), task, texts);
         tab.pointedProperty().addListener((property, old, now) -> pointed(now));
         tab.setOnClicked(this::clicked);
         tabs.getTabs().add(tab);
@@ -156,7 +157,12 @@ public final class RenderPane extends BorderPane {
             return;
         }
         String name = tab.map(shown -> shown.task().scene().name()).filter(Predicate.not(String::isBlank)).orElse("picture");
-        chooser.choose(getScene().getWindow(), name.replaceAll("[\\\\/:*?\"<>|]", "-") + ".png").ifPresent(file -> write(image.get(), file));
+        chooser.choose(getScene().getWindow(), name.replaceAll("[\\\\/:*?\"<>|]", "-") + ".png").ifPresent(file -> write(finished(tab.get(), image.get()), file));
+    }
+
+    /** The picture as it is saved: a heat map with its scale. */
+    private static Image finished(RenderTab tab, Image image) {
+        return tab.task().options().mode().scale().map(scale -> Legend.below(image, scale)).orElse(image);
     }
 
     private void write(Image image, Path file) {

@@ -18,6 +18,7 @@ import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
 import javafx.util.Duration;
 
 /** One render: its picture, how far it is, and what the mouse points at. */
@@ -58,7 +59,10 @@ final class RenderTab extends Tab {
         HBox status = new HBox(10, cancel, bar, progress, pixel);
         status.setAlignment(Pos.CENTER_LEFT);
         status.getStyleClass().add("render-status");
-        setContent(new BorderPane(view, null, null, status, null));
+        VBox bottom = new VBox();
+        task.options().mode().scale().ifPresent(scale -> bottom.getChildren().add(new ScaleStrip(scale)));
+        bottom.getChildren().add(status);
+        setContent(new BorderPane(view, null, null, bottom, null));
         setOnClosed(event -> task.cancel());
         clock.setCycleCount(Animation.INDEFINITE);
         task.stateProperty().addListener((property, old, now) -> follow(now));

@@ -3,12 +3,15 @@ package cz.paprsek.fx.view;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.RenderMode;
 import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.render.Tile;
@@ -30,6 +33,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.concurrent.Worker;
 import javafx.scene.Node;
+import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
@@ -96,6 +100,27 @@ class RenderPaneTest {
         gui.keys(KeyCode.DOWN);
         assertThat(text("#render-samples")).isEqualTo("1");
         assertThat(gui.node("#render-start").isDisabled()).isFalse();
+    }
+
+    @Test
+    @SuppressWarnings("unchecked")
+    void aPictureToLearnFromAndOneOfOneLight() {
+        ChoiceBox<Object> mode = (ChoiceBox<Object>) gui.node("#render-mode");
+        ChoiceBox<Object> lights = (ChoiceBox<Object>) gui.node("#render-lights");
+        assertThat(mode.getItems()).extracting(Object::toString).contains("Normals", "Depth", "Rays per pixel (heat map)");
+        gui.act(() -> model.edit(CHANGE, scene -> scene.plus(Light.at(-3, 5, 6).named("left"))));
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        gui.act(() -> mode.getSelectionModel().select(4));
+        gui.act(() -> lights.getSelectionModel().select(2));
+        gui.click("#render-start");
+        untilDone();
+        assertThat(shown().getText()).isEqualTo("2: 120 × 80 · Rays per pixel (heat map) · 2: left");
+        assertThat(gui.node("#render-scale")).isNotNull();
+        Scene onlyLeft = model.scene().withLights(model.scene().lights().subList(1, 2));
+        Image expected = Renderer.render(RenderScene.of(onlyLeft), RenderOptions.of(onlyLeft).withMode(RenderMode.RAYS), RenderMonitor.NONE).image();
+        assertThat(shown().task().buffer().image().getPixelReader().getArgb(60, 40)).isEqualTo(expected.argb(60, 40));
+        assertThat(Screenshots.save(gui, "render-modes")).isNotEmptyFile();
     }
 
     @Test
@@ -205,11 +230,11 @@ class RenderPaneTest {
         assertThat(gui.stage().getScene().getRoot().lookup(".wipe").isVisible()).isFalse();
     }
 
-    /** What is shown in the uppermost row of the picture, where only the background is seen. */
+    /** What is shown in an upper row of the picture, where only the background is seen. */
     private int colorAt(double x) {
         return Gui.on(() -> {
             PictureView view = shown().view();
-            return view.snapshot(null, null).getPixelReader().getArgb((int) x, (int) view.getHeight() / 2 - 200);
+            return view.snapshot(null, null).getPixelReader().getArgb((int) x, (int) view.getHeight() / 2 - 150);
         });
     }
 
