@@ -7,6 +7,7 @@ import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.render.explain.TreeJson;
 import cz.paprsek.render.explain.TreeText;
+import cz.paprsek.render.explain.Words;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -87,7 +88,7 @@ final class ExplainCommand implements Callable<Integer> {
             Scene scene = SceneFiles.read(file);
             Pixel pixel = pixel(scene, wishes);
             show(pixel);
-            if (svg.isPresent() && !draw(TreeDrawing.svg(scene, pixel.rays().get(0), all ? 0 : SMALLEST_SHARE), svg.get())) {
+            if (svg.isPresent() && !draw(TreeDrawing.svg(scene, pixel.rays().get(0), all ? 0 : SMALLEST_SHARE, Words.ENGLISH), svg.get())) {
                 return ExitCode.FAILED;
             }
             return stop.requested() ? ExitCode.INTERRUPTED : ExitCode.DONE;

@@ -1,21 +1,16 @@
 package cz.paprsek.drawing;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.Words;
+import java.util.Locale;
 
 /** The world seen from far away along an axis. */
 public enum Projection {
-    FRONT("Front (x, y)"),
-    TOP("Top (x, z)"),
-    RIGHT("Right (z, y)");
+    FRONT, TOP, RIGHT;
 
-    private final String title;
-
-    Projection(String title) {
-        this.title = title;
-    }
-
-    public String title() {
-        return title;
+    /** What it is called. */
+    public String title(Words words) {
+        return words.of("view." + name().toLowerCase(Locale.ROOT));
     }
 
     /** Where the view goes. */

@@ -4,8 +4,10 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.explain.Words;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 
 /**
@@ -33,6 +35,11 @@ public record RayLine(String ray, Style style, Vec3 from, Vec3 to) {
         Style(String color, String dashes) {
             this.color = color;
             this.dashes = dashes;
+        }
+
+        /** What it is called. */
+        public String title(Words words) {
+            return words.of("line." + name().toLowerCase(Locale.ROOT));
         }
 
         /** As CSS and SVG write it. */

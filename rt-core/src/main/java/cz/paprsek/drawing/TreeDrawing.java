@@ -3,6 +3,7 @@ package cz.paprsek.drawing;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.explain.Words;
 import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.Locale;
@@ -35,7 +36,7 @@ public final class TreeDrawing {
      * @param smallestShare rays of a {@linkplain Outline#share share} below this are left out
      * @return a whole SVG document
      */
-    public static String svg(Scene scene, TracedRay ray, double smallestShare) {
+    public static String svg(Scene scene, TracedRay ray, double smallestShare, Words words) {
         Outline outline = Outline.of(ray).pruned(smallestShare);
         DrawingFrame frame = DrawingFrame.of(scene, outline);
         List<RayLine> lines = RayLine.of(outline, frame.size());
@@ -44,16 +45,16 @@ public final class TreeDrawing {
         StringBuilder views = new StringBuilder();
         int left = GAP;
         for (Projection projection : Projection.values()) {
-            views.append(new TreeDrawing(frame, lines, frame.outlines(projection), projection, left).view());
+            views.append(new TreeDrawing(frame, lines, frame.outlines(projection), projection, left).view(words));
             left += SIDE + GAP;
         }
         return String.format(Locale.ROOT, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\""
                 + " font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n",
-                width, height, width, height, width, height) + views + legend(height - GAP) + "</svg>\n";
+                width, height, width, height, width, height) + views + legend(height - GAP, words) + "</svg>\n";
     }
 
-    private String view() {
-        text(left, TITLE - 6, "#30343a", projection.title());
+    private String view(Words words) {
+        text(left, TITLE - 6, "#30343a", projection.title(words));
         svg.append(String.format(Locale.ROOT, "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"#f7f8fa\" stroke=\"#c9ced6\"/>\n",
                 left, TITLE, SIDE, SIDE));
         outlines.forEach(points -> {
@@ -110,12 +111,12 @@ public final class TreeDrawing {
         svg.append(String.format(Locale.ROOT, "<text x=\"%s\" y=\"%s\" stroke=\"none\" fill=\"%s\">%s</text>\n", number(x), number(y), color, text));
     }
 
-    private static String legend(int y) {
+    private static String legend(int y, Words words) {
         StringBuilder legend = new StringBuilder();
         int x = GAP;
         for (RayLine.Style style : RayLine.Style.values()) {
             legend.append(String.format(Locale.ROOT, "<line x1=\"%d\" y1=\"%d\" x2=\"%d\" y2=\"%d\" %s/>\n<text stroke=\"none\" fill=\"#30343a\" x=\"%d\" y=\"%d\">%s</text>\n",
-                    x, y - 4, x + 40, y - 4, stroke(style), x + 46, y, style.name().toLowerCase(Locale.ROOT).replace('_', ' ')));
+                    x, y - 4, x + 40, y - 4, stroke(style), x + 46, y, style.title(words)));
             x += 160;
         }
         return legend.toString();

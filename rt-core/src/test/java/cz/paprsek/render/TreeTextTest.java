@@ -6,23 +6,40 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Decoration;
+import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.Step;
+import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.render.explain.TreeJson;
 import cz.paprsek.render.explain.TreeText;
+import cz.paprsek.render.explain.Words;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Cylinder;
+import cz.paprsek.shape.Disc;
+import cz.paprsek.shape.Ellipsoid;
 import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Plane;
+import cz.paprsek.shape.Rectangle;
+import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.Torus;
 import java.io.StringReader;
 import java.util.List;
+import java.util.Locale;
+import java.util.ResourceBundle;
+import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.xml.sax.InputSource;
 
 class TreeTextTest {
@@ -98,6 +115,52 @@ class TreeTextTest {
     }
 
     @Test
+    void aTreeIsToldInCzechWithTheSameFiguresToo() {
+        Pixel pixel = RenderScene.of(glassBall()).explain(0, 0);
+        List<String> czech = TreeText.lines(pixel, 0, Decoration.NONE, Words.in(Locale.forLanguageTag("cs-CZ")));
+        assertThat(czech).hasSameSizeAs(TreeText.lines(pixel, 0, Decoration.NONE));
+        assertThat(String.join("\n", czech)).contains("E  z oka, dopadne na: koule \"ball\"  100 %", "N, otočená", "index lomu 1.5",
+                        "rozdíl \"wall\" › koule \"hole\", stěna otvoru, zvenku", "světlo paprsku ETT")
+                .doesNotContain("sphere", "light", "hits", "{");
+    }
+
+    @Test
+    void bothLanguagesSayTheSame() {
+        ResourceBundle english = bundle(Locale.ENGLISH);
+        ResourceBundle czech = bundle(Locale.forLanguageTag("cs"));
+        assertThat(czech.keySet()).isEqualTo(english.keySet());
+        for (String key : english.keySet()) {
+            assertThat(places(czech.getString(key))).as(key).isEqualTo(places(english.getString(key)));
+        }
+    }
+
+    private static ResourceBundle bundle(Locale locale) {
+        return ResourceBundle.getBundle("cz.paprsek.render.explain.words", locale,
+                ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
+    }
+
+    private static List<String> places(String text) {
+        return Stream.of("{0}", "{1}", "{2}").filter(text::contains).toList();
+    }
+
+    @ParameterizedTest
+    @MethodSource("kinds")
+    void everyKindAndFaceHasAWord(Shape shape) {
+        Words czech = Words.in(Locale.forLanguageTag("cs"));
+        assertThat(czech.of("kind." + shape.kind())).isNotBlank();
+        TracedRay ray = RenderScene.of(glassBall().withObjects(List.of(SceneObject.of(shape).rotated(20, 30, 0)))).explain(0, 0).rays().get(0);
+        assertThat(ray.encounter()).isPresent();
+        assertThat(Outline.of(ray).steps(czech)).extracting(Step::name).contains("normála");
+    }
+
+    static Stream<Shape> kinds() {
+        Sphere ball = new Sphere(1);
+        return Stream.of(ball, new Block(new Vec3(-1, -1, -1), new Vec3(1, 1, 1)), new Cylinder(1, 1), new Cone(1, 0.5, 1), new Torus(1, 0.99),
+                new Ellipsoid(new Vec3(1, 2, 1)), new Plane(), new Rectangle(-1, -1, 1, 1), new Disc(1), Csg.union(ball, ball),
+                Csg.intersection(ball, ball), Csg.difference(ball, new Sphere(0.5)));
+    }
+
+    @Test
     void aHoleIsNamedByItsPath() {
         assertThat(text(glassBall(), 0)).contains("difference \"wall\" › sphere \"hole\", the wall of a hole, from outside");
     }
@@ -130,18 +193,18 @@ class TreeTextTest {
     void aDrawingHasEveryRayInThreeProjections() throws Exception {
         Scene scene = glassBall();
         Pixel pixel = RenderScene.of(scene).explain(0, 0);
-        String svg = TreeDrawing.svg(scene, pixel.rays().get(0), 0);
+        String svg = TreeDrawing.svg(scene, pixel.rays().get(0), 0, Words.ENGLISH);
         DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new InputSource(new StringReader(svg)));
         for (String word : List.of(">Front (x, y)<", ">Top (x, z)<", ">Right (z, y)<")) {
             assertThat(svg).contains(word);
         }
         assertThat(svg.split(">ETT<", -1)).as("a ray's name in each view").hasSize(4);
-        assertThat(TreeDrawing.svg(scene, pixel.rays().get(0), 0.9)).doesNotContain(">ETT<");
+        assertThat(TreeDrawing.svg(scene, pixel.rays().get(0), 0.9, Words.ENGLISH)).doesNotContain(">ETT<");
         Scene nothing = Scenes.empty();
-        assertThat(TreeDrawing.svg(nothing, RenderScene.of(nothing).explain(0, 0).rays().get(0), 0)).contains(">E<");
+        assertThat(TreeDrawing.svg(nothing, RenderScene.of(nothing).explain(0, 0).rays().get(0), 0, Words.ENGLISH)).contains(">E<");
     }
 
-    private static int rays(List<cz.paprsek.render.explain.TracedRay> rays) {
+    private static int rays(List<TracedRay> rays) {
         return rays.stream().mapToInt(ray -> 1 + rays(ray.children())).sum();
     }
 }

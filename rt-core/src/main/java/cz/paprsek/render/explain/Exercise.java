@@ -9,63 +9,65 @@ import java.util.List;
 final class Exercise {
     private final String name;
     private final TracedRay ray;
+    private final Words words;
     private final List<Step> steps = new ArrayList<>();
 
-    Exercise(String name, TracedRay ray) {
+    Exercise(String name, TracedRay ray, Words words) {
         this.name = name;
         this.ray = ray;
+        this.words = words;
     }
 
     List<Step> steps() {
-        step(Topic.RAY, "ray", "o", "", Figures.of(ray.origin()));
+        step(Topic.RAY, words.of("name.ray"), "o", "", Figures.of(ray.origin()));
         step(Topic.RAY, "", "d", "", Figures.of(ray.direction()));
-        say(Topic.RAY, "medium", (ray.medium().name().isEmpty() ? "outside of all solids" : ray.medium().name())
-                + ", refractive index " + Figures.of(ray.medium().refractiveIndex()));
+        say(Topic.RAY, words.of("name.medium"), (ray.medium().name().isEmpty() ? words.of("outside-all") : words.medium(ray.medium()))
+                + words.of("medium", Figures.of(ray.medium().refractiveIndex())));
         ray.encounter().ifPresentOrElse(this::met, this::missed);
         return steps;
     }
 
     private void missed() {
-        say(Topic.POINT, "hits", "nothing: the background");
-        step(Topic.SUM, "light of " + name, "", "", Figures.of(ray.light()));
+        say(Topic.POINT, words.of("name.hits"), words.of("nothing"));
+        step(Topic.SUM, words.of("name.light-of", name), "", "", Figures.of(ray.light()));
     }
 
     private void met(Encounter met) {
         place(met.place());
         material(met.material());
-        step(Topic.POINT, "colour", "C", "", Figures.of(met.color()));
-        step(Topic.AMBIENT, "ambient", "A·C", Figures.of(met.ambientLight()) + "·" + Figures.of(met.color()), Figures.of(met.ambient()));
-        met.lights().forEach(term -> new LightSteps(met, term, steps).write());
+        step(Topic.POINT, words.of("name.color"), "C", "", Figures.of(met.color()));
+        step(Topic.AMBIENT, words.of("name.ambient"), "A·C", Figures.of(met.ambientLight()) + "·" + Figures.of(met.color()), Figures.of(met.ambient()));
+        met.lights().forEach(term -> new LightSteps(met, term, words, steps).write());
         if (met.material().diffusion() == 0 && met.material().specular() == 0) {
-            say(Topic.LIGHT, "lights", "kD = kS = 0: light that falls on it does not show");
+            say(Topic.LIGHT, words.of("name.lights"), words.of("no-light-shows"));
         }
-        new OpticsSteps(name, met, steps).write();
+        new OpticsSteps(name, met, words, steps).write();
         if (met.cutOff()) {
-            say(Topic.REFLECTION, "depth", "level " + ray.level() + " is the last: what would be mirrored or shine through is black");
+            say(Topic.REFLECTION, words.of("name.depth"), words.of("cut-off", ray.level()));
         }
-        new SumSteps(name, ray, met, steps).write();
+        new SumSteps(name, ray, met, words, steps).write();
     }
 
     private void place(Encounter.Place place) {
-        say(Topic.POINT, "hits", place.surface() + (place.face().equals("surface") ? "" : ", " + place.face())
-                + (place.flipped() ? ", the wall of a hole" : "") + (place.fromInside() ? ", from inside" : ", from outside"));
-        step(Topic.POINT, "distance", "t", "", Figures.of(place.distance()));
-        step(Topic.POINT, "point", "P = o + t·d",
+        say(Topic.POINT, words.of("name.hits"), words.surface(place.surface()) + words.face(place.face())
+                + (place.flipped() ? words.of("hole") : "") + words.of(place.fromInside() ? "from-inside" : "from-outside"));
+        step(Topic.POINT, words.of("name.distance"), "t", "", Figures.of(place.distance()));
+        step(Topic.POINT, words.of("name.point"), "P = o + t·d",
                 Figures.of(ray.origin()) + " + " + Figures.of(place.distance()) + "·" + Figures.of(ray.direction()), Figures.of(place.point()));
         if (place.u() != 0 || place.v() != 0) {
-            step(Topic.POINT, "on the figure", "u, v", "", Figures.of(place.u()) + ", " + Figures.of(place.v()));
+            step(Topic.POINT, words.of("name.figure"), "u, v", "", Figures.of(place.u()) + ", " + Figures.of(place.v()));
         }
-        step(Topic.POINT, "normal", place.fromInside() ? "N, turned round" : "N", "", Figures.of(place.towardsViewer()));
-        step(Topic.POINT, "angle", "cos θ₁ = −d·N", "−" + Figures.of(ray.direction()) + "·" + Figures.of(place.towardsViewer()),
+        step(Topic.POINT, words.of("name.normal"), place.fromInside() ? words.of("turned") : "N", "", Figures.of(place.towardsViewer()));
+        step(Topic.POINT, words.of("name.angle"), "cos θ₁ = −d·N", "−" + Figures.of(ray.direction()) + "·" + Figures.of(place.towardsViewer()),
                 Figures.of(place.cosine()) + ", θ₁ = " + Figures.degrees(place.angleDegrees()));
     }
 
     private void material(Material material) {
-        say(Topic.POINT, "material", "kD " + Figures.of(material.diffusion())
+        say(Topic.POINT, words.of("name.material"), "kD " + Figures.of(material.diffusion())
                 + (material.specular() > 0 ? ", kS " + Figures.of(material.specular()) + ", n " + Figures.of(material.shininess()) : "")
                 + (material.reflection() > 0 ? ", kR " + Figures.of(material.reflection()) : "")
                 + (material.transparency() > 0
-                        ? ", kT " + Figures.of(material.transparency()) + ", refractive index " + Figures.of(material.refractiveIndex()) : ""));
+                        ? ", kT " + Figures.of(material.transparency()) + words.of("medium", Figures.of(material.refractiveIndex())) : ""));
     }
 
     private void say(Topic topic, String what, String words) {

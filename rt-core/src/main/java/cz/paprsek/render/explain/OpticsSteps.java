@@ -4,7 +4,7 @@ import cz.paprsek.render.explain.Step.Topic;
 import java.util.List;
 
 /** Writes what is mirrored and what shines through at a point as part of a worked exercise. */
-record OpticsSteps(String name, Encounter met, List<Step> steps) {
+record OpticsSteps(String name, Encounter met, Words words, List<Step> steps) {
 
     void write() {
         boolean isTotal = met.refraction().map(Refraction::isTotal).orElse(false);
@@ -12,7 +12,7 @@ record OpticsSteps(String name, Encounter met, List<Step> steps) {
             total(met.refraction().orElseThrow());
         }
         met.reflected().ifPresent(child -> {
-            step(Topic.REFLECTION, isTotal ? "" : "reflection", "R = d + 2·cos θ₁·N", "d + " + Figures.of(2 * met.place().cosine()) + "·N",
+            step(Topic.REFLECTION, isTotal ? "" : words.of("name.reflection"), "R = d + 2·cos θ₁·N", "d + " + Figures.of(2 * met.place().cosine()) + "·N",
                     Figures.of(child.direction()));
             weighted(Topic.REFLECTION, isTotal ? "(kR + kT)" : "kR", "R", child);
         });
@@ -35,9 +35,9 @@ record OpticsSteps(String name, Encounter met, List<Step> steps) {
     private void total(Refraction bend) {
         ratio(Topic.REFLECTION, bend);
         double sine = ratio(bend) * StrictMath.sin(Math.toRadians(bend.angleBeforeDegrees()));
-        step(Topic.REFLECTION, "", "sin θ₂ = η·sin θ₁", sine(bend), Figures.of(sine) + " > 1: there is no θ₂");
-        step(Topic.REFLECTION, "", "total from arcsin 1/η", "arcsin " + Figures.of(1 / ratio(bend)),
-                Figures.degrees(bend.criticalAngleDegrees()) + " on: all light is mirrored");
+        step(Topic.REFLECTION, "", "sin θ₂ = η·sin θ₁", sine(bend), Figures.of(sine) + words.of("no-angle"));
+        step(Topic.REFLECTION, "", words.of("total"), "arcsin " + Figures.of(1 / ratio(bend)),
+                Figures.degrees(bend.criticalAngleDegrees()) + words.of("all-mirrored"));
     }
 
     private static double ratio(Refraction bend) {
@@ -45,7 +45,7 @@ record OpticsSteps(String name, Encounter met, List<Step> steps) {
     }
 
     private void ratio(Topic topic, Refraction bend) {
-        step(topic, "refraction", "η = n₁/n₂", Figures.of(bend.from()) + " / " + Figures.of(bend.to()), Figures.of(ratio(bend)));
+        step(topic, words.of("name.refraction"), "η = n₁/n₂", Figures.of(bend.from()) + " / " + Figures.of(bend.to()), Figures.of(ratio(bend)));
     }
 
     private static String sine(Refraction bend) {
@@ -53,7 +53,7 @@ record OpticsSteps(String name, Encounter met, List<Step> steps) {
     }
 
     private void weighted(Topic topic, String share, String letter, TracedRay child) {
-        step(topic, "", share + " · light of " + name + letter, Figures.of(child.weight()) + "·" + Figures.of(child.light()),
+        step(topic, "", share + " · " + words.of("name.light-of", name + letter), Figures.of(child.weight()) + "·" + Figures.of(child.light()),
                 Figures.of(child.light().times(child.weight())));
     }
 

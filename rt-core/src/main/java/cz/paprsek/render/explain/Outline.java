@@ -29,8 +29,8 @@ public record Outline(String name, TracedRay ray, double share, List<Outline> ch
     }
 
     /** How the ray's light comes about, line by line. */
-    public List<Step> steps() {
-        return new Exercise(name, ray).steps();
+    public List<Step> steps(Words words) {
+        return new Exercise(name, ray, words).steps();
     }
 
     /** Without the rays below this one whose {@link #share} is smaller. */
@@ -40,14 +40,14 @@ public record Outline(String name, TracedRay ray, double share, List<Outline> ch
     }
 
     /** What the ray is and meets, in one line. */
-    public String headline() {
+    public String headline(Words words) {
         String kind = switch (ray.kind()) {
-            case PRIMARY -> "from the eye";
-            case REFLECTED -> "reflected";
-            case REFRACTED -> "refracted";
+            case PRIMARY -> words.of("from-eye");
+            case REFLECTED -> words.of("reflected");
+            case REFRACTED -> words.of("refracted");
         };
-        return kind + (ray.medium().name().isEmpty() ? "" : ", inside " + ray.medium().name())
-                + ray.encounter().map(met -> ", hits " + met.place().surface()).orElse(", sees the background");
+        return kind + (ray.medium().name().isEmpty() ? "" : words.of("inside", words.medium(ray.medium())))
+                + ray.encounter().map(met -> words.of("hits", words.surface(met.place().surface()))).orElse(words.of("sees-background"));
     }
 
     /** The {@link #share} in percent, for people. */

@@ -4,18 +4,18 @@ import cz.paprsek.render.explain.Step.Topic;
 import java.util.List;
 
 /** Writes the terms of a ray's light one below the other, and their sum, as the end of a worked exercise. */
-record SumSteps(String name, TracedRay ray, Encounter met, List<Step> steps) {
+record SumSteps(String name, TracedRay ray, Encounter met, Words words, List<Step> steps) {
 
     void write() {
         int before = steps.size();
-        term("ambient", met.ambient());
-        met.lights().forEach(light -> term("light " + light.name(), light.added()));
-        met.reflected().ifPresent(child -> term("mirrored, from " + name + "R", child.light().times(child.weight())));
-        met.refracted().ifPresent(child -> term("shining through, from " + name + "T", child.light().times(child.weight())));
+        term(words.of("name.ambient"), met.ambient());
+        met.lights().forEach(light -> term(words.of("name.light", light.name()), light.added()));
+        met.reflected().ifPresent(child -> term(words.of("plus-mirrored", name + "R"), child.light().times(child.weight())));
+        met.refracted().ifPresent(child -> term(words.of("plus-through", name + "T"), child.light().times(child.weight())));
         if (steps.size() == before + 1) {
             steps.remove(before);
         }
-        steps.add(new Step(Topic.SUM, "light of " + name, "", "", Figures.of(ray.light())));
+        steps.add(new Step(Topic.SUM, words.of("name.light-of", name), "", "", Figures.of(ray.light())));
     }
 
     private void term(String what, LinearRgb light) {

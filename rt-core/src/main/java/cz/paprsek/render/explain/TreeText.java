@@ -10,29 +10,36 @@ public final class TreeText {
     private static final int WIDEST_FORMULA = 32;
     private static final int NAME = 14;
 
+    private final Words words;
     private final Decoration decoration;
     private final double smallestShare;
     private final List<String> lines = new ArrayList<>();
     private int nameWidth = NAME;
     private int formulaWidth;
 
-    private TreeText(Decoration decoration, double smallestShare) {
+    private TreeText(Words words, Decoration decoration, double smallestShare) {
+        this.words = words;
         this.decoration = decoration;
         this.smallestShare = smallestShare;
     }
 
     /**
-     * The tree without line ends.
+     * The tree in English, without line ends.
      *
      * @param smallestShare rays of a {@linkplain Outline#share share} below this are only mentioned; 0 for none
      */
     public static List<String> lines(Pixel pixel, double smallestShare, Decoration decoration) {
-        TreeText text = new TreeText(decoration, smallestShare);
+        return lines(pixel, smallestShare, decoration, Words.ENGLISH);
+    }
+
+    /** The same in any language. */
+    public static List<String> lines(Pixel pixel, double smallestShare, Decoration decoration, Words words) {
+        TreeText text = new TreeText(words, decoration, smallestShare);
         List<Outline> outlines = pixel.rays().stream().map(Outline::of).toList();
         outlines.forEach(text::measure);
         for (int i = 0; i < outlines.size(); i++) {
             if (outlines.size() > 1) {
-                text.lines.add("ray " + (i + 1) + " of " + outlines.size());
+                text.lines.add(words.of("ray-of", i + 1, outlines.size()));
             }
             text.ray(outlines.get(i), "", "");
             text.lines.add("");
@@ -45,7 +52,7 @@ public final class TreeText {
         if (isMentionedOnly(outline)) {
             return;
         }
-        for (Step step : outline.steps()) {
+        for (Step step : outline.steps(words)) {
             nameWidth = Math.max(nameWidth, length(step.name()));
             if (!step.result().isEmpty()) {
                 formulaWidth = Math.max(formulaWidth, Math.min(WIDEST_FORMULA, length(step.formula())));
@@ -61,15 +68,15 @@ public final class TreeText {
     private void ray(Outline outline, String first, String rest) {
         TracedRay ray = outline.ray();
         String patch = decoration.patch(ray.light());
-        lines.add(decoration.branch(first) + decoration.headline(ray.kind(), outline.name() + "  " + outline.headline())
+        lines.add(decoration.branch(first) + decoration.headline(ray.kind(), outline.name() + "  " + outline.headline(words))
                 + "  " + outline.percent() + (patch.isEmpty() ? "" : "  " + patch));
         if (isMentionedOnly(outline)) {
             int below = outline.descendants();
-            lines.add(decoration.branch(rest + "  ") + "too small a share to be shown" + (below > 0 ? ", with " + below + " more below it" : ""));
+            lines.add(decoration.branch(rest + "  ") + words.of("too-small") + (below > 0 ? words.of("below", below) : ""));
             return;
         }
         List<Outline> children = outline.children();
-        for (Step step : outline.steps()) {
+        for (Step step : outline.steps(words)) {
             lines.add((decoration.branch(rest + (children.isEmpty() ? "  " : "│ ")) + line(step)).stripTrailing());
         }
         for (int i = 0; i < children.size(); i++) {
@@ -90,9 +97,9 @@ public final class TreeText {
         LinearRgb light = pixel.light();
         int rays = pixel.rays().size();
         String patch = decoration.patch(light);
-        lines.add("pixel " + pixel.column() + ", " + pixel.row() + ": " + (rays > 1 ? "the average of " + rays + " rays" : "the light of E")
-                + " = " + Figures.of(light) + ", in sRGB " + srgb(light.shown().red()) + " " + srgb(light.shown().green()) + " "
-                + srgb(light.shown().blue()) + (patch.isEmpty() ? "" : "  " + patch));
+        lines.add(words.of("pixel", pixel.column(), pixel.row()) + ": " + (rays > 1 ? words.of("the-average", rays) : words.of("the-light"))
+                + " = " + Figures.of(light) + words.of("srgb", srgb(light.shown().red()) + " " + srgb(light.shown().green()) + " "
+                + srgb(light.shown().blue())) + (patch.isEmpty() ? "" : "  " + patch));
     }
 
     private static String srgb(double channel) {

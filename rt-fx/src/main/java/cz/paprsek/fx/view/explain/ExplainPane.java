@@ -9,6 +9,7 @@ import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.SurfacePath;
+import cz.paprsek.render.explain.Words;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -41,6 +42,7 @@ public final class ExplainPane extends BorderPane {
     static final double SMALLEST_SHARE = 0.002;
 
     private final Texts texts;
+    private final Words words;
     private final Label title = new Label();
     private final Label message = new Label();
     private final Slider grown = new Slider(1, 1, 1);
@@ -57,12 +59,13 @@ public final class ExplainPane extends BorderPane {
 
     public ExplainPane(Texts texts, ObservableValue<Theme> theme, TreeChooser chooser) {
         this.texts = texts;
+        this.words = Words.in(texts.locale());
         this.steps = new StepTable(texts);
         title.setId("explain-title");
         title.setMinWidth(Region.USE_PREF_SIZE);
         message.setId("explain-message");
         tree.setId("explain-tree");
-        tree.setCellFactory(view -> new OutlineCell());
+        tree.setCellFactory(view -> new OutlineCell(words));
         tree.getSelectionModel().selectedItemProperty().addListener((property, old, now) -> select());
         grown.setId("explain-grown");
         grown.setBlockIncrement(1);
@@ -84,13 +87,13 @@ public final class ExplainPane extends BorderPane {
         getStylesheets().add(Objects.requireNonNull(ExplainPane.class.getResource("explain.css")).toExternalForm());
         setTop(top);
         setCenter(parts);
-        setBottom(new VBox(message, new RayLegend(texts, theme)));
+        setBottom(new VBox(message, new RayLegend(words, theme)));
         clear();
     }
 
     /** Adds the rays in three projections below, where no other window part draws them. */
     public void addDrawings(ObservableValue<Theme> theme) {
-        parts.getItems().add(new RayDrawings(this, texts, theme));
+        parts.getItems().add(new RayDrawings(this, words, theme));
         parts.setDividerPositions(0.25, 0.65);
     }
 
@@ -198,7 +201,7 @@ public final class ExplainPane extends BorderPane {
 
     private void select() {
         if (!filling) {
-            steps.getItems().setAll(selected().map(Outline::steps).orElse(List.of()));
+            steps.getItems().setAll(selected().map(outline -> outline.steps(words)).orElse(List.of()));
             draw();
             if (tree.isFocused()) {
                 tellChosen();

@@ -2,13 +2,19 @@ package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.render.explain.Outline;
+import cz.paprsek.render.explain.Words;
 import javafx.scene.control.TreeCell;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.Rectangle;
 
 /** A ray in the outline: the colour of its light, its name, and what it meets. */
 final class OutlineCell extends TreeCell<Outline> {
+    private final Words words;
     private final Rectangle patch = new Rectangle(14, 14);
+
+    OutlineCell(Words words) {
+        this.words = words;
+    }
 
     @Override
     protected void updateItem(Outline outline, boolean empty) {
@@ -21,6 +27,6 @@ final class OutlineCell extends TreeCell<Outline> {
         Rgb color = outline.ray().light().shown();
         patch.setFill(Color.rgb((int) Math.rint(color.red()), (int) Math.rint(color.green()), (int) Math.rint(color.blue())));
         setGraphic(patch);
-        setText(outline.name() + "  " + outline.percent() + "  " + outline.headline());
+        setText(outline.name() + "  " + outline.percent() + "  " + outline.headline(words));
     }
 }

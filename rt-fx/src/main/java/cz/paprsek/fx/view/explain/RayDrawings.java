@@ -1,10 +1,9 @@
 package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.drawing.Projection;
-import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.Theme;
+import cz.paprsek.render.explain.Words;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Stream;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.layout.HBox;
@@ -12,10 +11,10 @@ import javafx.scene.layout.Priority;
 
 /** The rays of a pixel in three projections, beside each other; with the focus here, arrow keys go from pixel to pixel. */
 final class RayDrawings extends HBox {
-    RayDrawings(ExplainPane pane, Texts texts, ObservableValue<Theme> theme) {
+    RayDrawings(ExplainPane pane, Words words, ObservableValue<Theme> theme) {
         super(4);
         List<RayCanvas> drawings = Stream.of(Projection.values())
-                .map(projection -> new RayCanvas(projection, texts.of("view." + projection.name().toLowerCase(Locale.ROOT)), theme)).toList();
+                .map(projection -> new RayCanvas(projection, projection.title(words), theme)).toList();
         drawings.forEach(drawing -> HBox.setHgrow(drawing, Priority.ALWAYS));
         getChildren().addAll(drawings);
         setId("explain-drawings");

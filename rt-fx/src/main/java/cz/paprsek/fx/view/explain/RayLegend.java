@@ -2,9 +2,9 @@ package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.drawing.RayLine;
 import cz.paprsek.drawing.Segment;
-import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.Theme;
-import java.util.Locale;
+import cz.paprsek.render.explain.Words;
+import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
@@ -17,13 +17,13 @@ final class RayLegend extends FlowPane {
     private static final double LENGTH = 40;
     private static final double HEIGHT = 12;
 
-    RayLegend(Texts texts, ObservableValue<Theme> theme) {
+    RayLegend(Words words, ObservableValue<Theme> theme) {
         super(14, 2);
         setId("explain-legend");
         getStyleClass().add("explain-legend");
         for (RayLine.Style style : RayLine.Style.values()) {
             Canvas line = new Canvas(LENGTH, HEIGHT);
-            Label label = new Label(texts.of("explain.line." + style.name().toLowerCase(Locale.ROOT)), line);
+            Label label = new Label(style.title(words), line);
             label.setMinWidth(Region.USE_PREF_SIZE);
             getChildren().add(label);
             paint(line, style, theme.getValue());
@@ -35,6 +35,6 @@ final class RayLegend extends FlowPane {
         GraphicsContext g = line.getGraphicsContext2D();
         g.clearRect(0, 0, LENGTH, HEIGHT);
         Segment at = new Segment(0, HEIGHT / 2, LENGTH, HEIGHT / 2);
-        RayPainter.on(g, theme, (from, to) -> java.util.Optional.of(at)).sample(style, at);
+        RayPainter.on(g, theme, (from, to) -> Optional.of(at)).sample(style, at);
     }
 }

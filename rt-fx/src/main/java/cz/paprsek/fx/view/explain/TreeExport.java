@@ -4,6 +4,7 @@ import cz.paprsek.fx.view.Faults;
 import cz.paprsek.fx.view.PicturePoint;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.Words;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
@@ -44,7 +45,7 @@ final class TreeExport extends MenuButton {
 
     private void write(TreeFiles kind, PicturePoint point, Pixel pixel, Path file) {
         try {
-            kind.write(point, pixel, ExplainPane.SMALLEST_SHARE, file);
+            kind.write(point, pixel, ExplainPane.SMALLEST_SHARE, Words.in(texts.locale()), file);
             message.accept(texts.of("render.saved", file.getFileName()));
         } catch (IOException e) {
             message.accept(texts.of("render.not-saved", file.getFileName(), Faults.sentence(e)));

@@ -7,6 +7,7 @@ import cz.paprsek.render.explain.Decoration;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TreeJson;
 import cz.paprsek.render.explain.TreeText;
+import cz.paprsek.render.explain.Words;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -25,11 +26,11 @@ enum TreeFiles {
     }
 
     /** @param smallestShare rays of a smaller share in the pixel are left out of text and drawing */
-    void write(PicturePoint point, Pixel pixel, double smallestShare, Path file) throws IOException {
+    void write(PicturePoint point, Pixel pixel, double smallestShare, Words words, Path file) throws IOException {
         String content = switch (this) {
-            case TXT -> String.join("\n", TreeText.lines(pixel, smallestShare, Decoration.NONE)) + "\n";
+            case TXT -> String.join("\n", TreeText.lines(pixel, smallestShare, Decoration.NONE, words)) + "\n";
             case JSON -> TreeJson.of(pixel) + "\n";
-            case SVG -> TreeDrawing.svg(point.scene().scene(), pixel.rays().get(0), smallestShare);
+            case SVG -> TreeDrawing.svg(point.scene().scene(), pixel.rays().get(0), smallestShare, words);
         };
         AtomicFile.write(file, out -> out.write(content.getBytes(StandardCharsets.UTF_8)));
     }
