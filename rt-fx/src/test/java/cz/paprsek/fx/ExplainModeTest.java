@@ -174,6 +174,10 @@ class ExplainModeTest {
         editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
         startExplaining();
         click(0.5, 0.45);
+        TreeView<Outline> czech = tree();
+        editor.gui.act(() -> czech.getSelectionModel().select(2));
+        editor.menu("view-menu-fit-selection");
+        assertThat(czech.getRoot().getValue().name()).isEqualTo("E");
         assertThat(Screenshots.save(editor.gui, "explain-mode-dark-czech")).isNotEmptyFile();
     }
 }
