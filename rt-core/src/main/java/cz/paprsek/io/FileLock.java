@@ -2,16 +2,16 @@ package cz.paprsek.io;
 
 import java.io.IOException;
 import java.io.InterruptedIOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.channels.OverlappingFileLockException;
-import java.nio.charset.StandardCharsets;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.Arrays;
-import java.util.UUID;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -20,6 +20,11 @@ import org.jspecify.annotations.Nullable;
  */
 public final class FileLock implements AutoCloseable {
     private static final long MILLIS_BETWEEN = 20;
+    /**
+     * The lock files that this process has open. Whoever closes one lets go of all that the process holds of it, so that nobody here may so much
+     * as open a lock file which somebody here has locked.
+     */
+    private static final Set<Path> OPEN = ConcurrentHashMap.newKeySet();
 
     private final Path file;
     private final FileChannel channel;
@@ -35,7 +40,7 @@ public final class FileLock implements AutoCloseable {
      * @throws IOException with one line that names the file, if that takes longer than the time given, or there is no permission
      */
     public static FileLock of(Path target, long patienceMillis) throws IOException {
-        Path real = Files.exists(target) ? target.toRealPath() : target.toAbsolutePath();
+        Path real = Files.exists(target) ? target.toRealPath() : target.toAbsolutePath().normalize();
         Path file = real.resolveSibling("." + real.getFileName() + ".lock");
         long end = System.nanoTime() + patienceMillis * 1_000_000;
         while (true) {
@@ -57,39 +62,73 @@ public final class FileLock implements AutoCloseable {
 
     /** The file's channel, locked; null if somebody else has it. */
     private static @Nullable FileChannel tryLock(Path target, Path file) throws IOException {
-        FileChannel channel;
+        if (!OPEN.add(file)) {
+            return null;
+        }
+        FileChannel channel = null;
         try {
-            channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+            channel = tryLock(file);
+            return channel;
         } catch (NoSuchFileException e) {
             throw new IOException(target + ": cannot be written, there is no such folder", e);
         } catch (IOException e) {
             throw new IOException(target + ": cannot be changed, its folder does not let a lock be made", e);
+        } finally {
+            if (channel == null) {
+                OPEN.remove(file);
+            }
+        }
+    }
+
+    /**
+     * As above. Whoever had the lock before has removed the file, and a lock of a file without a name keeps nobody out: the name must lead to one
+     * and the same file before it is opened, after that, and when it is locked.
+     */
+    private static @Nullable FileChannel tryLock(Path file) throws IOException {
+        Optional<Object> before = identity(file);
+        if (before.isEmpty()) {
+            create(file);
+            before = identity(file);
+        }
+        FileChannel channel = before.isEmpty() ? null : open(file);
+        if (channel == null) {
+            return null;
         }
         boolean isOurs = false;
         try {
-            // Beyond all content, so that the mark can be read on systems that let nobody read what is locked.
-            isOurs = channel.tryLock(Long.MAX_VALUE - 1, 1, false) != null && isStillThere(file, channel);
-        } catch (OverlappingFileLockException heldByThisProcess) {
-            // As if another process held it.
+            isOurs = before.equals(identity(file)) && channel.tryLock() != null && before.equals(identity(file));
+            return isOurs ? channel : null;
         } finally {
             if (!isOurs) {
                 channel.close();
             }
         }
-        return isOurs ? channel : null;
     }
 
-    /**
-     * Whether the name still leads to the file that is locked. Whoever had the lock before has removed the file, and a lock of a file without a
-     * name keeps nobody out. Told by a mark that only the owner of the lock writes.
-     */
-    private static boolean isStillThere(Path file, FileChannel channel) throws IOException {
-        byte[] mark = UUID.randomUUID().toString().getBytes(StandardCharsets.US_ASCII);
-        channel.truncate(0).write(ByteBuffer.wrap(mark), 0);
+    private static void create(Path file) throws IOException {
         try {
-            return Arrays.equals(Files.readAllBytes(file), mark);
+            Files.createFile(file);
+        } catch (FileAlreadyExistsException somebodyElseWas) {
+            // Quicker. That file serves as well.
+        }
+    }
+
+    /** Null if the file has been removed meanwhile. */
+    private static @Nullable FileChannel open(Path file) throws IOException {
+        try {
+            return FileChannel.open(file, StandardOpenOption.WRITE);
         } catch (NoSuchFileException removed) {
-            return false;
+            return null;
+        }
+    }
+
+    /** What tells the file from any other that has had its name; empty if there is none. Learnt without opening it. */
+    private static Optional<Object> identity(Path file) throws IOException {
+        try {
+            BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
+            return Optional.of(attributes.fileKey() == null ? attributes.creationTime() : attributes.fileKey());
+        } catch (NoSuchFileException none) {
+            return Optional.empty();
         }
     }
 
@@ -100,6 +139,7 @@ public final class FileLock implements AutoCloseable {
             Files.deleteIfExists(file);
         } finally {
             channel.close();
+            OPEN.remove(file);
         }
     }
 }

@@ -1,6 +1,7 @@
 package cz.paprsek.query;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePart;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
@@ -12,6 +13,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /** The tables of objects: one of all, and one for each kind of shape, whose columns are the components of its record. */
@@ -24,15 +26,24 @@ final class KindTables {
     }
 
     /** A table for each kind there is, in the order of {@link Shape}'s own list. */
-    static List<Table<ScenePart>> kinds() {
-        List<Table<ScenePart>> tables = new ArrayList<>();
+    static List<Relation<Scene, ScenePart>> kinds() {
+        List<Relation<Scene, ScenePart>> tables = new ArrayList<>();
         records(Shape.class).forEach(type -> {
             List<Column<ScenePart>> measures = Arrays.stream(type.getRecordComponents()).flatMap(component -> measure(component).stream()).toList();
-            Stream<String> kinds = type == Csg.class
-                    ? Arrays.stream(Csg.Operation.values()).map(Csg.Operation::name) : Stream.of(type.getSimpleName());
-            kinds.forEach(kind -> tables.add(new Table<>(kind.toLowerCase(Locale.ROOT), columns(measures), List.of())));
+            if (type == Csg.class) {
+                for (Csg.Operation operation : Csg.Operation.values()) {
+                    tables.add(kind(operation.name(), measures, shape -> shape instanceof Csg csg && csg.operation() == operation));
+                }
+            } else {
+                tables.add(kind(type.getSimpleName(), measures, type::isInstance));
+            }
         });
         return tables;
+    }
+
+    private static Relation<Scene, ScenePart> kind(String name, List<Column<ScenePart>> measures, Predicate<Shape> isOfKind) {
+        Table<ScenePart> table = new Table<>(name.toLowerCase(Locale.ROOT), columns(measures), List.of());
+        return new Relation<>(table, scene -> ScenePart.all(scene).filter(part -> isOfKind.test(part.shape())), true);
     }
 
     private static Stream<Class<?>> records(Class<?> type) {

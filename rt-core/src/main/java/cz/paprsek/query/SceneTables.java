@@ -70,9 +70,7 @@ public final class SceneTables {
                 new Relation<>(light(), scene -> scene.lights().stream().map(light -> new InScene<>(scene, light)), false),
                 new Relation<>(material(), scene -> scene.materials().entrySet().stream().map(entry -> new InScene<>(scene, entry)), false),
                 new Relation<>(KindTables.all(), ScenePart::all, false)));
-        for (Table<ScenePart> kind : KindTables.kinds()) {
-            parts.add(new Relation<>(kind, scene -> ScenePart.all(scene).filter(part -> part.shape().kind().equals(kind.name())), true));
-        }
+        parts.addAll(KindTables.kinds());
         return List.copyOf(parts);
     }
 

@@ -42,13 +42,14 @@ public final class DatabaseFile {
     public static DatabaseFile open(Path path) throws SceneFileException, IOException {
         SceneFiles.checkReadable(path);
         MessageDigest digest = newDigest();
-        try (InputStream input = new DigestInputStream(Files.newInputStream(path), digest)) {
-            List<Scene> scenes = SceneReader.read(input, path.toString());
-            if (!SceneFiles.isDatabase(path)) {
-                throw new IOException(path + ": this is a scene, not a database; it can be added to one");
-            }
-            return new DatabaseFile(path, SceneDatabase.of(scenes), digest.digest());
+        List<Scene> scenes = SceneReader.read(() -> {
+            digest.reset();
+            return new DigestInputStream(Files.newInputStream(path), digest);
+        }, path.toString());
+        if (!SceneFiles.isDatabase(path)) {
+            throw new IOException(path + ": this is a scene, not a database; it can be added to one");
         }
+        return new DatabaseFile(path, SceneDatabase.of(scenes), digest.digest());
     }
 
     /** A database that is to be a new file; there is none yet. */

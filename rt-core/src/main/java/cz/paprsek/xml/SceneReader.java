@@ -8,6 +8,7 @@ import java.io.BufferedInputStream;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.io.SequenceInputStream;
 import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
@@ -38,23 +39,32 @@ final class SceneReader {
 
     static List<Scene> read(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
         if (Files.isRegularFile(file)) {
-            try (InputStream input = open(file, monitor)) {
-                Optional<List<Scene>> scenes = QuickReader.read(input);
-                if (scenes.isPresent()) {
-                    return scenes.get();
-                }
-            }
-            try (InputStream input = open(file, monitor)) {
-                return thoroughly(input, file.toString());
-            }
+            return read(() -> new WatchedInput(file, monitor), file.toString());
         }
-        try (InputStream input = open(file, monitor)) {
+        try (InputStream input = new WatchedInput(file, monitor)) {
             return read(input, file.toString());
         }
     }
 
-    private static InputStream open(Path file, ReadMonitor monitor) throws IOException {
-        return new LimitedInput(new WatchedInput(file, monitor), file.toString(), SceneFiles.LARGEST);
+    /** What can be read more than once, each time from its beginning. */
+    interface Opening {
+        InputStream open() throws IOException;
+    }
+
+    /** The last stream that was opened is read to its end. */
+    static List<Scene> read(Opening opening, String file) throws SceneFileException, IOException {
+        try (InputStream input = new LimitedInput(opening.open(), file, SceneFiles.LARGEST)) {
+            Optional<List<Scene>> scenes = QuickReader.read(input);
+            if (scenes.isPresent()) {
+                input.transferTo(OutputStream.nullOutputStream());
+                return scenes.get();
+            }
+        }
+        try (InputStream input = new LimitedInput(opening.open(), file, SceneFiles.LARGEST)) {
+            List<Scene> scenes = thoroughly(input, file);
+            input.transferTo(OutputStream.nullOutputStream());
+            return scenes;
+        }
     }
 
     static List<Scene> read(InputStream input, String file) throws SceneFileException, IOException {

@@ -3,11 +3,13 @@ package cz.paprsek.fx.model;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import cz.paprsek.cli.Main;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -147,8 +149,14 @@ class LibraryStoreTest {
     }
 
     @Test
-    void twoEditorsAtOnceLoseNothing() throws Exception {
+    void twoEditorsAndTheCommandLineAtOnceLoseNothing() throws Exception {
         int each = 15;
+        List<Process> commands = new ArrayList<>();
+        for (int i = 0; i < 2; i++) {
+            Path scene = folder.resolve("command" + i + ".xml");
+            SceneFiles.write(Scene.EMPTY.withName("command " + i), scene);
+            commands.add(command("db", "add", path.toString(), scene.toString()));
+        }
         ExecutorService threads = Executors.newFixedThreadPool(2);
         Library other = new Library();
         LibraryStore theirStore = new LibraryStore(other, Runnable::run, Runnable::run);
@@ -158,12 +166,27 @@ class LibraryStoreTest {
         one.get();
         two.get();
         threads.shutdown();
+        for (Process command : commands) {
+            // Until both have written, this goes on changing what they change.
+            while (command.isAlive()) {
+                mine.tag(List.of("a"), mine.database().get("a").tags().isEmpty() ? "busy" : "");
+            }
+            assertThat(command.exitValue()).isZero();
+        }
         assertThat(store.flush()).isTrue();
         assertThat(theirStore.flush()).isTrue();
         assertThat(faults).isEmpty();
-        assertThat(onDisk().size()).isEqualTo(3 + 2 * each);
+        assertThat(onDisk().size()).isEqualTo(3 + 2 * each + commands.size());
+        assertThat(onDisk().names()).contains("command 0", "command 1", "mine14", "theirs14");
         store.checkDisk();
         assertThat(mine.database()).isEqualTo(onDisk());
+    }
+
+    private static Process command(String... arguments) throws IOException {
+        List<String> words = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                System.getProperty("java.class.path"), Main.class.getName()));
+        words.addAll(List.of(arguments));
+        return new ProcessBuilder(words).redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start();
     }
 
     private static boolean edits(Library library, String name, int count) {
