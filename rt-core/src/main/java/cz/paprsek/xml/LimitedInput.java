@@ -1,11 +1,10 @@
 package cz.paprsek.xml;
 
-import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 
 /** A stream that ends with an error after so many bytes: an endless one must not fill the memory. */
-final class LimitedInput extends FilterInputStream {
+final class LimitedInput extends CountingInput {
     private final String file;
     private final long limit;
     private long left;
@@ -18,20 +17,7 @@ final class LimitedInput extends FilterInputStream {
     }
 
     @Override
-    public int read() throws IOException {
-        int read = super.read();
-        count(read < 0 ? 0 : 1);
-        return read;
-    }
-
-    @Override
-    public int read(byte[] into, int offset, int length) throws IOException {
-        int read = super.read(into, offset, length);
-        count(Math.max(0, read));
-        return read;
-    }
-
-    private void count(int read) throws IOException {
+    void counted(int read) throws IOException {
         left -= read;
         if (left < 0) {
             throw new IOException(file + ": this file is larger than the " + limit + " bytes that a scene file may have (java -Dpaprsek.largest-file=BYTES allows more)");

@@ -1,11 +1,10 @@
 package cz.paprsek.xml;
 
-import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 
 /** A stream that a parser must make something of: it ends with an error if so much is read without a tag or text being found in it. */
-final class PieceInput extends FilterInputStream {
+final class PieceInput extends CountingInput {
     /** In bytes. The parser keeps what it is in the middle of, so this bounds its memory. */
     private static final int LONGEST = 1 << 23;
 
@@ -21,20 +20,7 @@ final class PieceInput extends FilterInputStream {
     }
 
     @Override
-    public int read() throws IOException {
-        int read = super.read();
-        count(1);
-        return read;
-    }
-
-    @Override
-    public int read(byte[] into, int offset, int most) throws IOException {
-        int read = super.read(into, offset, most);
-        count(read);
-        return read;
-    }
-
-    private void count(int read) throws TooLong {
+    void counted(int read) throws TooLong {
         length += read;
         if (length > LONGEST) {
             throw new TooLong();

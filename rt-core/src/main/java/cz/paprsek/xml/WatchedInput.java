@@ -1,6 +1,5 @@
 package cz.paprsek.xml;
 
-import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -8,7 +7,7 @@ import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 
 /** A file as a stream that tells how much of it has been read. */
-final class WatchedInput extends FilterInputStream {
+final class WatchedInput extends CountingInput {
     private final long total;
     private final ReadMonitor monitor;
     private long bytes;
@@ -21,21 +20,7 @@ final class WatchedInput extends FilterInputStream {
 
     /** @throws CancellationException if the monitor wishes */
     @Override
-    public int read() throws IOException {
-        int read = super.read();
-        tell(read < 0 ? 0 : 1);
-        return read;
-    }
-
-    /** @throws CancellationException if the monitor wishes */
-    @Override
-    public int read(byte[] into, int offset, int length) throws IOException {
-        int read = super.read(into, offset, length);
-        tell(Math.max(0, read));
-        return read;
-    }
-
-    private void tell(int read) {
+    void counted(int read) {
         if (monitor.cancelled()) {
             throw new CancellationException("reading was cancelled");
         }
