@@ -35,10 +35,15 @@ final class EditActions {
     }
 
     void delete() {
+        remove(Edit.DELETE);
+    }
+
+    /** All that is selected, but for the camera and what is locked. */
+    private void remove(Edit edit) {
         Set<Item> items = new LinkedHashSet<>(model.selection());
         items.removeIf(item -> item.equals(Item.CAMERA) || model.state().isLocked(item));
         if (!items.isEmpty()) {
-            edit(Edit.DELETE, state -> Structure.delete(state, items));
+            edit(edit, state -> Structure.delete(state, items));
         }
     }
 
@@ -48,7 +53,7 @@ final class EditActions {
 
     void cut() {
         if (copy()) {
-            edit(Edit.CUT, state -> Structure.delete(state, state.selection()));
+            remove(Edit.CUT);
         }
     }
 

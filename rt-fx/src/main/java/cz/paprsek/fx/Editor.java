@@ -217,6 +217,7 @@ final class Editor implements Notices {
         stage.getScene().setRoot(fresh.root());
         theme.get().applyTo(stage.getScene());
         library.fill();
+        renders.translate();
         showTitle();
     }
 

@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.view.AddPalette;
 import cz.paprsek.fx.view.ItemNames;
 import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.UndoKeys;
 import cz.paprsek.fx.view.sheet.PropertySheet;
 import cz.paprsek.fx.view.tree.ObjectTree;
 import java.io.File;
@@ -59,6 +60,8 @@ final class MainWindow {
         root.setTop(new VBox(menus.menuBar(), menus.toolBar(), messages));
         root.setCenter(center);
         root.setBottom(new VBox(problems, status));
+        status.followRender(editor.renders().statusProperty());
+        UndoKeys.reach(model, root);
         views.setOnPointed(status::showCursor, texts);
         model.stateProperty().addListener(new WeakChangeListener<>(showSelection));
         showSelection();

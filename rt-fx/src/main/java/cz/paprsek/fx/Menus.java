@@ -179,7 +179,7 @@ final class Menus {
     }
 
     private Menu renderMenu() {
-        return menu("menu.render", render.menuItem());
+        return menu("menu.render", render.menuItem(), command("render-menu.pictures", editor.renders()::open).keys("Shortcut+P").menuItem());
     }
 
     private MenuItem maximize(String key, int view, String keys) {

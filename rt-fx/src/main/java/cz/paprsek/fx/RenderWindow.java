@@ -2,7 +2,10 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.view.PictureChooser;
 import cz.paprsek.fx.view.RenderPane;
+import javafx.beans.property.ReadOnlyStringProperty;
+import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.scene.Scene;
+import javafx.scene.input.KeyCombination;
 import javafx.stage.Stage;
 import org.jspecify.annotations.Nullable;
 
@@ -12,6 +15,7 @@ final class RenderWindow {
     private final Dialogs dialogs;
     private @Nullable Stage stage;
     private @Nullable RenderPane pane;
+    private final ReadOnlyStringWrapper status = new ReadOnlyStringWrapper("");
 
     RenderWindow(Editor editor, Dialogs dialogs) {
         this.editor = editor;
@@ -24,16 +28,47 @@ final class RenderWindow {
         shown.renderAsTheSceneAsks();
     }
 
+    /** Shows the window with the pictures there are. */
+    void open() {
+        show();
+    }
+
+    /** What has become of the last render, in words. */
+    ReadOnlyStringProperty statusProperty() {
+        return status.getReadOnlyProperty();
+    }
+
+    /** Speaks the editor's language from now on. */
+    void translate() {
+        RenderPane old = pane;
+        if (old != null && stage != null) {
+            RenderPane fresh = content();
+            fresh.takeOver(old);
+            pane = fresh;
+            stage.setTitle(editor.texts().of("window.renders"));
+            stage.getScene().setRoot(fresh);
+        }
+    }
+
+    private RenderPane content() {
+        RenderPane content = new RenderPane(
+                editor.model(), editor.texts(), editor.theme(), dialogs.pictureChooser(editor.texts()), editor.treeChooser());
+        status.bind(content.statusProperty());
+        return content;
+    }
+
     private RenderPane show() {
         Stage open = stage;
         RenderPane content = pane;
         if (open == null || content == null) {
-            content = new RenderPane(editor.model(), editor.texts(), editor.theme(), dialogs.pictureChooser(editor.texts()), editor.treeChooser());
+            content = content();
             open = new Stage();
             open.initOwner(editor.stage());
             open.setTitle(editor.texts().of("window.renders"));
+            Stage window = open;
             Scene scene = new Scene(content, 1000, 700);
             scene.getStylesheets().setAll(editor.stage().getScene().getStylesheets());
+            scene.getAccelerators().put(KeyCombination.valueOf("Shortcut+W"), window::hide);
             open.setScene(scene);
             pane = content;
             stage = open;

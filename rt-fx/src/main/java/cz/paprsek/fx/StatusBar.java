@@ -1,5 +1,6 @@
 package cz.paprsek.fx;
 
+import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
@@ -39,8 +40,9 @@ final class StatusBar extends HBox {
         selection.setText(text);
     }
 
-    void showRender(String text) {
-        render.setText(text);
+    /** Shows what has become of the last render, now and later. */
+    void followRender(ObservableValue<String> words) {
+        render.textProperty().bind(words);
     }
 
     private static Label label(String id) {

@@ -70,7 +70,9 @@ final class CameraHand {
     }
 
     /** Ends a drag; whether it was one, rather than a click. */
-    boolean release() {
+    boolean release(MouseEvent event) {
+        // A quick hand on a busy machine may be told of only here.
+        dragged(event);
         Drag ended = drag;
         drag = null;
         if (ended == null || ended.gesture == null) {

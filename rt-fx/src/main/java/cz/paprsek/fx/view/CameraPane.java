@@ -92,7 +92,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
 
     private void released(MouseEvent event) {
         event.consume();
-        if (hand.release() || event.getButton() != MouseButton.PRIMARY) {
+        if (hand.release(event) || event.getButton() != MouseButton.PRIMARY) {
             return;
         }
         Optional<PicturePoint> point = picture.at(event.getX(), event.getY());

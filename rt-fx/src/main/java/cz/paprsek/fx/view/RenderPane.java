@@ -13,6 +13,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javafx.beans.binding.Bindings;
+import javafx.beans.property.ReadOnlyStringProperty;
+import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.value.ObservableValue;
 import javafx.concurrent.Task;
 import javafx.geometry.Pos;
@@ -22,8 +24,11 @@ import javafx.scene.control.Label;
 import javafx.scene.control.SplitPane;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
 import javafx.scene.input.Clipboard;
 import javafx.scene.input.ClipboardContent;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -39,6 +44,7 @@ public final class RenderPane extends BorderPane {
     private final TabPane tabs = new TabPane();
     private final ComparisonBox comparison;
     private final Label message = new Label();
+    private final ReadOnlyStringWrapper status = new ReadOnlyStringWrapper("");
     private final ToggleButton explaining = new ToggleButton();
     private final ExplainPane explanation;
     private final SplitPane center;
@@ -71,7 +77,7 @@ public final class RenderPane extends BorderPane {
         HBox.setHgrow(message, Priority.ALWAYS);
         message.setMaxWidth(Double.MAX_VALUE);
         Node[] tools = {
-            ofPicture(button("render.save", this::save)), ofPicture(button("render.copy", this::copy)),
+            ofPicture(keyed(button("render.save", this::save), "Shortcut+S")), ofPicture(keyed(button("render.copy", this::copy), "Shortcut+C")),
             ofPicture(button("render.fit", () -> shown().ifPresent(tab -> tab.view().fit()))),
             ofPicture(button("render.actual", () -> shown().ifPresent(tab -> tab.view().actualSize()))), comparison, explaining, message
         };
@@ -101,6 +107,17 @@ public final class RenderPane extends BorderPane {
         onClicked = listener;
     }
 
+    /** How far the newest render is, or how it ended, in words; empty before the first one. */
+    public ReadOnlyStringProperty statusProperty() {
+        return status.getReadOnlyProperty();
+    }
+
+    /** Takes in the pictures of another pane, such as one in another language, also those that are still being rendered. */
+    public void takeOver(RenderPane other) {
+        other.tabs.getTabs().forEach(tab -> add(new RenderTab(tab.getText(), ((RenderTab) tab).task(), texts)));
+        count = other.count;
+    }
+
     /** Cancels all that runs. */
     public void cancelAll() {
         tabs.getTabs().forEach(tab -> ((RenderTab) tab).task().cancel());
@@ -116,12 +133,16 @@ public final class RenderPane extends BorderPane {
             message.setText(texts.of("render.too-large", options.settings().width(), options.settings().height()));
             return;
         }
-        RenderTab tab = new RenderTab(++count + ": " + options.settings().width() + " × " + options.settings().height() + form.remark(), task, texts);
+        add(new RenderTab(++count + ": " + options.settings().width() + " × " + options.settings().height() + form.remark(), task, texts));
+        start(task, "paprsek-render");
+    }
+
+    private void add(RenderTab tab) {
         tab.pointedProperty().addListener((property, old, now) -> pointed(now));
         tab.setOnClicked(this::clicked);
         tabs.getTabs().add(tab);
         tabs.getSelectionModel().select(tab);
-        start(task, "paprsek-render");
+        status.bind(tab.statusProperty());
     }
 
     private void explain(boolean on) {
@@ -197,6 +218,19 @@ public final class RenderPane extends BorderPane {
         button.setId(key.replace('.', '-'));
         button.setMinWidth(Region.USE_PREF_SIZE);
         button.setOnAction(event -> action.run());
+        return button;
+    }
+
+    /** Has keys do what a button does, except in a text field, which has a use of its own for Ctrl+C. */
+    private Button keyed(Button button, String keys) {
+        KeyCombination combination = KeyCombination.valueOf(keys);
+        button.setTooltip(new Tooltip(combination.getDisplayText()));
+        addEventHandler(KeyEvent.KEY_PRESSED, event -> {
+            if (combination.match(event)) {
+                button.fire();
+                event.consume();
+            }
+        });
         return button;
     }
 

@@ -7,6 +7,7 @@ import javafx.animation.KeyFrame;
 import javafx.animation.Timeline;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.concurrent.Worker;
 import javafx.geometry.Point2D;
 import javafx.geometry.Pos;
@@ -90,6 +91,11 @@ final class RenderTab extends Tab {
     void compareWith(Optional<RenderTab> other) {
         compared = other;
         view.compare(other.map(tab -> tab.task.buffer()));
+    }
+
+    /** How far it is, or how it ended, in words. */
+    ReadOnlyStringProperty statusProperty() {
+        return progress.textProperty();
     }
 
     void setOnClicked(Consumer<PicturePoint> listener) {

@@ -92,7 +92,8 @@ final class PaneMouse {
     }
 
     private void released(MouseEvent event) {
-        event.consume();
+        // A quick hand on a busy machine may be told of only here.
+        dragged(event);
         boolean wasClick = pressed && drag == null;
         if (drag != null) {
             drag.end();
