@@ -27,6 +27,7 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.Clipboard;
 import javafx.scene.input.ClipboardContent;
+import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.BorderPane;
@@ -83,6 +84,12 @@ public final class RenderPane extends BorderPane {
         };
         HBox toolbar = new HBox(6, tools);
         toolbar.setAlignment(Pos.CENTER_LEFT);
+        addEventHandler(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE) {
+                shown().ifPresent(tab -> tab.task().cancel());
+                event.consume();
+            }
+        });
         VBox top = new VBox(8, form, toolbar);
         top.getStyleClass().add("render-tools");
         setId("render-pane");

@@ -47,7 +47,6 @@ final class RenderTab extends Tab {
         pointed.addListener((property, old, now) -> pixel.setText(now.flatMap(point -> task.image().map(image -> pixelText.of(point, image))).orElse("")));
         Button cancel = new Button(texts.of("render.cancel"));
         cancel.setId("render-cancel");
-        cancel.setCancelButton(true);
         cancel.setOnAction(event -> task.cancel());
         cancel.disableProperty().bind(task.runningProperty().not());
         bar.setId("render-progress");

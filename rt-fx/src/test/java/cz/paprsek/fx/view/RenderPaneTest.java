@@ -142,6 +142,33 @@ class RenderPaneTest {
     }
 
     @Test
+    void escapeCancelsThePictureThatIsShown() {
+        enter("#render-width", "2000");
+        enter("#render-height", "1500");
+        enter("#render-samples", "16");
+        gui.click("#render-start");
+        gui.click("#render-start");
+        gui.act(() -> tabs().getSelectionModel().select(0));
+        gui.keys(KeyCode.ESCAPE);
+        assertThat(Gui.on(() -> shown().task().getState())).isEqualTo(Worker.State.CANCELLED);
+        assertThat(Gui.on(() -> ((RenderTab) tabs().getTabs().get(1)).task().isDone())).isFalse();
+    }
+
+    @Test
+    void aPaneInAnotherLanguageTakesThePicturesOver() {
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        RenderPane czech = Gui.on(() -> new RenderPane(model, Texts.in(Locale.forLanguageTag("cs")), (owner, name) -> Optional.empty()));
+        gui.act(() -> {
+            czech.takeOver(pane);
+            gui.stage().getScene().setRoot(czech);
+        });
+        assertThat(Gui.on(() -> czech.statusProperty().get())).startsWith("Hotovo");
+        RenderTab taken = (RenderTab) ((TabPane) gui.node("#renders")).getTabs().get(0);
+        assertThat(taken.task()).isSameAs(shown().task());
+    }
+
+    @Test
     void savesThePictureInTheFormatOfTheFilesName() throws IOException {
         gui.act(pane::renderAsTheSceneAsks);
         untilDone();
