@@ -30,6 +30,9 @@ import org.jspecify.annotations.Nullable;
 final class Editor implements Notices {
     private static final Duration LOOK_AT_DISK = Duration.seconds(2);
 
+    private static final double LEAST_WIDTH = 800;
+    private static final double LEAST_HEIGHT = 500;
+
     private final Stage stage;
     private final EditorModel model = new EditorModel(Scene.EMPTY);
     private final Document document = new Document(model);
@@ -63,6 +66,8 @@ final class Editor implements Notices {
         this.renders = new RenderWindow(this, dialogs);
         this.library = new LibraryWindow(this, document, dialogs);
         stage.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1280, 800));
+        stage.setMinWidth(LEAST_WIDTH);
+        stage.setMinHeight(LEAST_HEIGHT);
         texts.addListener((property, old, now) -> build());
         theme.addListener((property, old, now) -> {
             now.applyTo(stage.getScene());

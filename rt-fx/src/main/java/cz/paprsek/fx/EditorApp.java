@@ -10,6 +10,9 @@ import javafx.stage.Stage;
 
 /** The program: one window. */
 public final class EditorApp extends Application {
+    private static final double WIDTH = 1280;
+    private static final double HEIGHT = 800;
+
     @Override
     public void start(Stage stage) {
         Path home = Path.of(System.getProperty("user.home", "."));
@@ -18,6 +21,7 @@ public final class EditorApp extends Application {
         Thread.setDefaultUncaughtExceptionHandler((thread, fault) -> Platform.runLater(() -> editor.fault(fault)));
         List<String> arguments = getParameters().getRaw();
         editor.start(StartFile.find(arguments, Path.of("").toAbsolutePath(), StartFile.programFolder()), Templates.read("showcase"));
+        Sizes.mostOfTheScreen(stage, WIDTH, HEIGHT);
         stage.show();
     }
 }

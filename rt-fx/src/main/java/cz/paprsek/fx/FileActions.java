@@ -49,6 +49,7 @@ final class FileActions {
         if (mayLeave()) {
             document.openedWithoutFile(Templates.read(template));
             notices.quiet();
+            notices.say("");
         }
     }
 

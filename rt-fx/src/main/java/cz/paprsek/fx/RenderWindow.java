@@ -70,6 +70,7 @@ final class RenderWindow {
             scene.getStylesheets().setAll(editor.stage().getScene().getStylesheets());
             scene.getAccelerators().put(KeyCombination.valueOf("Shortcut+W"), window::hide);
             open.setScene(scene);
+            Sizes.opened(open, 1000, 740);
             pane = content;
             stage = open;
         }

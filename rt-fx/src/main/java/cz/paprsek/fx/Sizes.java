@@ -1,0 +1,39 @@
+package cz.paprsek.fx;
+
+import javafx.application.Platform;
+import javafx.event.EventHandler;
+import javafx.geometry.Rectangle2D;
+import javafx.stage.Screen;
+import javafx.stage.Stage;
+import javafx.stage.WindowEvent;
+
+/** How large windows are when they open. */
+final class Sizes {
+    private static final double SHARE = 0.85;
+
+    private Sizes() {}
+
+    /** Gives a window most of the screen, but at least the given size in pixels; all of the screen if that is too small. */
+    static void mostOfTheScreen(Stage stage, double width, double height) {
+        Rectangle2D screen = Screen.getPrimary().getVisualBounds();
+        if (width >= screen.getWidth() || height >= screen.getHeight()) {
+            stage.setMaximized(true);
+        } else {
+            opened(stage, Math.max(width, SHARE * screen.getWidth()), Math.max(height, SHARE * screen.getHeight()));
+        }
+    }
+
+    /** Gives a window a size in pixels when it is shown for the first time. Some window managers make it as small as can be if that is told before. */
+    static void opened(Stage stage, double width, double height) {
+        stage.addEventHandler(WindowEvent.WINDOW_SHOWN, new EventHandler<>() {
+            @Override
+            public void handle(WindowEvent event) {
+                stage.removeEventHandler(WindowEvent.WINDOW_SHOWN, this);
+                Platform.runLater(() -> {
+                    stage.setWidth(width);
+                    stage.setHeight(height);
+                });
+            }
+        });
+    }
+}
