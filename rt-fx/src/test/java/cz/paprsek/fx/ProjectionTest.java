@@ -243,6 +243,30 @@ class ProjectionTest {
     }
 
     @Test
+    void wholeSceneIsShownAtFirstAndAgainWhenAnotherOneIsOpened() {
+        ProjectionPane front = editor.projection("front");
+        assertShowsAll(front, SCENE);
+        Scene large = Scene.EMPTY.plus(SceneObject.of(new Sphere(80)).at(200, 0, 0));
+        editor.gui.act(() -> editor.model().edit(cz.paprsek.fx.model.Label.of(cz.paprsek.fx.model.Label.Edit.CHANGE), scene -> large));
+        double scale = scale(front);
+        assertThat(scale(front)).as("an edit moves no view").isEqualTo(scale);
+        editor.gui.act(() -> editor.model().open(large));
+        assertShowsAll(front, large);
+        assertThat(scale(front)).isLessThan(scale);
+        editor.gui.act(() -> front.zoom(0.1));
+        double chosen = scale(front);
+        editor.gui.act(() -> editor.gui.stage().setWidth(1000));
+        assertThat(scale(front)).as("what was chosen stays").isEqualTo(chosen);
+    }
+
+    private static void assertShowsAll(ProjectionPane pane, Scene scene) {
+        assertThat(scene.objects()).allSatisfy(object -> {
+            Vec3 middle = object.placement().position();
+            assertThat(pane.getLayoutBounds().contains(place(pane, middle.x(), middle.y(), middle.z()))).isTrue();
+        });
+    }
+
+    @Test
     void middleButtonPans() {
         ProjectionPane front = editor.projection("front");
         Point2D before = place(front, 0, 0, 0);

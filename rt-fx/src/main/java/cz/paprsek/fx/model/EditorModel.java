@@ -8,6 +8,8 @@ import java.util.Set;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.property.ReadOnlyIntegerProperty;
+import javafx.beans.property.ReadOnlyIntegerWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import org.jspecify.annotations.Nullable;
@@ -25,6 +27,7 @@ public final class EditorModel {
     private final ReadOnlyObjectWrapper<Optional<Label>> redoable = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyBooleanWrapper unsaved = new ReadOnlyBooleanWrapper();
     private final ReadOnlyBooleanWrapper gesturing = new ReadOnlyBooleanWrapper();
+    private final ReadOnlyIntegerWrapper openings = new ReadOnlyIntegerWrapper();
     private @Nullable Scene saved;
     private @Nullable Gesture gesture;
 
@@ -83,6 +86,11 @@ public final class EditorModel {
     /** Whether a gesture is under way: what is shown may still be cancelled. */
     public ReadOnlyBooleanProperty gesturingProperty() {
         return gesturing.getReadOnlyProperty();
+    }
+
+    /** How many scenes have been opened, one in the place of another; changes before the scene does. */
+    public ReadOnlyIntegerProperty openingsProperty() {
+        return openings.getReadOnlyProperty();
     }
 
     /**
@@ -148,6 +156,7 @@ public final class EditorModel {
         commitGesture();
         history.clear();
         saved = fresh;
+        openings.set(openings.get() + 1);
         show(EditorState.of(fresh));
     }
 

@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Item;
 import cz.paprsek.fx.model.Item.BodyAt;
 import cz.paprsek.fx.view.explain.DrawnRays;
+import cz.paprsek.scene.Scene;
 import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
@@ -11,6 +12,8 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.value.ChangeListener;
+import javafx.beans.value.WeakChangeListener;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.input.MouseButton;
@@ -26,6 +29,8 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     private final LivePicture picture;
     private final CameraHand hand;
     private final ReadOnlyObjectWrapper<Optional<PicturePoint>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
+    /** Held here, because the model, which may outlive the pane, holds it weakly. */
+    private final ChangeListener<Scene> onScene;
     private Predicate<PicturePoint> clickedFirst = point -> false;
 
     /** @param onFault is told, on JavaFX's thread, if the renderer fails */
@@ -47,10 +52,11 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         Runnable caption = () -> size.setText(model.scene().settings().width() + " × " + model.scene().settings().height()
                 + (picture.completeProperty().get() ? "" : " …"));
         picture.completeProperty().addListener((property, old, now) -> caption.run());
-        model.sceneProperty().addListener((property, old, now) -> {
+        onScene = (property, old, now) -> {
             picture.show(now);
             caption.run();
-        });
+        };
+        model.sceneProperty().addListener(new WeakChangeListener<>(onScene));
         caption.run();
     }
 

@@ -19,6 +19,8 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import javafx.beans.InvalidationListener;
+import javafx.beans.WeakInvalidationListener;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -49,8 +51,12 @@ public final class ProjectionPane extends Region {
     private final Picker picker;
     private final ReadOnlyObjectWrapper<Optional<Vec3>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
     private Optional<DrawnRays> rays = Optional.empty();
+    /** Held here, because what outlives the pane holds it weakly. */
+    private final InvalidationListener onChange = changed -> changed();
     private Viewport view = new Viewport(0, 0, 40, 0, 0);
-    private boolean fitted;
+    /** Whether the whole scene is shown, also when the pane's size changes: until the user looks at something closer. */
+    private boolean fits = true;
+    private int openings;
     private @Nullable Look drawnLook;
     private List<?> drawnObjects = List.of();
     private List<?> drawnLights = List.of();
@@ -74,9 +80,10 @@ public final class ProjectionPane extends Region {
         clip.widthProperty().bind(widthProperty());
         clip.heightProperty().bind(heightProperty());
         setClip(clip);
-        model.stateProperty().addListener((property, old, now) -> requestLayout());
-        model.gesturingProperty().addListener((property, old, now) -> requestLayout());
-        theme.addListener((property, old, now) -> requestLayout());
+        WeakInvalidationListener weak = new WeakInvalidationListener(onChange);
+        model.stateProperty().addListener(weak);
+        model.gesturingProperty().addListener(weak);
+        theme.addListener(weak);
         new PaneMouse(this);
         new PaneKeys(this);
     }
@@ -107,6 +114,7 @@ public final class ProjectionPane extends Region {
     public void fitAll() {
         figures.show(model.scene());
         show(view.fitting(figures.boxOfAll(model.state())));
+        fits = true;
     }
 
     /** Shows what is selected as large as possible, or everything if nothing is. */
@@ -132,6 +140,10 @@ public final class ProjectionPane extends Region {
     /** Draws the rays of an explained pixel above everything. */
     public void setRays(Optional<DrawnRays> drawn) {
         rays = drawn;
+        requestLayout();
+    }
+
+    private void changed() {
         requestLayout();
     }
 
@@ -167,6 +179,7 @@ public final class ProjectionPane extends Region {
 
     void show(Viewport fresh) {
         view = fresh;
+        fits = false;
         requestLayout();
     }
 
@@ -213,10 +226,13 @@ public final class ProjectionPane extends Region {
         lower.setHeight(height);
         upper.setWidth(width);
         upper.setHeight(height);
+        boolean otherSize = view.width() != width || view.height() != height;
         view = view.withSize(width, height);
         figures.show(model.scene());
-        if (!fitted) {
-            fitted = true;
+        boolean opened = model.openingsProperty().get() != openings;
+        openings = model.openingsProperty().get();
+        fits |= opened;
+        if (fits && (otherSize || opened)) {
             view = view.fitting(figures.boxOfAll(model.state()));
         }
         EditorState state = model.state();

@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Item.BodyAt;
 import cz.paprsek.fx.model.Items;
 import cz.paprsek.fx.model.Materials;
+import cz.paprsek.fx.model.ReadyMaterial;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.material.Inherited;
@@ -14,6 +15,7 @@ import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import javafx.geometry.Pos;
@@ -27,7 +29,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** Where the material of what is selected comes from: its own, one of the scene's named ones, or from above. */
+/** Where the material of what is selected comes from: its own, one of the scene's named ones, or from above; and a few to start from. */
 final class MaterialEditor implements PropertyEditor {
     /** A material of an object's own, whatever it is like. */
     private enum Own { OWN }
@@ -101,6 +103,9 @@ final class MaterialEditor implements PropertyEditor {
         if (option instanceof MaterialName named) {
             return named.name();
         }
+        if (option instanceof ReadyMaterial ready) {
+            return texts.of("ready." + ready.name().toLowerCase(Locale.ROOT));
+        }
         boolean operands = places.stream().allMatch(at -> at.depth() > 0);
         return texts.of(option == Own.OWN ? "material.own" : operands ? "material.inherited" : "material.none");
     }
@@ -108,6 +113,7 @@ final class MaterialEditor implements PropertyEditor {
     private List<Object> options(Scene scene) {
         List<Object> options = new ArrayList<>(List.of(Inherited.INHERITED, Own.OWN));
         scene.materials().keySet().forEach(known -> options.add(new MaterialName(known)));
+        options.addAll(List.of(ReadyMaterial.values()));
         return options;
     }
 
@@ -125,8 +131,8 @@ final class MaterialEditor implements PropertyEditor {
     }
 
     private void choose(Object option) {
-        boolean accepted = option == Own.OWN
-                ? edit.change(scene -> Materials.own(scene, places)) : edit.change(scene -> property.write(scene, option));
+        boolean accepted = edit.change(scene -> option == Own.OWN ? Materials.own(scene, places)
+                : property.write(scene, option instanceof ReadyMaterial ready ? ready.material() : option));
         if (!accepted) {
             choice.show(model.scene());
         }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.ReadyMaterial;
 import cz.paprsek.fx.view.Texts;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
@@ -203,6 +204,9 @@ class PropertySheetTest {
         assertThat(model.scene().materials().get("steel")).extracting(Material::diffusion).isEqualTo(0.3);
         type("#material-name", "iron");
         assertThat(model.scene().objects()).extracting(SceneObject::material).contains(new MaterialName("iron"));
+        choose("#material", ReadyMaterial.WATER);
+        assertThat(model.scene().objects().get(0).material()).isEqualTo(ReadyMaterial.WATER.material());
+        assertThat(gui.node("#material-share").isDisabled()).isFalse();
         choose("#material", Inherited.INHERITED);
         assertThat(model.scene().objects().get(0).material()).isEqualTo(Inherited.INHERITED);
         gui.until("there is nothing to set", () -> gui.stage().getScene().lookup("#diffusion") == null);
