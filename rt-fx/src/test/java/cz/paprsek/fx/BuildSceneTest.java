@@ -18,6 +18,7 @@ import java.util.Objects;
 import java.util.Optional;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
+import javafx.scene.control.ComboBox;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
@@ -56,7 +57,8 @@ class BuildSceneTest {
             render(editor);
             assertSame(ImageIO.read(png.toFile()), Renderer.render(SceneFiles.read(xml).withSettings(built.settings().withSize(160, 90))));
 
-            editor.gui.act(() -> editor.projection("front").requestFocus());
+            ProjectionPane front = editor.projection("front");
+            editor.gui.act(front::requestFocus);
             while (editor.model().undoableProperty().get().isPresent()) {
                 editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
             }
@@ -85,7 +87,7 @@ class BuildSceneTest {
         assertThat(editor.model().scene().objects()).singleElement()
                 .matches(object -> object.shape() instanceof Csg csg && csg.operation() == Csg.Operation.DIFFERENCE);
         drag(editor, front, middle.plus(new Vec3(0, -0.8, 0)), middle.plus(new Vec3(-2, -0.8, 0)));
-        choose(editor, "#material", 8);
+        choose(editor, "#material", 6);
     }
 
     /** Moved in the view from the right, so that all three views have been used. */
@@ -114,7 +116,7 @@ class BuildSceneTest {
         editor.gui.hold(KeyCode.SHIFT);
         editor.gui.drag(above, corner.getX(), corner.getY(), corner.getX() + 60, corner.getY() + 60);
         editor.gui.letGo(KeyCode.SHIFT);
-        assertThat(editor.model().scene().objects().get(2).placement().scale().x()).isGreaterThan(2);
+        assertThat(editor.model().scene().objects().get(2).placement().scale().x()).isGreaterThan(1.5);
         choose(editor, "#material", 1);
         choose(editor, "#pattern", 1);
         assertThat(((Material) editor.model().scene().objects().get(2).material()).pattern()).isInstanceOf(Checkerboard.class);
@@ -163,12 +165,11 @@ class BuildSceneTest {
         }
     }
 
-    /** Chooses by the number of an option, from the first one on. */
+    /** Chooses by the number of an option, from 0 on. */
     private static void choose(EditorGui editor, String box, int option) {
-        editor.gui.act(() -> editor.gui.stage().getScene().lookup(box).requestFocus());
-        for (int i = 0; i < option; i++) {
-            editor.gui.keys(KeyCode.DOWN);
-        }
+        editor.gui.click(box);
+        editor.gui.act(() -> ((ComboBox<?>) editor.gui.stage().getScene().lookup(box)).getSelectionModel().select(option));
+        editor.gui.act(() -> ((ComboBox<?>) editor.gui.stage().getScene().lookup(box)).hide());
     }
 
     private static void enter(Gui window, String field, String text) {

@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Item;
 import cz.paprsek.fx.model.Item.BodyAt;
 import cz.paprsek.fx.model.Item.LightAt;
+import cz.paprsek.fx.model.Sight;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import java.util.Collection;
@@ -70,9 +71,12 @@ final class Figures {
         return items.stream().filter(item -> EditorState.exists(scene, item)).map(this::box).reduce(Box.EMPTY, Box::union);
     }
 
-    /** The box around all that is not hidden. */
+    /** The box around all that is not hidden, and around the place where the next thing would be put. */
     Box boxOfAll(EditorState state) {
-        Box box = box(Item.CAMERA);
+        Sight sight = Sight.of(scene);
+        double u = axes.u(sight.point());
+        double v = axes.v(sight.point());
+        Box box = box(Item.CAMERA).with(u - sight.size(), v - sight.size()).with(u + sight.size(), v + sight.size());
         for (int i = 0; i < scene.objects().size(); i++) {
             box = state.isHidden(Item.body(i)) ? box : box.union(of(scene.objects().get(i)).box());
         }
