@@ -21,6 +21,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
 import javafx.util.Duration;
@@ -102,6 +103,13 @@ final class Editor implements Notices {
 
     Settings settings() {
         return settings;
+    }
+
+    /** The theme for what lives shorter than the editor, whose listeners are not held by it. To be held by whoever asks. */
+    ObservableValue<Theme> followTheme() {
+        ObjectProperty<Theme> follower = new SimpleObjectProperty<>();
+        follower.bind(theme);
+        return follower;
     }
 
     ObjectProperty<Theme> theme() {

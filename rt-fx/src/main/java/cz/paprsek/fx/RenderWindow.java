@@ -2,8 +2,10 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.view.PictureChooser;
 import cz.paprsek.fx.view.RenderPane;
+import cz.paprsek.fx.view.Theme;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyCombination;
 import javafx.stage.Stage;
@@ -13,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 final class RenderWindow {
     private final Editor editor;
     private final Dialogs dialogs;
+    private ObservableValue<Theme> theme;
     private @Nullable Stage stage;
     private @Nullable RenderPane pane;
     private final ReadOnlyStringWrapper status = new ReadOnlyStringWrapper("");
@@ -20,6 +23,7 @@ final class RenderWindow {
     RenderWindow(Editor editor, Dialogs dialogs) {
         this.editor = editor;
         this.dialogs = dialogs;
+        this.theme = editor.followTheme();
     }
 
     /** Shows the window and renders the scene as it asks to be. */
@@ -51,8 +55,9 @@ final class RenderWindow {
     }
 
     private RenderPane content() {
+        theme = editor.followTheme();
         RenderPane content = new RenderPane(
-                editor.model(), editor.texts(), editor.theme(), dialogs.pictureChooser(editor.texts()), editor.treeChooser());
+                editor.model(), editor.texts(), theme, dialogs.pictureChooser(editor.texts()), editor.treeChooser());
         status.bind(content.statusProperty());
         return content;
     }

@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.Sight;
 import cz.paprsek.fx.view.CameraPane;
 import cz.paprsek.fx.view.PaneGrid;
 import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.Theme;
 import cz.paprsek.fx.view.TitledView;
 import cz.paprsek.fx.view.explain.ExplainMode;
 import cz.paprsek.fx.view.explain.ExplainPane;
@@ -14,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
@@ -23,6 +25,7 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 /** The four views, and where they look. */
 final class Views {
     private final EditorModel model;
+    private final ObservableValue<Theme> theme;
     private final List<ProjectionPane> projections;
     private final CameraPane camera;
     private final List<TitledView> titled;
@@ -32,6 +35,7 @@ final class Views {
 
     Views(Editor editor) {
         this.model = editor.model();
+        this.theme = editor.followTheme();
         Texts texts = editor.texts();
         camera = new CameraPane(model, editor::fault);
         ProjectionPane top = projection(editor, Axes.TOP);
@@ -42,15 +46,15 @@ final class Views {
                 titled("top", texts.of("view.top"), texts, top), titled("camera", texts.of("view.camera"), texts, camera),
                 titled("front", texts.of("view.front"), texts, front), titled("right", texts.of("view.right"), texts, right));
         grid = new PaneGrid(titled);
-        explaining = new ExplainMode(model, camera, projections, new ExplainPane(texts, editor.theme(), editor.treeChooser()));
+        explaining = new ExplainMode(model, camera, projections, new ExplainPane(texts, theme, editor.treeChooser()));
         titled.get(1).addTool(explainButton(texts));
         for (ProjectionPane pane : projections) {
             pane.focusedProperty().addListener((property, old, now) -> active = now ? Optional.of(pane) : active);
         }
     }
 
-    private static ProjectionPane projection(Editor editor, Axes axes) {
-        ProjectionPane pane = new ProjectionPane(editor.model(), editor.texts(), axes, editor.theme(), editor.snapping());
+    private ProjectionPane projection(Editor editor, Axes axes) {
+        ProjectionPane pane = new ProjectionPane(editor.model(), editor.texts(), axes, theme, editor.snapping());
         pane.setId("projection-" + axes.name().toLowerCase(Locale.ROOT));
         return pane;
     }

@@ -158,7 +158,8 @@ class RenderPaneTest {
     void aPaneInAnotherLanguageTakesThePicturesOver() {
         gui.act(pane::renderAsTheSceneAsks);
         untilDone();
-        RenderPane czech = Gui.on(() -> new RenderPane(model, Texts.in(Locale.forLanguageTag("cs")), (owner, name) -> Optional.empty()));
+        RenderPane czech = Gui.on(() -> new RenderPane(model, Texts.in(Locale.forLanguageTag("cs")), new SimpleObjectProperty<>(Theme.LIGHT),
+                (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty()));
         gui.act(() -> {
             czech.takeOver(pane);
             gui.stage().getScene().setRoot(czech);
