@@ -115,7 +115,7 @@ public final class TreeDrawing {
         StringBuilder legend = new StringBuilder();
         int x = GAP;
         for (RayLine.Style style : RayLine.Style.values()) {
-            legend.append(String.format(Locale.ROOT, "<line x1=\"%d\" y1=\"%d\" x2=\"%d\" y2=\"%d\" %s/>\n<text stroke=\"none\" fill=\"#30343a\" x=\"%d\" y=\"%d\">%s</text>\n",
+            legend.append(String.format(Locale.ROOT, "<line fill=\"none\" x1=\"%d\" y1=\"%d\" x2=\"%d\" y2=\"%d\" %s/>\n<text stroke=\"none\" fill=\"#30343a\" x=\"%d\" y=\"%d\">%s</text>\n",
                     x, y - 4, x + 40, y - 4, stroke(style), x + 46, y, style.title(words)));
             x += 160;
         }

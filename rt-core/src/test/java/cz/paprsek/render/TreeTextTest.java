@@ -95,7 +95,7 @@ class TreeTextTest {
                 ├─ER reflected, sees the background 5 %
                 │ too small a share to be shown
                 │
-                └─ET refracted, inside sphere "ball", hits sphere "ball" 80 %
+                └─ET refracted, hits sphere "ball" from inside 80 %
                 │ ray o = (0, 0, 1)
                 │ d = (0, 0, −1)
                 │ medium sphere "ball", refractive index 1.5

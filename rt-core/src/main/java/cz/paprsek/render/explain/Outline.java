@@ -46,8 +46,17 @@ public record Outline(String name, TracedRay ray, double share, List<Outline> ch
             case REFLECTED -> words.of("reflected");
             case REFRACTED -> words.of("refracted");
         };
-        return kind + (ray.medium().name().isEmpty() ? "" : words.of("inside", words.medium(ray.medium())))
-                + ray.encounter().map(met -> words.of("hits", words.surface(met.place().surface()))).orElse(words.of("sees-background"));
+        if (ray.encounter().isEmpty()) {
+            return kind + inside(words) + words.of("sees-background");
+        }
+        Encounter.Place place = ray.encounter().get().place();
+        boolean isInSame = place.fromInside() && place.surface().objectLabel().equals(ray.medium().name());
+        return kind + (isInSame ? words.of("hits-from-inside", words.surface(place.surface()))
+                : inside(words) + words.of("hits", words.surface(place.surface())));
+    }
+
+    private String inside(Words words) {
+        return ray.medium().name().isEmpty() ? "" : words.of("inside", words.medium(ray.medium()));
     }
 
     /** The {@link #share} in percent, for people. */

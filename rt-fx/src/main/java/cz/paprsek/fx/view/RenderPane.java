@@ -2,6 +2,7 @@ package cz.paprsek.fx.view;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.view.explain.ExplainPane;
+import cz.paprsek.fx.view.explain.SurfaceSelection;
 import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
@@ -61,6 +62,7 @@ public final class RenderPane extends BorderPane {
         this.comparison = new ComparisonBox(tabs, texts);
         this.explanation = new ExplainPane(texts, theme, trees);
         explanation.addDrawings(theme);
+        explanation.setOnChosen(new SurfaceSelection(model)::select);
         this.center = new SplitPane(tabs);
         center.setDividerPositions(0.55);
         explaining.setText(texts.of("explain.mode"));

@@ -1,12 +1,9 @@
 package cz.paprsek.fx.view.explain;
 
-import cz.paprsek.fx.model.Bodies;
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Item.BodyAt;
 import cz.paprsek.fx.view.CameraPane;
 import cz.paprsek.fx.view.PicturePoint;
 import cz.paprsek.fx.view.projection.ProjectionPane;
-import cz.paprsek.render.explain.SurfacePath;
 import java.util.List;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -17,16 +14,14 @@ import javafx.scene.input.KeyEvent;
 /** While it is on, the camera's picture tells why its pixels have their colours, and all views draw the rays. */
 public final class ExplainMode {
     private final BooleanProperty on = new SimpleBooleanProperty();
-    private final EditorModel model;
     private final CameraPane camera;
     private final ExplainPane pane;
 
     public ExplainMode(EditorModel model, CameraPane camera, List<ProjectionPane> projections, ExplainPane pane) {
-        this.model = model;
         this.camera = camera;
         this.pane = pane;
         on.addListener((property, old, now) -> pane.clear());
-        pane.setOnChosen(this::select);
+        pane.setOnChosen(new SurfaceSelection(model)::select);
         pane.drawnProperty().addListener((property, old, now) -> {
             projections.forEach(projection -> projection.setRays(now));
             camera.setRays(now);
@@ -79,12 +74,5 @@ public final class ExplainMode {
     /** The same place of the picture, when the scene has changed or the picture has another size. */
     private void explainAgain() {
         pane.explained().flatMap(was -> camera.at(was.x() / was.settings().width(), was.y() / was.settings().height())).ifPresent(pane::show);
-    }
-
-    private void select(SurfacePath surface) {
-        BodyAt body = new BodyAt(surface.numbers());
-        if (Bodies.find(model.scene(), body).isPresent() && !model.state().isLocked(body)) {
-            model.select(body);
-        }
     }
 }

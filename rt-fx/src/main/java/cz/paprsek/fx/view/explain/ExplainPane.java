@@ -10,11 +10,12 @@ import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.SurfacePath;
 import cz.paprsek.render.explain.Words;
+import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -50,8 +51,9 @@ public final class ExplainPane extends BorderPane {
     private final StepTable steps;
     private final SplitPane parts;
     private final ReadOnlyObjectWrapper<Optional<DrawnRays>> drawn = new ReadOnlyObjectWrapper<>(Optional.empty());
-    private Consumer<SurfacePath> onChosen = surface -> {};
-    private List<Outline> outlines = List.of();
+    private BiConsumer<Scene, SurfacePath> onChosen = (scene, surface) -> {};
+    /** All rays of the tree, in the order of the rows. */
+    private List<TreeItem<Outline>> rays = List.of();
     private Optional<PicturePoint> explained = Optional.empty();
     /** Whether it stays at a pixel that was clicked, wherever the mouse goes. */
     private boolean pinned;
@@ -65,18 +67,18 @@ public final class ExplainPane extends BorderPane {
         title.setMinWidth(Region.USE_PREF_SIZE);
         message.setId("explain-message");
         tree.setId("explain-tree");
-        tree.setCellFactory(view -> new OutlineCell(words));
+        tree.setCellFactory(view -> new OutlineCell(words, this::isShown));
         tree.getSelectionModel().selectedItemProperty().addListener((property, old, now) -> select());
         grown.setId("explain-grown");
         grown.setBlockIncrement(1);
         grown.setMajorTickUnit(1);
         grown.setMinorTickCount(0);
         grown.setSnapToTicks(true);
-        grown.valueProperty().addListener((property, old, now) -> draw());
+        grown.valueProperty().addListener((property, old, now) -> grow());
         HBox.setHgrow(grown, Priority.ALWAYS);
-        Label rays = new Label(texts.of("explain.rays"));
-        rays.setMinWidth(Region.USE_PREF_SIZE);
-        HBox top = new HBox(10, title, rays, grown, new TreeExport(this, texts, chooser, message::setText));
+        Label growing = new Label(texts.of("explain.rays"));
+        growing.setMinWidth(Region.USE_PREF_SIZE);
+        HBox top = new HBox(10, title, growing, grown, new TreeExport(this, texts, chooser, message::setText));
         top.setAlignment(Pos.CENTER_LEFT);
         top.getStyleClass().add("explain-top");
         parts = new SplitPane(tree, steps);
@@ -102,8 +104,8 @@ public final class ExplainPane extends BorderPane {
         return drawn.getReadOnlyProperty();
     }
 
-    /** Is told which surface a ray hits that the user chooses. */
-    public void setOnChosen(Consumer<SurfacePath> listener) {
+    /** Is told which surface a ray hits that the user chooses, and of which scene it is. */
+    public void setOnChosen(BiConsumer<Scene, SurfacePath> listener) {
         onChosen = listener;
     }
 
@@ -142,12 +144,12 @@ public final class ExplainPane extends BorderPane {
         explained = Optional.of(point);
         message.setText("");
         Outline root = Outline.of(pixel(point).rays().get(0)).pruned(SMALLEST_SHARE);
-        outlines = new ArrayList<>();
+        rays = new ArrayList<>();
         filling = true;
         tree.setRoot(item(root));
         title.setText(texts.of("explain.pixel", point.column(), point.row()));
-        grown.setMax(outlines.size());
-        grown.setValue(outlines.size());
+        grown.setMax(rays.size());
+        grown.setValue(rays.size());
         tree.getSelectionModel().select(0);
         filling = false;
         select();
@@ -157,7 +159,7 @@ public final class ExplainPane extends BorderPane {
     public void clear() {
         explained = Optional.empty();
         pinned = false;
-        outlines = List.of();
+        rays = List.of();
         tree.setRoot(null);
         steps.getItems().clear();
         title.setText(texts.of("explain.none"));
@@ -188,8 +190,8 @@ public final class ExplainPane extends BorderPane {
     }
 
     private TreeItem<Outline> item(Outline outline) {
-        outlines.add(outline);
         TreeItem<Outline> item = new TreeItem<>(outline);
+        rays.add(item);
         item.setExpanded(true);
         outline.children().forEach(child -> item.getChildren().add(item(child)));
         return item;
@@ -209,8 +211,26 @@ public final class ExplainPane extends BorderPane {
         }
     }
 
+    /** The rays grown to: the newest is chosen, so that its exercise is beside it, those to come are faint. */
+    private void grow() {
+        if (!filling && !rays.isEmpty()) {
+            tree.getSelectionModel().select(rays.get(count() - 1));
+            draw();
+            tree.refresh();
+        }
+    }
+
+    private boolean isShown(Outline outline) {
+        return drawn.get().map(now -> now.shown().contains(outline.name())).orElse(true);
+    }
+
+    private int count() {
+        return (int) Math.round(grown.getValue());
+    }
+
     private void tellChosen() {
-        selected().flatMap(outline -> outline.ray().encounter()).map(Encounter::place).map(Encounter.Place::surface).ifPresent(onChosen);
+        selected().flatMap(outline -> outline.ray().encounter()).map(Encounter::place).map(Encounter.Place::surface)
+                .ifPresent(surface -> explained.ifPresent(point -> onChosen.accept(point.scene().scene(), surface)));
     }
 
     private void draw() {
@@ -218,11 +238,11 @@ public final class ExplainPane extends BorderPane {
             return;
         }
         drawn.set(explained.map(point -> {
-            Outline root = outlines.get(0);
+            Outline root = rays.get(0).getValue();
             Optional<DrawnRays> before = drawn.get();
             DrawingFrame frame = DrawingFrame.of(point.scene().scene(), root);
             return new DrawnRays(before.map(DrawnRays::frame).filter(frame::equals).orElse(frame), RayLine.of(root, frame.size()),
-                    outlines.stream().limit(Math.round(grown.getValue())).map(Outline::name).collect(Collectors.toSet()),
+                    rays.stream().limit(count()).map(ray -> ray.getValue().name()).collect(Collectors.toSet()),
                     selected().map(Outline::name).orElse(""));
         }));
     }

@@ -3,22 +3,28 @@ package cz.paprsek.fx.view.explain;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.Words;
+import java.util.function.Predicate;
 import javafx.scene.control.TreeCell;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.Rectangle;
 
-/** A ray in the outline: the colour of its light, its name, and what it meets. */
+/** A ray in the outline: the colour of its light, its name, and what it meets; faint if it is still to come. */
 final class OutlineCell extends TreeCell<Outline> {
+    private static final double FAINT = 0.35;
+
     private final Words words;
+    private final Predicate<Outline> isShown;
     private final Rectangle patch = new Rectangle(14, 14);
 
-    OutlineCell(Words words) {
+    OutlineCell(Words words, Predicate<Outline> isShown) {
         this.words = words;
+        this.isShown = isShown;
     }
 
     @Override
     protected void updateItem(Outline outline, boolean empty) {
         super.updateItem(outline, empty);
+        setOpacity(empty || isShown.test(outline) ? 1 : FAINT);
         if (empty) {
             setText("");
             setGraphic(null);

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.explain;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.drawing.RayLine;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.view.PicturePoint;
@@ -83,6 +84,11 @@ class ExplainPaneTest {
         gui.act(() -> pane.show(point));
         Slider grown = (Slider) gui.node("#explain-grown");
         assertThat(grown.getMax()).isEqualTo(grown.getValue()).isGreaterThan(3);
+        gui.act(() -> grown.setValue(3));
+        TreeView<Outline> tree = tree();
+        assertThat(Gui.on(() -> tree.getSelectionModel().getSelectedIndex())).as("the newest ray is chosen").isEqualTo(2);
+        assertThat(steps().getItems()).extracting(Step::name).contains("light of ET");
+        assertThat(Gui.on(() -> pane.drawnProperty().get().orElseThrow().visible())).extracting(RayLine::ray).containsOnly("E", "ER", "ET");
         gui.act(() -> grown.setValue(1));
         assertThat(Screenshots.save(gui, "explain-one-ray")).isNotEmptyFile();
     }

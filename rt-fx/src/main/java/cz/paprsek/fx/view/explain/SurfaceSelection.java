@@ -1,0 +1,20 @@
+package cz.paprsek.fx.view.explain;
+
+import cz.paprsek.fx.model.Bodies;
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.render.explain.SurfacePath;
+import cz.paprsek.scene.Scene;
+
+/** Selects in the model what a ray hits. */
+public record SurfaceSelection(EditorModel model) {
+
+    /** @param scene in which the ray was followed; if its objects are not those of the model any more, nothing is selected */
+    public void select(Scene scene, SurfacePath surface) {
+        BodyAt body = new BodyAt(surface.numbers());
+        boolean isCurrent = scene.objects().equals(model.scene().objects());
+        if (isCurrent && Bodies.find(model.scene(), body).isPresent() && !model.state().isLocked(body)) {
+            model.select(body);
+        }
+    }
+}
