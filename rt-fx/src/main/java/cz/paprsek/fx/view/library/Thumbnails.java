@@ -32,6 +32,8 @@ final class Thumbnails implements AutoCloseable {
     /** Pixels. */
     static final int WIDTH = 192;
     static final int HEIGHT = 108;
+    /** Levels of rays. Glass within glass takes twice the time for each; fewer only make it a little darker. */
+    private static final int DEEPEST = 7;
     /** A picture has 80 kB. */
     private static final int MOST = 2_000;
 
@@ -58,7 +60,7 @@ final class Thumbnails implements AutoCloseable {
     private record Content(int maxDepth, Rgb background, Rgb ambient, Camera camera, List<Light> lights, Map<String, Material> materials,
             List<SceneObject> objects) {
         static Content of(Scene scene) {
-            return new Content(scene.settings().maxDepth(), scene.background(), scene.ambient(), scene.camera(), scene.lights(), scene.materials(),
+            return new Content(Math.min(DEEPEST, scene.settings().maxDepth()), scene.background(), scene.ambient(), scene.camera(), scene.lights(), scene.materials(),
                     scene.objects());
         }
 
@@ -112,7 +114,7 @@ final class Thumbnails implements AutoCloseable {
                 return closed;
             }
         };
-        RenderSettings small = new RenderSettings(WIDTH, HEIGHT, scene.settings().maxDepth(), 2);
+        RenderSettings small = new RenderSettings(WIDTH, HEIGHT, Math.min(DEEPEST, scene.settings().maxDepth()), 2);
         try {
             RenderResult result = Renderer.render(RenderScene.of(scene), RenderOptions.of(small).withThreads(1), monitor);
             return result.outcome() == RenderResult.Outcome.CANCELLED ? Optional.empty() : Optional.of(new Picture(Optional.of(image(result)), ""));
