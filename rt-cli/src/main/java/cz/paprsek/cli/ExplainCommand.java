@@ -1,19 +1,21 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.explain.Decoration;
 import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.render.explain.TreeJson;
 import cz.paprsek.render.explain.TreeText;
 import cz.paprsek.render.explain.Words;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Similar;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -35,7 +37,8 @@ import picocli.CommandLine.Parameters;
             "  rt-cli explain scenes/glass.xml 250,300              a pixel on the glass ball",
             "  rt-cli explain scenes/glass.xml 83,100 --size 320x180 | less",
             "  rt-cli explain scenes/glass.xml 250,300 --svg rays.svg",
-            "  rt-cli explain scenes/glass.xml 250,300 --json       the tree for a script, numbers in full"
+            "  rt-cli explain scenes/glass.xml 250,300 --json       the tree for a script, numbers in full",
+            "  rt-cli explain scenes/database.xml 400,300 --scene Gears"
         })
 final class ExplainCommand implements Callable<Integer> {
     private static final double SMALLEST_SHARE = 0.01;
@@ -43,11 +46,14 @@ final class ExplainCommand implements Callable<Integer> {
     private final Terminal terminal;
     private final Stop stop;
 
-    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file.")
+    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file, or a database.")
     private Path file;
 
     @Parameters(index = "1", paramLabel = "COLUMN,ROW", description = "The pixel, from 0,0 at the top left.")
     private PixelPlace place;
+
+    @Option(names = "--scene", paramLabel = "NAME", description = "Which scene of a database.")
+    private Optional<String> name;
 
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height of the picture in pixels. Default: the scene's.")
     private Optional<Size> size;
@@ -85,9 +91,9 @@ final class ExplainCommand implements Callable<Integer> {
     public Integer call() {
         Wishes wishes = new Wishes(size, maxDepth, Optional.of(samples.orElse(1)), Optional.empty(), Optional.empty());
         try {
-            Scene scene = SceneFiles.read(file);
+            Scene scene = scene();
             Pixel pixel = pixel(scene, wishes);
-            show(pixel);
+            show(pixel, scene.settings().samples());
             if (svg.isPresent() && !draw(TreeDrawing.svg(scene, pixel.rays().get(0), all ? 0 : SMALLEST_SHARE, Words.ENGLISH), svg.get())) {
                 return ExitCode.FAILED;
             }
@@ -99,6 +105,19 @@ final class ExplainCommand implements Callable<Integer> {
             terminal.message(Failures.sentence(file.toString(), e));
             return ExitCode.BAD_SCENE;
         }
+    }
+
+    private Scene scene() throws SceneFileException, IOException {
+        List<Scene> scenes = SceneFiles.readAll(file);
+        if (name.isEmpty() && scenes.size() == 1) {
+            return scenes.get(0);
+        }
+        if (name.isEmpty()) {
+            throw new WrongUsage(file + " is a database of " + scenes.size() + " scenes; name one with --scene NAME");
+        }
+        Optional<Scene> named = scenes.stream().filter(scene -> scene.name().equals(name.get())).findFirst();
+        return named.orElseThrow(() -> new WrongUsage(file + ": there is no scene named \"" + name.get() + "\""
+                + Similar.suggestion(name.get(), scenes.stream().map(Scene::name).toList())));
     }
 
     private Pixel pixel(Scene scene, Wishes wishes) {
@@ -119,7 +138,7 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
-    private void show(Pixel pixel) {
+    private void show(Pixel pixel, int samplesOfScene) {
         if (json) {
             terminal.result(TreeJson.of(pixel).toString());
             return;
@@ -129,6 +148,10 @@ final class ExplainCommand implements Callable<Integer> {
             TreeText.lines(pixel, smallest, AnsiDecoration.ofSystem()).forEach(line -> terminal.out().println(Letters.fit(line)));
         } else {
             TreeText.lines(pixel, smallest, Decoration.NONE).forEach(line -> terminal.result(Letters.fit(line)));
+        }
+        if (samples.isEmpty() && samplesOfScene > 1) {
+            terminal.message("This is the ray through the middle of the pixel. The scene's picture has the average of " + samplesOfScene * samplesOfScene
+                    + " rays here: --samples " + samplesOfScene + " explains each.");
         }
     }
 

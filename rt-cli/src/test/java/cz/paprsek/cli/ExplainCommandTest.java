@@ -59,6 +59,28 @@ class ExplainCommandTest {
     }
 
     @Test
+    void aSceneOfADatabaseIsChosenByItsName() {
+        Path database = Path.of("../scenes/database.xml");
+        assertThat(Run.cli("explain", database, "100,100", "--size", "200x150", "--scene", "Gears").out()).contains("pixel 100, 100: the light of E");
+        Run unnamed = Run.cli("explain", database, "1,1");
+        assertThat(unnamed.code()).isEqualTo(ExitCode.WRONG_USAGE);
+        assertThat(unnamed.err()).containsPattern("is a database of \\d+ scenes; name one with --scene NAME");
+        assertThat(Run.cli("explain", database, "1,1", "--scene", "Gear").err()).contains("there is no scene named \"Gear\"; did you mean \"Gears\"?");
+        assertThat(Run.cli("explain", file, "1,1", "--scene", "wall").code()).isEqualTo(ExitCode.WRONG_USAGE);
+    }
+
+    @Test
+    void aSceneWithSeveralRaysAPixelIsToldSo() throws IOException {
+        assertThat(Run.cli("explain", file, "8,4").err()).isEmpty();
+        Path smooth = folder.resolve("smooth.xml");
+        Files.writeString(smooth, Files.readString(file).replace("height=\"8\"", "height=\"8\" samples=\"3\""));
+        assertThat(Run.cli("explain", smooth, "8,4").err()).contains("the average of 9 rays here: --samples 3 explains each");
+        Run all = Run.cli("explain", smooth, "8,4", "--samples", "3");
+        assertThat(all.out()).contains("ray 9 of 9", "the average of 9 rays");
+        assertThat(all.err()).isEmpty();
+    }
+
+    @Test
     void mathematicsIsSpeltOutWhereTheTerminalHasNoSuchLetters() {
         assertThat(Letters.fit("│ 0.9·0.5²⁰ − sin θ₁ = 1.2·10⁻³°", StandardCharsets.US_ASCII.newEncoder()))
                 .isEqualTo("| 0.9*0.5^20 - sin theta1 = 1.2*10^-3 deg");
