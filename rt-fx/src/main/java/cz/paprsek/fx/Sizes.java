@@ -32,6 +32,7 @@ final class Sizes {
                 Platform.runLater(() -> {
                     stage.setWidth(width);
                     stage.setHeight(height);
+                    stage.centerOnScreen();
                 });
             }
         });

@@ -4,22 +4,36 @@ import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.CameraMoves;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Gesture;
+import cz.paprsek.fx.model.Item;
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.Moves;
+import cz.paprsek.fx.view.projection.Axes;
+import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javafx.animation.AnimationTimer;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.image.Image;
 import javafx.scene.image.ImageView;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
 import org.junit.jupiter.api.Test;
 
 /**
- * Prints how the live picture follows a hand. Not a test, and left out of the build by its name; {@code -Dtest=LiveFigures} runs it. What
+ * Prints how the views follow a hand. Not a test, and left out of the build by its name; {@code -Dtest=LiveFigures} runs it. What
  * is counted is what can be seen: pulses of JavaFX in which the picture is another one than in the pulse before.
  */
 class LiveFigures {
@@ -48,6 +62,55 @@ class LiveFigures {
                     Runtime.getRuntime().availableProcessors(), updates, delays.get(CHANGES / 2), CHANGES, delays.get(CHANGES - 1));
         }
         pane.close();
+    }
+
+    @Test
+    void tenThousandObjects() {
+        List<SceneObject> balls = IntStream.range(0, 10_000)
+                .mapToObj(i -> SceneObject.of(new Sphere(0.3)).at(i % 100, i / 1000 * 2, i / 100 % 10 * 2)).toList();
+        EditorModel model = new EditorModel(Scene.EMPTY.withObjects(balls).plus(Light.at(50, 50, 50)));
+        ObservableValue<Theme> theme = new SimpleObjectProperty<>(Theme.LIGHT);
+        List<ProjectionPane> panes = Stream.of(Axes.values()).map(axes -> Gui.on(
+                () -> new ProjectionPane(model, Texts.in(Locale.ENGLISH), axes, theme, new SimpleBooleanProperty(true)))).toList();
+        try (Gui gui = Gui.show(() -> {
+            HBox row = new HBox(4);
+            row.getChildren().addAll(panes);
+            panes.forEach(pane -> HBox.setHgrow(pane, Priority.ALWAYS));
+            return row;
+        }, 1200, 330)) {
+            gui.act(() -> model.select(Item.body(5000)));
+            ProjectionPane pane = panes.get(0);
+            pulses(gui, model, pane, 0, 1);
+            System.out.printf(Locale.ROOT, "three projections of 10,000 spheres, 400 x 330 pixels each, %d processors:%n"
+                            + "  frames a second while a ball is dragged with the mouse: %.1f%n  while a view is zoomed: %.1f%n",
+                    Runtime.getRuntime().availableProcessors(), pulses(gui, model, pane, 1, 1), pulses(gui, model, pane, 0, 1.01));
+        }
+    }
+
+    /** Frames a second while in every one of them the selection is moved, and a view zoomed. */
+    private static double pulses(Gui gui, EditorModel model, ProjectionPane pane, double by, double zoom) {
+                Gesture gesture = Gui.on(() -> model.begin(Label.of(Label.Edit.MOVE)));
+        AtomicInteger pulses = new AtomicInteger();
+        AnimationTimer hand = Gui.on(() -> new AnimationTimer() {
+            @Override
+            public void handle(long now) {
+                Vec3 moved = new Vec3(0.05 * by * pulses.incrementAndGet(), 0, 0);
+                gesture.preview(scene -> Moves.translated(scene, model.selection(), moved));
+                if (zoom != 1) {
+                    pane.zoom(pulses.get() / 60 % 2 == 0 ? zoom : 1 / zoom);
+                }
+            }
+        });
+        long start = System.nanoTime();
+        gui.act(hand::start);
+        gui.until("time is over", () -> System.nanoTime() - start > SECONDS * 1e9);
+        double taken = (System.nanoTime() - start) / 1e9;
+        int frames = pulses.get();
+        gui.act(() -> {
+            hand.stop();
+            gesture.cancel();
+        });
+        return frames / taken;
     }
 
     /** Updates a second while every pulse moves the camera. */
