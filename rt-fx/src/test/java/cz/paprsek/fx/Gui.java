@@ -89,6 +89,8 @@ public final class Gui implements AutoCloseable {
             }
             pulse();
         }
+        // What has just appeared is laid out before anybody clicks on it.
+        pulse();
     }
 
     public Stage stage() {
