@@ -15,8 +15,9 @@ final class BvhBuilder {
     /** The most bins; few records get one each. */
     private static final int BINS = 16;
     private static final int FORK = 4096;
-    /** The cost of visiting a node in units of testing a surface. */
-    private static final double NODE_COST = 1.5;
+    /** The cost of visiting a node in units of testing a surface, as measured: of a small tree, and of one of a million surfaces. */
+    private static final double NEAR_NODE_COST = 1.5;
+    private static final double FAR_NODE_COST = 6;
     /** Below this depth a split always halves, which bounds the depth of the tree whatever the scene. */
     private static final int STEEP = 48;
 
@@ -26,6 +27,7 @@ final class BvhBuilder {
     /** By what a record is: the cost of testing it. */
     private final float[] cost;
     private final RenderMonitor monitor;
+    private final double nodeCost;
     final double[] boxes;
     final int[] child;
     private int root;
@@ -35,6 +37,8 @@ final class BvhBuilder {
         this.record = record;
         this.cost = cost;
         this.monitor = monitor;
+        // The larger the tree, the farther from the processor lie its nodes.
+        this.nodeCost = Math.max(NEAR_NODE_COST, FAR_NODE_COST * StrictMath.cbrt(record.length / 1e6));
         int inner = Math.max(0, record.length - 1);
         this.boxes = new double[12 * inner];
         this.child = new int[2 * inner];
@@ -125,7 +129,7 @@ final class BvhBuilder {
     private int split(int start, int end, int depth, Bins bins) {
         int count = end - start;
         if (depth < STEEP && bins.find(box, start, end, count)) {
-            if (count <= Bvh.LEAF && (count - bins.bestCost) * meanCost(start, end) <= NODE_COST) {
+            if (count <= Bvh.LEAF && (count - bins.bestCost) * meanCost(start, end) <= nodeCost) {
                 return start;
             }
             int middle = partition(start, end, bins);
