@@ -15,6 +15,8 @@ final class BvhBuilder {
     /** The most bins; few records get one each. */
     private static final int BINS = 16;
     private static final int FORK = 4096;
+    /** How many records are looked at between two questions whether to stop. */
+    private static final int BATCH = 4096;
     /** The cost of visiting a node in units of testing a surface, as measured: of a small tree, and of one of a million surfaces. */
     private static final double NEAR_NODE_COST = 1.5;
     private static final double FAR_NODE_COST = 6;
@@ -99,9 +101,6 @@ final class BvhBuilder {
             if (middle == start) {
                 return ~(start * Bvh.LEAF + count - 1);
             }
-            if (count > FORK && monitor.cancelled()) {
-                throw new CancellationException("the build of the scene was cancelled");
-            }
             putBox(start, middle, 12 * node);
             putBox(middle, end, 12 * node + 6);
             int larger = Bins.halfArea(boxes, 12 * node) >= Bins.halfArea(boxes, 12 * node + 6) ? 0 : 1;
@@ -140,6 +139,12 @@ final class BvhBuilder {
         return count <= Bvh.LEAF ? start : start + count / 2;
     }
 
+    private void stopIfAsked(int i) {
+        if (i % BATCH == 0 && monitor.cancelled()) {
+            throw new CancellationException("the build of the scene was cancelled");
+        }
+    }
+
     private double meanCost(int start, int end) {
         double sum = 0;
         for (int i = start; i < end; i++) {
@@ -152,6 +157,7 @@ final class BvhBuilder {
         int a = start;
         int b = end - 1;
         while (a <= b) {
+            stopIfAsked(b - a);
             if (bins.bin(box, a, bins.bestAxis) < bins.bestBin) {
                 a++;
             } else {
@@ -187,7 +193,7 @@ final class BvhBuilder {
     }
 
     /** Scratch of one task: counts and boxes of the bins of all three axes, and the best plane found. */
-    private static final class Bins {
+    private final class Bins {
         private final int[] count = new int[3 * BINS];
         private final double[] box = new double[3 * BINS * 6];
         private final double[] low = new double[3];
@@ -203,6 +209,7 @@ final class BvhBuilder {
         boolean find(double[] records, int start, int end, int total) {
             reset(records, start, end);
             for (int i = start; i < end; i++) {
+                stopIfAsked(i);
                 for (int axis = 0; axis < 3; axis++) {
                     int bin = axis * BINS + bin(records, i, axis);
                     count[bin]++;
