@@ -1,17 +1,26 @@
-package cz.paprsek.render;
+package cz.paprsek;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.RenderResult.Outcome;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.StandardScenes;
+import cz.paprsek.xml.ReadMonitor;
+import cz.paprsek.xml.SceneFiles;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
-import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Work is cancelled at random moments: it ends, no thread is left, and how long it took to answer is printed. How often is the system property
@@ -23,15 +32,35 @@ class CancellationTest {
     private static final RenderSettings SLOW = new RenderSettings(4000, 4000, 20, 8);
 
     /** Cancels from a given moment on. */
-    private record Deadline(long nanoTime) implements RenderMonitor {
+    private record Deadline(long nanoTime) implements RenderMonitor, ReadMonitor {
         @Override
         public boolean cancelled() {
             return System.nanoTime() - nanoTime >= 0;
         }
     }
 
+    @TempDir
+    Path folder;
+
     @Test
-    void tracingIsCancelled() {
+    void readingIsCancelled() throws Exception {
+        Path file = folder.resolve("cloud.xml");
+        SceneFiles.write(StandardScenes.cloud(200_000), file);
+        Random random = new Random(3);
+        report("reading", () -> {
+            long at = System.nanoTime() + random.nextInt(500) * 1_000_000L;
+            try {
+                SceneFiles.read(file, new Deadline(at));
+                // Read before its time was up: nothing to answer.
+                return System.nanoTime();
+            } catch (CancellationException e) {
+                return at;
+            }
+        });
+    }
+
+    @Test
+    void tracingIsCancelled() throws Exception {
         List<RenderScene> scenes = List.of(RenderScene.of(StandardScenes.flake(4)), RenderScene.of(StandardScenes.chain(300)),
                 RenderScene.of(StandardScenes.cloud(100_000)), RenderScene.of(StandardScenes.few()));
         Random random = new Random(1);
@@ -45,7 +74,7 @@ class CancellationTest {
     }
 
     @Test
-    void buildingIsCancelled() {
+    void buildingIsCancelled() throws Exception {
         Scene scene = StandardScenes.cloud(500_000);
         Random random = new Random(2);
         report("building", () -> {
@@ -61,10 +90,10 @@ class CancellationTest {
     }
 
     /** @param work cancels some work and returns the moment from which on it was asked to stop */
-    private static void report(String what, Supplier<Long> work) {
+    private static void report(String what, Callable<Long> work) throws Exception {
         long[] nanos = new long[CANCELS];
         for (int i = 0; i < CANCELS; i++) {
-            long asked = work.get();
+            long asked = work.call();
             nanos[i] = System.nanoTime() - asked;
             assertThat(Thread.getAllStackTraces().keySet()).noneMatch(thread -> thread.getName().startsWith("paprsek-render"));
         }
