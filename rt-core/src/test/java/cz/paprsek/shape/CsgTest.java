@@ -1,11 +1,14 @@
 package cz.paprsek.shape;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg.Operation;
+import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -36,6 +39,7 @@ class CsgTest {
         Solid solid = random(random, 4);
         Volume volume = solid.place(Affine.IDENTITY, new TestParts());
         Spans spans = new Spans();
+        Bounds box = solid.bounds();
         for (int i = 0; i < 2000; i++) {
             Ray ray = ray(random);
             spans.release(0);
@@ -50,8 +54,32 @@ class CsgTest {
                 if (Math.abs(value) > 1e-6) {
                     assertThat(before % 2 != 0).as("inside at t = %s", t).isEqualTo(value < 0);
                 }
+                if (value < -1e-6) {
+                    assertThat(box.contains(new Vec3(ray.ox + t * ray.dx, ray.oy + t * ray.dy, ray.oz + t * ray.dz))).as("in the box").isTrue();
+                }
             }
+            double here = Examples.inside(solid, new Vec3(ray.ox, ray.oy, ray.oz));
+            if (Math.abs(here) > 1e-6) {
+                assertThat(volume.holdsOrigin(ray)).isEqualTo(here < 0);
+            }
+            volume.occludes(ray);
+            volume.nearest(ray);
+            assertThat(ray.spans.size()).as("scratch given back").isZero();
+            assertThat(ray.met.size()).as("scratch given back").isZero();
         }
+    }
+
+    @Test
+    void anOperationOnNothingIsRefused() {
+        assertThatIllegalArgumentException().isThrownBy(() -> new Csg(Operation.UNION, List.of()));
+    }
+
+    @Test
+    void theBoxOfAnOperationIsNoLargerThanItMustBe() {
+        Operand shifted = Operand.of(UNIT).at(0.25, 0, 0);
+        assertThat(Csg.union(Operand.of(UNIT), shifted).bounds()).isEqualTo(new Bounds(0, 0, 0, 1.25, 1, 1));
+        assertThat(Csg.intersection(Operand.of(UNIT), shifted).bounds()).isEqualTo(new Bounds(0.25, 0, 0, 1, 1, 1));
+        assertThat(Csg.difference(Operand.of(UNIT), shifted).bounds()).isEqualTo(new Bounds(0, 0, 0, 1, 1, 1));
     }
 
     static Stream<Solid> nothings() {

@@ -3,14 +3,17 @@ package cz.paprsek.shape;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg.Operation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class OperandTreeTest {
     @ParameterizedTest
@@ -37,6 +40,26 @@ class OperandTreeTest {
             hits += a.part >= 0 ? 1 : 0;
         }
         assertThat(hits).isGreaterThan(100);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 9, 64, 65, 200})
+    void everyBoxThatIsMetIsNamedOnceInOrder(int count) {
+        Random random = new Random(count);
+        Bounds[] boxes = IntStream.range(0, count).mapToObj(i -> i % 7 == 3 ? Bounds.ALL
+                : Bounds.around(new Vec3(random.nextDouble() * 4 - 2, random.nextDouble() * 4 - 2, random.nextDouble() * 4 - 2),
+                        Vec3.ONE.times(0.3 * random.nextDouble()))).toArray(Bounds[]::new);
+        OperandTree tree = new OperandTree(boxes);
+        IntStack met = new IntStack();
+        for (int i = 0; i < 2000; i++) {
+            Ray ray = ray(random.doubles(6, -3, 3).toArray(), new Spans());
+            met.push(-7);
+            int mark = met.size();
+            tree.meet(ray, met);
+            assertThat(IntStream.range(mark, met.size()).map(met::get).toArray())
+                    .containsExactly(IntStream.range(0, count).filter(k -> !boxes[k].isFinite() || ray.meets(boxes[k])).toArray());
+            met.release(0);
+        }
     }
 
     /** Some touch or coincide; one has no end. */

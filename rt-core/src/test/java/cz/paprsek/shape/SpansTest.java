@@ -1,0 +1,117 @@
+package cz.paprsek.shape;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.shape.Csg.Operation;
+import java.util.Arrays;
+import java.util.Random;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class SpansTest {
+    private static final int LEFT = 1;
+    private static final int RIGHT = 2;
+
+    private final Spans spans = new Spans();
+
+    @ParameterizedTest
+    @EnumSource
+    void runsOfAnyLengthCombineAsSets(Operation operation) {
+        Random random = new Random(6);
+        for (int round = 0; round < 2000; round++) {
+            int below = random.nextInt(5);
+            double[] left = run(random);
+            double[] right = run(random);
+            // What was left above by others must not matter.
+            spans.release(0);
+            push(random.doubles(below + 100, -1, 11).toArray(), LEFT);
+            spans.release(below);
+            combine(operation, left, right, 1);
+            for (int i = 0; i < 50; i++) {
+                double t = random.nextDouble() * 10;
+                assertThat(isIn(t, result(below))).as("in the combination at %s", t)
+                        .isEqualTo(operation.inside(isIn(t, left), isIn(t, right)));
+            }
+            assertThat(result(below)).isSorted();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        // A tie is 1e-10 of the size of the numbers: here, of 1000 + 10.
+        "1000, 1.00e-7, 2", "1000, 1.02e-7, 4", "1000, -1.00e-7, 2",
+        "0, 0.9e-9, 2", "0, 1.1e-9, 4"})
+    void wallsThatTouchAreNoWalls(double scale, double gap, int boundaries) {
+        combine(Operation.UNION, new double[] {5, 10}, new double[] {10 + gap, 20}, scale);
+        assertThat(spans.size()).isEqualTo(boundaries);
+        spans.release(0);
+        combine(Operation.UNION, new double[] {10 + gap, 20}, new double[] {5, 10}, scale);
+        assertThat(spans.size()).isEqualTo(boundaries);
+    }
+
+    @Test
+    void aSliceThinnerThanATieCutsNothing() {
+        combine(Operation.DIFFERENCE, new double[] {0, 6}, new double[] {3, 3 + 1e-12}, 1);
+        assertThat(result(0)).containsExactly(0, 6);
+        spans.release(0);
+        combine(Operation.INTERSECTION, new double[] {2, 2 + 1e-12, 4, 5}, new double[] {0, 4.5}, 1);
+        assertThat(result(0)).containsExactly(4, 4.5);
+    }
+
+    @Test
+    void whatIsCutOutIsTurnedInsideOut() {
+        combine(Operation.DIFFERENCE, new double[] {0, 6}, new double[] {-1, 2, 4, 5}, 1);
+        assertThat(result(0)).containsExactly(2, 4, 5, 6);
+        assertThat(IntStream.range(0, 4).map(spans::part)).containsExactly(RIGHT, RIGHT, RIGHT, LEFT);
+        assertThat(IntStream.range(0, 4).map(spans::face)).containsExactly(~RIGHT, ~RIGHT, ~RIGHT, LEFT);
+    }
+
+    @Test
+    void ofTwoWallsInOnePlaceTheFirstIsSeen() {
+        combine(Operation.UNION, new double[] {1, 3}, new double[] {1, 4}, 1);
+        assertThat(spans.part(0)).isEqualTo(LEFT);
+        spans.release(0);
+        combine(Operation.INTERSECTION, new double[] {1, 3}, new double[] {1 - 1e-12, 4}, 1);
+        assertThat(spans.part(0)).isEqualTo(LEFT);
+        assertThat(result(0)).containsExactly(1, 3);
+    }
+
+    @Test
+    void bodiesWithoutEndHaveOneWall() {
+        combine(Operation.DIFFERENCE, new double[] {Double.NEGATIVE_INFINITY, 4}, new double[] {1, Double.POSITIVE_INFINITY}, 1);
+        assertThat(result(0)).containsExactly(Double.NEGATIVE_INFINITY, 1);
+    }
+
+    private void combine(Operation operation, double[] left, double[] right, double scale) {
+        int mark = spans.size();
+        push(left, LEFT);
+        int middle = spans.size();
+        push(right, RIGHT);
+        spans.combine(operation, mark, middle, scale);
+    }
+
+    private void push(double[] where, int part) {
+        for (double t : where) {
+            spans.add(t, part, part);
+        }
+    }
+
+    private double[] result(int from) {
+        return IntStream.range(from, spans.size()).mapToDouble(spans::t).toArray();
+    }
+
+    private static double[] run(Random random) {
+        double low = random.nextDouble() * 10;
+        double high = low + random.nextDouble() * (10 - low);
+        double[] run = random.doubles(2L * random.nextInt(50), low, Math.nextUp(high)).toArray();
+        Arrays.sort(run);
+        return run;
+    }
+
+    private static boolean isIn(double t, double[] run) {
+        return Arrays.stream(run).filter(boundary -> boundary <= t).count() % 2 != 0;
+    }
+}
