@@ -8,6 +8,7 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -91,6 +92,30 @@ class ShapeContractTest {
         }
     }
 
+    /** Such a ray runs beside some faces without ever meeting them: the formulas have a case of its own for it. */
+    @ParameterizedTest
+    @MethodSource("placedShapes")
+    void raysAlongTheShapesOwnAxesAgreeWithMembershipOfPoints(Shape shape, Placement placement) {
+        Scene scene = new Scene(shape, placement);
+        if (!(scene.surface instanceof Volume volume)) {
+            return;
+        }
+        Spans spans = new Spans();
+        int within = 0;
+        for (int i = 0; i < RAYS; i++) {
+            Ray ray = scene.rayAlong(i % 3 == 0 ? Vec3.X : i % 3 == 1 ? Vec3.Y : Vec3.Z, i % 2 == 0);
+            spans.release(0);
+            volume.spans(ray, spans);
+            double t = scene.between(0, 6);
+            double value = Examples.inside((Solid) shape, scene.local(ray, t));
+            if (Math.abs(value) > 1e-6) {
+                assertThat(IntStream.range(0, spans.size()).filter(k -> spans.t(k) <= t).count() % 2 != 0).isEqualTo(value < 0);
+                within += value < 0 ? 1 : 0;
+            }
+        }
+        assertThat(within).isGreaterThan(RAYS / 50);
+    }
+
     /** One of the quadratic's roots runs to infinity; the other is where two lines in the plane z = 0 cross, x = y − 1 being the left side. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 1e-15, 1e-12, -1e-12, 1e-9, -1e-9, 1e-6, 1e-3})
@@ -131,7 +156,17 @@ class ShapeContractTest {
             return ray;
         }
 
-        private double between(double low, double high) {
+        /** A ray along one of the shape's own axes, starting below or above a point in its bounds. */
+        Ray rayAlong(Vec3 axis, boolean forward) {
+            Vec3 d = toWorld.direction(forward ? axis : axis.negated()).normalized();
+            Vec3 at = new Vec3(between(target.minX(), target.maxX()), between(target.minY(), target.maxY()), between(target.minZ(), target.maxZ()));
+            Vec3 from = at.minus(d.times(3));
+            Ray ray = new Ray(spans);
+            ray.start(from.x(), from.y(), from.z(), d.x(), d.y(), d.z());
+            return ray;
+        }
+
+        double between(double low, double high) {
             return low + (high - low) * random.nextDouble();
         }
 
