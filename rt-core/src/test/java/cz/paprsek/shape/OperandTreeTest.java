@@ -37,6 +37,7 @@ class OperandTreeTest {
             atOnce.nearest(a);
             oneByOne.nearest(b);
             assertThat(List.of(a.max, a.part, a.face)).isEqualTo(List.of(b.max, b.part, b.face));
+            assertThat(a.met.size()).as("scratch given back").isZero();
             hits += a.part >= 0 ? 1 : 0;
         }
         assertThat(hits).isGreaterThan(100);
