@@ -48,7 +48,7 @@ class CancellationTest {
         SceneFiles.write(StandardScenes.cloud(200_000), file);
         Random random = new Random(3);
         report("reading", () -> {
-            long at = System.nanoTime() + random.nextInt(500) * 1_000_000L;
+            long at = System.nanoTime() + random.nextInt(250) * 1_000_000L;
             try {
                 SceneFiles.read(file, new Deadline(at));
                 // Read before its time was up: nothing to answer.
