@@ -6,4 +6,4 @@ set "java=java"
 if defined JAVA_HOME set "java=%JAVA_HOME%\bin\java"
 set "cache=%LOCALAPPDATA%\paprsek"
 if not exist "%cache%" mkdir "%cache%" 2> nul
-"%java%" -XX:+IgnoreUnrecognizedVMOptions -Xshare:auto -XX:+AutoCreateSharedArchive "-XX:SharedArchiveFile=%cache%\paprsek.jsa" -Xlog:disable -Xlog:all=error:stderr %PAPRSEK_JAVA_OPTIONS% -jar "%~dp0rt-cli.jar" %*
+"%java%" -XX:+IgnoreUnrecognizedVMOptions -XX:MaxGCPauseMillis=50 -Xshare:auto -XX:+AutoCreateSharedArchive "-XX:SharedArchiveFile=%cache%\paprsek.jsa" -Xlog:disable -Xlog:all=error:stderr %PAPRSEK_JAVA_OPTIONS% -jar "%~dp0rt-cli.jar" %*

@@ -90,7 +90,9 @@ class CancellationTest {
     }
 
     /** @param work cancels some work and returns the moment from which on it was asked to stop */
+    @SuppressWarnings("SystemGc") // What the kinds of work before this one have left is not to be collected in this one's time.
     private static void report(String what, Callable<Long> work) throws Exception {
+        System.gc();
         long[] nanos = new long[CANCELS];
         for (int i = 0; i < CANCELS; i++) {
             long asked = work.call();
