@@ -21,8 +21,8 @@ final class Bvh {
     /** The cost up to which all surfaces of a leaf are tested rather than first its box. */
     private static final double QUICK = 4;
 
-    /** How many surfaces are prepared between two questions whether to stop. */
-    private static final int BATCH = 1 << 14;
+    /** How many objects, surfaces or records are dealt with between two questions whether to stop. */
+    private static final int BATCH = 1024;
 
     private final Surface[] surfaces;
     private final boolean[] opaque;
@@ -66,9 +66,10 @@ final class Bvh {
         return new Bvh(surfaces, opaque, finite, infinite, new BvhBuilder(box, finite, cost, monitor));
     }
 
-    private static void stopIfAsked(int i, RenderMonitor monitor) {
+    /** To be called with every number of a count while a scene is prepared: once in a while, asks whether to stop. */
+    static void stopIfAsked(int i, RenderMonitor monitor) {
         if (i % BATCH == 0 && monitor.cancelled()) {
-            throw new CancellationException("the build of the scene was cancelled");
+            throw new CancellationException("the preparation of the scene was cancelled");
         }
     }
 

@@ -1,7 +1,6 @@
 package cz.paprsek.render;
 
 import cz.paprsek.math.Bounds;
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.RecursiveAction;
 
 /**
@@ -15,8 +14,6 @@ final class BvhBuilder {
     /** The most bins; few records get one each. */
     private static final int BINS = 16;
     private static final int FORK = 4096;
-    /** How many records are looked at between two questions whether to stop. */
-    private static final int BATCH = 4096;
     /** The cost of visiting a node in units of testing a surface, as measured: of a small tree, and of one of a million surfaces. */
     private static final double NEAR_NODE_COST = 1.5;
     private static final double FAR_NODE_COST = 6;
@@ -139,12 +136,6 @@ final class BvhBuilder {
         return count <= Bvh.LEAF ? start : start + count / 2;
     }
 
-    private void stopIfAsked(int i) {
-        if (i % BATCH == 0 && monitor.cancelled()) {
-            throw new CancellationException("the build of the scene was cancelled");
-        }
-    }
-
     private double meanCost(int start, int end) {
         double sum = 0;
         for (int i = start; i < end; i++) {
@@ -157,7 +148,7 @@ final class BvhBuilder {
         int a = start;
         int b = end - 1;
         while (a <= b) {
-            stopIfAsked(b - a);
+            Bvh.stopIfAsked(b - a, monitor);
             if (bins.bin(box, a, bins.bestAxis) < bins.bestBin) {
                 a++;
             } else {
@@ -209,7 +200,7 @@ final class BvhBuilder {
         boolean find(double[] records, int start, int end, int total) {
             reset(records, start, end);
             for (int i = start; i < end; i++) {
-                stopIfAsked(i);
+                Bvh.stopIfAsked(i, monitor);
                 for (int axis = 0; axis < 3; axis++) {
                     int bin = axis * BINS + bin(records, i, axis);
                     count[bin]++;

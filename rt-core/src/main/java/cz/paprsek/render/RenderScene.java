@@ -18,9 +18,6 @@ import java.util.concurrent.CancellationException;
 
 /** A scene prepared for tracing: shapes placed in the world, materials resolved, the hierarchy built. Any number of renders may use it at once. */
 public final class RenderScene {
-    /** How many objects are placed between two questions whether to stop. */
-    private static final int BATCH = 1024;
-
     private final Scene scene;
     private final PartTable parts;
     /** The placed shape of each object, and whether no light gets through it. */
@@ -39,9 +36,7 @@ public final class RenderScene {
         this.surfaces = new Surface[scene.objects().size()];
         this.opaque = new boolean[surfaces.length];
         for (int i = 0; i < surfaces.length; i++) {
-            if (i % BATCH == 0 && monitor.cancelled()) {
-                throw new CancellationException("the preparation of the scene was cancelled");
-            }
+            Bvh.stopIfAsked(i, monitor);
             int first = parts.size();
             surfaces[i] = parts.place(i, scene.objects().get(i));
             opaque[i] = isOpaque(first, parts.size());
