@@ -1,5 +1,8 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;

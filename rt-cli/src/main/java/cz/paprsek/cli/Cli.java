@@ -1,5 +1,19 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.bench.BenchCommand;
+import cz.paprsek.cli.bench.CompareCommand;
+import cz.paprsek.cli.bench.CrossCheckCommand;
+import cz.paprsek.cli.db.DbCommand;
+import cz.paprsek.cli.input.Formats;
+import cz.paprsek.cli.input.Modes;
+import cz.paprsek.cli.input.PixelPlace;
+import cz.paprsek.cli.input.Region;
+import cz.paprsek.cli.input.Share;
+import cz.paprsek.cli.input.Size;
+import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.render.RenderMode;
 import cz.paprsek.render.Tile;

@@ -1,5 +1,13 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.input.PixelPlace;
+import cz.paprsek.cli.input.Size;
+import cz.paprsek.cli.input.Wishes;
+import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Failures;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.RenderScene;

@@ -1,5 +1,13 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.describe.SceneSummary;
+import cz.paprsek.cli.describe.SummaryAsJson;
+import cz.paprsek.cli.describe.SummaryAsText;
+import cz.paprsek.cli.input.SceneArguments;
+import cz.paprsek.cli.input.SceneReading;
+import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.scene.Scene;
 import java.nio.file.Path;
 import java.util.List;

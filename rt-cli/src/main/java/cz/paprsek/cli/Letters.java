@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.process.Terminal;
 import java.nio.charset.CharsetEncoder;
 import java.util.List;
 import java.util.Map;

@@ -1,5 +1,8 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+
 /** Where the process begins, and the only place where it ends. */
 public final class Main {
     private Main() {}

@@ -1,5 +1,21 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.db.DbAction;
+import cz.paprsek.cli.input.Formats;
+import cz.paprsek.cli.input.Modes;
+import cz.paprsek.cli.input.SceneArguments;
+import cz.paprsek.cli.input.SceneSource;
+import cz.paprsek.cli.input.Size;
+import cz.paprsek.cli.input.Wishes;
+import cz.paprsek.cli.output.Progress;
+import cz.paprsek.cli.output.RenderBatch;
+import cz.paprsek.cli.output.Report;
+import cz.paprsek.cli.output.Target;
+import cz.paprsek.cli.output.Targets;
+import cz.paprsek.cli.output.View;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.query.Filter;
 import cz.paprsek.query.SceneTables;

@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.process.WrongUsage;
 import java.util.Objects;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;

@@ -1,5 +1,11 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.describe.SceneWarnings;
+import cz.paprsek.cli.input.SceneArguments;
+import cz.paprsek.cli.input.SceneReading;
+import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.io.Json;
 import cz.paprsek.xml.Problem;
 import java.nio.file.Path;

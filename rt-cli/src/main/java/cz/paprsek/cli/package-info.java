@@ -1,5 +1,5 @@
 /**
- * The command line: commands thin over the library, batches, progress and exit codes. Only {@link cz.paprsek.cli.Main} ends the process.
- * Right-handed world, y up, lengths in scene units; degrees at the border, radians inside.
+ * The command line: commands thin over the library. Only {@link cz.paprsek.cli.Main} ends the process. Right-handed world, y up, lengths in
+ * scene units; degrees at the border, radians inside.
  */
 package cz.paprsek.cli;

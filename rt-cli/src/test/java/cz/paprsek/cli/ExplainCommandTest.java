@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.cli.process.ExitCode;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

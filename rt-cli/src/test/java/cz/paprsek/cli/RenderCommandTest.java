@@ -3,6 +3,8 @@ package cz.paprsek.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import cz.paprsek.cli.output.ProgressBar;
+import cz.paprsek.cli.process.Stop;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.render.Renderer;

@@ -1,18 +1,20 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 
 /** A call of the command line within the test's own process: what it returned and what it printed. */
-record Run(int code, String out, String err, ByteArrayOutputStream written) {
+public record Run(int code, String out, String err, ByteArrayOutputStream written) {
 
-    static Run cli(Object... arguments) {
+    public static Run cli(Object... arguments) {
         return watched(false, new Stop(), arguments);
     }
 
-    static Run watched(boolean interactive, Stop stop, Object... arguments) {
+    public static Run watched(boolean interactive, Stop stop, Object... arguments) {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -25,11 +27,11 @@ record Run(int code, String out, String err, ByteArrayOutputStream written) {
         return new Run(code, out.toString().replace("\r\n", "\n"), err.toString().replace("\r\n", "\n"), bytes);
     }
 
-    byte[] bytes() {
+    public byte[] bytes() {
         return written.toByteArray();
     }
 
-    String text() {
+    public String text() {
         return written.toString(StandardCharsets.UTF_8);
     }
 }

@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.cli.describe.SceneWarnings;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;

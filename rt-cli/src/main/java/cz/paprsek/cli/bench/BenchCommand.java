@@ -1,0 +1,103 @@
+package cz.paprsek.cli.bench;
+
+import cz.paprsek.cli.input.Size;
+import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.pov.PovRay;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** Measures how fast pictures are made. */
+@Command(
+        name = "bench",
+        description = {
+            "Measures how fast the standard scenes are rendered, which are made from fixed seeds, 1280x720 pixels, five levels deep.",
+            "Times are medians: of preparing a scene, of tracing its picture once the virtual machine is warm, and of the processor time "
+                    + "of all threads that trace."
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  rt-cli bench",
+            "  rt-cli bench --against povray                  in turn with POV-Ray, which must be installed",
+            "  rt-cli bench --scale --rounds 3                how time and memory grow with the scene",
+            "  rt-cli bench --scene few --scene cloud1M --threads 2 --json"
+        })
+public final class BenchCommand implements Callable<Integer> {
+    private static final int MOST_ROUNDS = 1000;
+
+    /** Whom to compare with. */
+    enum Opponent { povray }
+
+    private final Terminal terminal;
+    private final Stop stop;
+
+    @Option(names = "--scene", paramLabel = "NAME", completionCandidates = BenchScenes.class, split = ",",
+            description = "One of ${COMPLETION-CANDIDATES}; may be given several times. Default: the standard ones.")
+    private List<String> names = new ArrayList<>();
+
+    @Option(names = "--scale", description = "Shows how cost grows instead: clouds of 10 to 10M spheres (10M need java -Xmx6g), unions of 2 to 1000.")
+    private boolean scale;
+
+    @Option(names = "--against", paramLabel = "PROGRAM", description =
+            "Renders each scene in turn with ${COMPLETION-CANDIDATES} on as many threads, and tells how many times its processor time is ours.")
+    private Optional<Opponent> against;
+
+    @Option(names = "--threads", paramLabel = "N", defaultValue = "1", description = "Threads to render with, 1-1024. Default: 1.")
+    private int threads;
+
+    @Option(names = "--rounds", paramLabel = "N", defaultValue = "7", description = "How often each scene is measured, 1-1000. Default: 7.")
+    private int rounds;
+
+    @Option(names = "--size", paramLabel = "WxH", description = "Width and height in pixels. Default: 1280x720.")
+    private Optional<Size> size;
+
+    @Option(names = "--json", description = "Prints a JSON object for every scene, one a line, instead of a table.")
+    private boolean json;
+
+    public BenchCommand(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        this.stop = stop;
+    }
+
+    @Override
+    public Integer call() {
+        requireWithin("--threads", threads, 1024);
+        requireWithin("--rounds", rounds, MOST_ROUNDS);
+        names.forEach(BenchScenes::check);
+        Optional<PovRay> opponent = against.map(program -> PovRay.installed()
+                .orElseThrow(() -> new WrongUsage("--against povray needs POV-Ray, but no program \"povray\" is on the search path")));
+        BenchReport report = new BenchReport(terminal, json, opponent.isPresent());
+        report.begin("Java " + Runtime.version() + ", " + threads + (threads == 1 ? " thread" : " threads")
+                + opponent.map(povRay -> ", against POV-Ray " + povRay.version()).orElse(""));
+        Benchmark benchmark = new Benchmark(stop, size, threads, rounds, opponent);
+        try {
+            for (String name : !names.isEmpty() ? names : scale ? BenchScenes.growingNames() : BenchScenes.standardNames()) {
+                report.add(benchmark.run(name));
+            }
+            return ExitCode.DONE;
+        } catch (InterruptedIOException stopped) {
+            return ExitCode.INTERRUPTED;
+        } catch (IOException e) {
+            terminal.message("rt-cli: " + e.getMessage());
+            return ExitCode.FAILED;
+        } catch (OutOfMemoryError e) {
+            terminal.message("rt-cli: not enough memory for this scene; give Java more with -Xmx");
+            return ExitCode.FAILED;
+        }
+    }
+
+    private static void requireWithin(String option, int value, int most) {
+        if (value < 1 || value > most) {
+            throw new WrongUsage(option + " must be between 1 and " + most + ", but is " + value);
+        }
+    }
+}

@@ -1,0 +1,87 @@
+package cz.paprsek.cli.bench;
+
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Similar;
+import cz.paprsek.scene.StandardScenes;
+import java.util.Collections;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Supplier;
+
+/** Scenes to measure by name, in the order of the table. */
+final class BenchScenes implements Iterable<String> {
+    private static final Map<String, Supplier<Scene>> STANDARD = standard();
+    private static final Map<String, Supplier<Scene>> GROWING = growing();
+    private static final Map<String, Supplier<Scene>> KNOWN = known();
+
+    private static Map<String, Supplier<Scene>> standard() {
+        Map<String, Supplier<Scene>> scenes = new LinkedHashMap<>();
+        scenes.put("few", StandardScenes::few);
+        scenes.put("flake4", () -> StandardScenes.flake(4));
+        scenes.put("flake5", () -> StandardScenes.flake(5));
+        scenes.put("cloud100k", () -> StandardScenes.cloud(100_000));
+        scenes.put("cloud1M", () -> StandardScenes.cloud(1_000_000));
+        scenes.put("csg1000", () -> StandardScenes.carved(1000));
+        scenes.put("csgn1000", () -> StandardScenes.pierced(1000));
+        return Collections.unmodifiableMap(scenes);
+    }
+
+    /** More and more bodies, and bodies of more and more operands. */
+    private static Map<String, Supplier<Scene>> growing() {
+        Map<String, Supplier<Scene>> scenes = new LinkedHashMap<>();
+        for (int spheres = 10; spheres <= 10_000_000; spheres *= 10) {
+            int number = spheres;
+            scenes.put("cloud" + thousands(number), () -> StandardScenes.cloud(number));
+        }
+        for (int operands : new int[] {2, 10, 100, 1000}) {
+            scenes.put("chain" + operands, () -> StandardScenes.chain(operands));
+        }
+        return Collections.unmodifiableMap(scenes);
+    }
+
+    private static Map<String, Supplier<Scene>> known() {
+        Map<String, Supplier<Scene>> scenes = new LinkedHashMap<>(STANDARD);
+        GROWING.forEach(scenes::putIfAbsent);
+        return Collections.unmodifiableMap(scenes);
+    }
+
+    private static String thousands(int number) {
+        return number >= 1_000_000 ? number / 1_000_000 + "M" : number >= 1000 ? number / 1000 + "k" : Integer.toString(number);
+    }
+
+    /** The names of the standard scenes. */
+    static Set<String> standardNames() {
+        return STANDARD.keySet();
+    }
+
+    /** The names of those that show how cost grows. */
+    static Set<String> growingNames() {
+        return GROWING.keySet();
+    }
+
+    /** All names; picocli shows them as completion candidates. */
+    @Override
+    public Iterator<String> iterator() {
+        return KNOWN.keySet().iterator();
+    }
+
+    /** Whether there is a scene of that name. */
+    static void check(String name) {
+        if (!KNOWN.containsKey(name)) {
+            throw new WrongUsage("there is no standard scene \"" + name + "\"" + Similar.suggestion(name, KNOWN.keySet())
+                    + "; there are " + String.join(", ", KNOWN.keySet()));
+        }
+    }
+
+    /** Makes the scene of that name, which must be known. */
+    static Scene make(String name) {
+        Supplier<Scene> maker = KNOWN.get(name);
+        if (maker == null) {
+            throw new IllegalArgumentException("unknown scene " + name);
+        }
+        return maker.get();
+    }
+}

@@ -1,0 +1,127 @@
+package cz.paprsek.cli.bench;
+
+import cz.paprsek.cli.input.Size;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.pov.PovRay;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.RenderStats;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.scene.Scene;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.util.Arrays;
+import java.util.Optional;
+
+/**
+ * Measures scenes: each is prepared and rendered several times, in turn with the other program if there is one, so that what disturbs the
+ * machine disturbs both. The median counts.
+ *
+ * @param size of the pictures, if not the scenes' own
+ * @param rounds how often each scene is rendered and counted
+ * @param opponent whom to compare with
+ */
+record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Optional<PovRay> opponent) {
+    /** Renders before the first one that counts: the compiler of the virtual machine needs them. */
+    private static final int WARM_UP = 4;
+    /** A scene is prepared more than once only as long as that takes less than so many seconds. */
+    private static final double BUILDING = 10;
+
+    /**
+     * What was measured of one scene: medians, seconds.
+     *
+     * @param trace the time on the clock that one picture took
+     * @param bytes the memory that the scene and all that was prepared of it take
+     * @param cpu the processor time of all workers for it
+     * @param opponentCpu that of the opponent; not a number if there is none
+     */
+    record Result(String name, int objects, RenderStats rays, long bytes, double build, double trace, double cpu, double opponentCpu) {
+        double raysPerSecond() {
+            return rays.rays() / Math.max(trace, 1e-9);
+        }
+
+        /** Of the processor. */
+        double nanosPerRay() {
+            return cpu * 1e9 / Math.max(rays.rays(), 1);
+        }
+
+        double bytesPerObject() {
+            return (double) bytes / Math.max(objects, 1);
+        }
+
+        /** How many times the opponent's processor time is ours. */
+        double ratio() {
+            return opponentCpu / Math.max(cpu, 1e-9);
+        }
+    }
+
+    /** @throws InterruptedIOException if a stop was asked for */
+    Result run(String name) throws IOException {
+        long before = usedBytes();
+        Scene standard = BenchScenes.make(name);
+        Scene scene = size.map(s -> standard.withSettings(standard.settings().withSize(s.width(), s.height()))).orElse(standard);
+        RenderOptions options = RenderOptions.of(scene).withThreads(threads);
+        double[] build = new double[rounds];
+        RenderScene ready = prepare(scene, build);
+        long bytes = Math.max(0, usedBytes() - before);
+        double[] trace = new double[rounds];
+        double[] cpu = new double[rounds];
+        double[] theirs = new double[rounds];
+        RenderStats rays = RenderStats.NONE;
+        for (int i = -WARM_UP; i < rounds; i++) {
+            CpuTime time = new CpuTime(stop);
+            rays = Renderer.render(ready, options, time).stats();
+            checkStop();
+            if (i >= 0) {
+                trace[i] = rays.traceSeconds();
+                cpu[i] = time.seconds();
+                theirs[i] = opponent.isPresent() ? opponentSeconds(opponent.get(), scene) : Double.NaN;
+            }
+        }
+        return new Result(name, scene.objects().size(), rays, bytes, median(build), median(trace), median(cpu), median(theirs));
+    }
+
+    private RenderScene prepare(Scene scene, double[] seconds) throws InterruptedIOException {
+        RenderScene ready = RenderScene.of(scene);
+        double spent = ready.buildSeconds();
+        for (int i = 0; i < rounds; i++) {
+            if (spent < BUILDING) {
+                ready = RenderScene.of(scene);
+                spent += ready.buildSeconds();
+            }
+            seconds[i] = ready.buildSeconds();
+            checkStop();
+        }
+        return ready;
+    }
+
+    private double opponentSeconds(PovRay povRay, Scene scene) throws IOException {
+        double[] seconds = new double[1];
+        stop.guard(() -> {
+            try {
+                seconds[0] = povRay.render(scene, threads).traceCpuSeconds();
+            } catch (InterruptedException e) {
+                throw new InterruptedIOException("interrupted");
+            }
+        });
+        return seconds[0];
+    }
+
+    private void checkStop() throws InterruptedIOException {
+        if (stop.requested()) {
+            throw new InterruptedIOException("interrupted");
+        }
+    }
+
+    @SuppressWarnings("SystemGc") // What is in use is known only after what is not has been collected.
+    private static long usedBytes() {
+        System.gc();
+        return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
+    }
+
+    private static double median(double[] values) {
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        return sorted[sorted.length / 2];
+    }
+}

@@ -1,0 +1,127 @@
+package cz.paprsek.cli.bench;
+
+import cz.paprsek.cli.input.SceneArguments;
+import cz.paprsek.cli.input.SceneReading;
+import cz.paprsek.cli.input.Share;
+import cz.paprsek.cli.input.Size;
+import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.image.ImageComparison;
+import cz.paprsek.image.ImageFiles;
+import cz.paprsek.math.Numbers;
+import cz.paprsek.pov.PovRay;
+import cz.paprsek.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Renders scenes here and with POV-Ray, and says how far the pictures are apart. */
+@Command(
+        name = "crosscheck",
+        description = {
+            "Renders scenes here and with POV-Ray, an independent program, and compares the pictures pixel by pixel in linear light of 16 bits.",
+            "Where povray is not installed, its recorded pictures serve, NAME.png beside NAME.xml, and a line says so. One ray a pixel."
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  rt-cli crosscheck rt-core/src/test/resources/crosscheck/*.xml",
+            "  rt-cli crosscheck mine.xml --size 160x90 --heatmaps differences/"
+        })
+public final class CrossCheckCommand implements Callable<Integer> {
+    private static final String ROW = "%-30s %9s %9s %8s  %s";
+
+    private final Terminal terminal;
+    private final Stop stop;
+
+    @Parameters(paramLabel = "SCENE", arity = "1..*",
+            description = "Scene files. Patterns with * ? [] {} and ** are expanded, also when quoted.")
+    private List<String> scenes;
+
+    @Option(names = "--tolerance", paramLabel = "STEPS", defaultValue = "2", description =
+            "By how many 65535ths a channel may differ. Default: ${DEFAULT-VALUE}.")
+    private double tolerance;
+
+    @Option(names = "--at-most", paramLabel = "SHARE", defaultValue = "0.001", description =
+            "Which share of pixels may differ by more, for the sake of outlines. Default: 0.1%%.")
+    private Share atMost;
+
+    @Option(names = "--size", paramLabel = "WxH", description = "Width and height in pixels. Default: the scene's. Needs povray.")
+    private Optional<Size> size;
+
+    @Option(names = "--recorded", description = "Compares with the recorded pictures even where povray is installed.")
+    private boolean recorded;
+
+    @Option(names = "--record", description = "Records the pictures that POV-Ray makes now, beside the scenes.")
+    private boolean record;
+
+    @Option(names = "--heatmaps", paramLabel = "DIR", description =
+            "Writes a map of the differences to this directory, which exists, for every scene that differs.")
+    private Optional<Path> heatmaps;
+
+    public CrossCheckCommand(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        this.stop = stop;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        Optional<PovRay> live = recorded ? Optional.empty() : PovRay.installed();
+        if (live.isEmpty() && (record || size.isPresent())) {
+            throw new WrongUsage(recorded ? "--recorded cannot be combined with --record or --size"
+                    : "--record and --size need povray, which is not installed");
+        }
+        terminal.result(live.map(pov -> "POV-Ray " + pov.version() + ", run now").orElse(
+                "POV-Ray 3.7, recorded" + (recorded ? "" : ": povray is not installed here, so nothing is checked live")));
+        terminal.result(String.format(Locale.ROOT, ROW, "scene", "largest", "mean", "beyond", "in 65535ths; beyond: pixels by more than " + Numbers.text(tolerance)));
+        int worst = ExitCode.DONE;
+        for (Path file : SceneArguments.files(scenes)) {
+            if (stop.requested()) {
+                return ExitCode.INTERRUPTED;
+            }
+            SceneReading reading = SceneReading.of(file);
+            reading.sentences().forEach(terminal::message);
+            worst = Math.max(worst, reading.isValid() ? ExitCode.DONE : ExitCode.BAD_SCENE);
+            for (Scene scene : reading.scenes()) {
+                worst = Math.max(worst, check(file, scene, live));
+            }
+        }
+        return worst;
+    }
+
+    private int check(Path file, Scene scene, Optional<PovRay> live) throws InterruptedException {
+        String name = Objects.requireNonNullElse(file.getFileName(), file).toString();
+        try {
+            Scene sized = size.map(s -> scene.withSettings(scene.settings().withSize(s.width(), s.height()))).orElse(scene);
+            CrossCheck check = CrossCheck.of(file, sized, live, record, tolerance);
+            ImageComparison found = check.comparison();
+            boolean isSame = found.shareBeyond() <= atMost.value();
+            terminal.result(String.format(Locale.ROOT, ROW, name, CompareCommand.steps(found.largest()), CompareCommand.steps(found.mean()),
+                    found.beyond(), isSame ? "the same" : "DIFFERENT"));
+            if (!isSame) {
+                check.warnings().forEach(warning -> terminal.result("    " + warning));
+                draw(name, check);
+            }
+            return isSame ? ExitCode.DONE : ExitCode.FAILED;
+        } catch (IOException | IllegalArgumentException noPicture) {
+            terminal.message(name + ": " + noPicture.getMessage());
+            return ExitCode.FAILED;
+        }
+    }
+
+    private void draw(String name, CrossCheck check) throws IOException {
+        if (heatmaps.isPresent()) {
+            Path map = heatmaps.get().resolve(name + ".png");
+            stop.guard(() -> ImageFiles.write(ImageComparison.heatmap(check.ours(), check.theirs(), tolerance), map));
+        }
+    }
+}

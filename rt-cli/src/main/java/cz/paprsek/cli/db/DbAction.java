@@ -1,0 +1,130 @@
+package cz.paprsek.cli.db;
+
+import cz.paprsek.cli.process.BadScene;
+import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Failures;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.query.Filter;
+import cz.paprsek.query.FilterException;
+import cz.paprsek.query.SceneTables;
+import cz.paprsek.query.Table;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.xml.DatabaseFile;
+import cz.paprsek.xml.Problem;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.UnaryOperator;
+import picocli.CommandLine.Option;
+
+/** What the commands on databases have in common: how files are read and changed, and how mistakes become sentences. */
+public abstract class DbAction implements Callable<Integer> {
+    final Terminal terminal;
+    final Stop stop;
+
+    @Option(names = {"-q", "--quiet"}, description = "Prints errors and results only.")
+    private boolean quiet;
+
+    DbAction(Terminal terminal, Stop stop) {
+        this.terminal = terminal;
+        this.stop = stop;
+    }
+
+    @Override
+    public final Integer call() {
+        try {
+            run();
+            return stop.requested() ? ExitCode.INTERRUPTED : ExitCode.DONE;
+        } catch (BadScene e) {
+            e.sentences().forEach(terminal::message);
+            return ExitCode.BAD_SCENE;
+        } catch (IOException e) {
+            terminal.message(stop.requested() ? "interrupted, nothing is changed" : String.valueOf(e.getMessage()));
+            return stop.requested() ? ExitCode.INTERRUPTED : ExitCode.FAILED;
+        }
+    }
+
+    /** Does what the command says. */
+    abstract void run() throws IOException;
+
+    /** Tells what was done, unless the user wants it quiet. */
+    final void done(String sentence) {
+        if (!quiet) {
+            terminal.message(sentence);
+        }
+    }
+
+    static SceneDatabase read(Path file) {
+        try {
+            return SceneFiles.readDatabase(file);
+        } catch (SceneFileException e) {
+            throw new BadScene(e.problems().stream().map(Problem::toString).toList());
+        } catch (IOException e) {
+            throw new BadScene(List.of(Failures.sentence(file.toString(), e)));
+        }
+    }
+
+    /** Changes a database while nobody else can. */
+    final void update(Path file, UnaryOperator<SceneDatabase> change) throws IOException {
+        if (!Files.exists(file)) {
+            throw new BadScene(List.of(file + ": no such file"));
+        }
+        stop.guard(() -> {
+            try {
+                DatabaseFile.update(file, database -> asked(() -> change.apply(database)));
+            } catch (SceneFileException e) {
+                throw new BadScene(e.problems().stream().map(Problem::toString).toList());
+            }
+        });
+    }
+
+    /** What the user asked for, refused if it makes no sense. */
+    static <T> T asked(Callable<T> wish) {
+        try {
+            return wish.call();
+        } catch (IllegalArgumentException refused) {
+            throw new WrongUsage(String.valueOf(refused.getMessage()));
+        } catch (RuntimeException e) {
+            throw e;
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    public static <R> Filter<R> filter(String option, Optional<String> text, Table<R> table) {
+        try {
+            return Filter.parse(text.orElse(""), table);
+        } catch (FilterException e) {
+            throw new WrongUsage(option + ", " + e.getMessage());
+        }
+    }
+
+    /** The scenes of a database that are named or match a filter, of which exactly one is given. */
+    static List<Scene> chosen(SceneDatabase database, Collection<String> names, Optional<String> where) {
+        if (names.isEmpty() == where.isEmpty()) {
+            throw new WrongUsage("say which scenes: either their names, or --where with a filter");
+        }
+        if (where.isEmpty()) {
+            return names.stream().distinct().map(name -> asked(() -> database.get(name))).toList();
+        }
+        List<Scene> found = database.scenes().stream().filter(filter("--where", where, SceneTables.SCENE)).toList();
+        if (found.isEmpty()) {
+            throw new WrongUsage("no scene matches " + where.get());
+        }
+        return found;
+    }
+
+    /** "1 scene", "2 scenes". */
+    static String scenes(int number) {
+        return number + (number == 1 ? " scene" : " scenes");
+    }
+}

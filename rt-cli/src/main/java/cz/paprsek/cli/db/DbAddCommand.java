@@ -1,0 +1,81 @@
+package cz.paprsek.cli.db;
+
+import cz.paprsek.cli.input.SceneArguments;
+import cz.paprsek.cli.process.BadScene;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.xml.DatabaseFile;
+import cz.paprsek.xml.SceneFileException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Adds scenes to a database. */
+@Command(
+        name = "add",
+        description = "Adds the scenes of files to a database, which is made if there is none. A scene without a name gets that of its file.",
+        footer = {"", "Examples:", "  rt-cli db add my.xml 'scenes/*.xml'", "  rt-cli db add my.xml ring.xml --name \"My ring\" --tag csg --tag gold"})
+final class DbAddCommand extends DbAction {
+    @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
+    private Path file;
+
+    @Parameters(index = "1..*", arity = "1..*", paramLabel = "SCENE", description = "Scene files and databases; patterns are expanded.")
+    private List<String> added;
+
+    @Option(names = "--name", paramLabel = "NAME", description = "The name of the scene in the database; for one scene.")
+    private Optional<String> name = Optional.empty();
+
+    @Option(names = "--tag", paramLabel = "WORD", description = "Gives the scenes one more tag; may be repeated.")
+    private List<String> tags = List.of();
+
+    @Option(names = "--replace", description = "Replaces scenes of the same name. Otherwise they are refused, unless they are the same.")
+    private boolean replace;
+
+    DbAddCommand(Terminal terminal, Stop stop) {
+        super(terminal, stop);
+    }
+
+    @Override
+    void run() throws IOException {
+        List<Scene> scenes = new ArrayList<>();
+        for (Path path : SceneArguments.files(added)) {
+            scenes.addAll(read(path).scenes());
+        }
+        if (name.isPresent() && scenes.size() != 1) {
+            throw new WrongUsage("--name is for one scene, but there are " + scenes.size());
+        }
+        SceneDatabase more = asked(() -> SceneDatabase.of(scenes.stream().map(this::labelled).toList()));
+        SceneDatabase.Clash clash = replace ? SceneDatabase.Clash.REPLACE : SceneDatabase.Clash.REFUSE;
+        if (Files.exists(file)) {
+            update(file, database -> database.merge(more, clash));
+        } else {
+            stop.guard(() -> create(more));
+        }
+        done(file + ": " + scenes(more.size()) + " added");
+    }
+
+    private void create(SceneDatabase content) throws IOException {
+        try {
+            DatabaseFile.create(file).save(content);
+        } catch (SceneFileException e) {
+            throw new BadScene(List.of(String.valueOf(e.getMessage())));
+        }
+    }
+
+    private Scene labelled(Scene scene) {
+        Set<String> all = new LinkedHashSet<>(scene.tags());
+        all.addAll(tags);
+        return scene.withName(name.orElse(scene.name())).withTags(List.copyOf(all));
+    }
+}

@@ -1,0 +1,86 @@
+package cz.paprsek.cli.db;
+
+import cz.paprsek.cli.input.FileNames;
+import cz.paprsek.cli.output.Targets;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Writes scenes of a database to files of their own. */
+@Command(
+        name = "extract",
+        description = "Writes scenes of a database to files of their own. Files that exist are not overwritten.",
+        footer = {"", "Examples:", "  rt-cli db extract my.xml \"Chess set\" -o chess.xml", "  rt-cli db extract my.xml --where 'tag = \"glass\"' -o glass/"})
+final class DbExtractCommand extends DbAction {
+    @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
+    private Path file;
+
+    @Parameters(index = "1..*", arity = "0..*", paramLabel = "NAME", description = "Names of scenes.")
+    private List<String> names = List.of();
+
+    @Option(names = "--where", paramLabel = "FILTER", description = "All scenes that match; 'rt-cli db --help' explains filters.")
+    private Optional<String> where = Optional.empty();
+
+    @Option(names = {"-o", "--output"}, paramLabel = "FILE|DIR|PATTERN", description = "A file, for one scene; a directory; or a pattern in which {name} "
+            + "stands for the scene's name, made fit for a file. - is standard output. Default: {name}.xml in the working directory.")
+    private String output = Targets.NAME + ".xml";
+
+    @Option(names = "--force", description = "Overwrites files that exist.")
+    private boolean force;
+
+    DbExtractCommand(Terminal terminal, Stop stop) {
+        super(terminal, stop);
+    }
+
+    @Override
+    void run() throws IOException {
+        SceneDatabase database = read(file);
+        List<Scene> scenes = chosen(database, names, where);
+        if (output.equals("-") && scenes.size() == 1) {
+            terminal.bytes().write(SceneFiles.format(scenes.get(0)).getBytes(StandardCharsets.UTF_8));
+            return;
+        }
+        Map<Path, Scene> files = files(scenes, FileNames.of(database.names()));
+        for (Map.Entry<Path, Scene> one : files.entrySet()) {
+            stop.guard(() -> SceneFiles.write(one.getValue(), one.getKey()));
+            done(one.getValue().name() + " -> " + one.getKey());
+        }
+    }
+
+    private Map<Path, Scene> files(List<Scene> scenes, Map<String, String> fileNames) throws IOException {
+        boolean isFolder = output.endsWith("/") || Files.isDirectory(Path.of(output));
+        String pattern = isFolder ? (output.endsWith("/") ? output : output + "/") + Targets.NAME + ".xml" : output;
+        if (scenes.size() > 1 && !pattern.contains(Targets.NAME)) {
+            throw new WrongUsage(scenes.size() + " scenes do not fit into " + output + "; name a directory, or a pattern such as " + Targets.NAME + ".xml");
+        }
+        Map<Path, Scene> files = new LinkedHashMap<>();
+        for (Scene scene : scenes) {
+            Path target = Path.of(pattern.replace(Targets.NAME, fileNames.getOrDefault(scene.name(), scene.name())));
+            if (Files.exists(target) && !force) {
+                throw new WrongUsage(target + " exists already; --force overwrites it");
+            }
+            files.put(target, scene);
+        }
+        for (Path target : files.keySet()) {
+            Path folder = target.toAbsolutePath().getParent();
+            if (folder != null && pattern.contains(Targets.NAME)) {
+                Files.createDirectories(folder);
+            }
+        }
+        return files;
+    }
+}

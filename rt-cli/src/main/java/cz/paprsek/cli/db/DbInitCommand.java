@@ -1,0 +1,43 @@
+package cz.paprsek.cli.db;
+
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Writes a new database. */
+@Command(
+        name = "init",
+        description = "Writes a new database with a test scene and examples of everything that scenes may have.",
+        footer = {"", "Example:", "  rt-cli db init my.xml && rt-cli db list my.xml"})
+final class DbInitCommand extends DbAction {
+    @Parameters(index = "0", paramLabel = "DATABASE", description = "The file to write.")
+    private Path file;
+
+    @Option(names = "--empty", description = "Without any scene.")
+    private boolean empty;
+
+    @Option(names = "--force", description = "Overwrites a file that exists.")
+    private boolean force;
+
+    DbInitCommand(Terminal terminal, Stop stop) {
+        super(terminal, stop);
+    }
+
+    @Override
+    void run() throws IOException {
+        if (Files.exists(file) && !force) {
+            throw new WrongUsage(file + " exists already; --force overwrites it");
+        }
+        SceneDatabase content = empty ? SceneDatabase.EMPTY : SceneFiles.examples();
+        stop.guard(() -> SceneFiles.writeAll(content.scenes(), file));
+        done(file + ": " + scenes(content.size()));
+    }
+}

@@ -1,0 +1,62 @@
+package cz.paprsek.cli.db;
+
+import cz.paprsek.cli.input.SceneArguments;
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.scene.SceneDatabase.Clash;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Takes the scenes of other databases into one. */
+@Command(
+        name = "merge",
+        description = "Takes all scenes of other databases into the first one. Scenes that are the same in both are no clash; different ones of "
+                + "the same name are refused, unless you say which to take.",
+        footer = {"", "Example:", "  rt-cli db merge my.xml theirs.xml --keep"})
+final class DbMergeCommand extends DbAction {
+    @Parameters(index = "0", paramLabel = "DATABASE", description = "The database that gets the scenes.")
+    private Path file;
+
+    @Parameters(index = "1..*", arity = "1..*", paramLabel = "OTHER", description = "The databases they are in; patterns are expanded.")
+    private List<String> others;
+
+    @Option(names = "--keep", description = "Where names clash, keeps the scene of DATABASE.")
+    private boolean keep;
+
+    @Option(names = "--replace", description = "Where names clash, takes the scene of OTHER.")
+    private boolean replace;
+
+    DbMergeCommand(Terminal terminal, Stop stop) {
+        super(terminal, stop);
+    }
+
+    @Override
+    void run() throws IOException {
+        if (keep && replace) {
+            throw new WrongUsage("--keep and --replace exclude each other");
+        }
+        Clash clash = keep ? Clash.KEEP : replace ? Clash.REPLACE : Clash.REFUSE;
+        List<SceneDatabase> read = new ArrayList<>();
+        for (Path other : SceneArguments.files(others)) {
+            read.add(read(other));
+        }
+        int[] sizes = new int[2];
+        update(file, database -> {
+            SceneDatabase merged = database;
+            for (SceneDatabase other : read) {
+                merged = merged.merge(other, clash);
+            }
+            sizes[0] = database.size();
+            sizes[1] = merged.size();
+            return merged;
+        });
+        done(file + ": " + scenes(sizes[1]) + ", " + (sizes[1] - sizes[0]) + " of them new");
+    }
+}

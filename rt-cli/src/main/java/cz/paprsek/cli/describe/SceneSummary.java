@@ -1,0 +1,46 @@
+package cz.paprsek.cli.describe;
+
+import cz.paprsek.math.Bounds;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * What is in a scene, counted.
+ *
+ * @param kinds for each kind of shape in use, how many there are
+ * @param bounds around all objects that have bounds, world space; empty if there is none
+ * @param unbounded how many objects have none
+ */
+public record SceneSummary(Scene scene, Map<String, Count> kinds, Bounds bounds, int unbounded) {
+
+    /** How many shapes of a kind are objects, and how many are operands of others. */
+    record Count(int objects, int operands) {
+        static final Count NONE = new Count(0, 0);
+
+        Count plus(boolean operand) {
+            return operand ? new Count(objects, operands + 1) : new Count(objects + 1, operands);
+        }
+    }
+
+    public static SceneSummary of(Scene scene) {
+        Map<String, Count> kinds = new TreeMap<>();
+        for (SceneParts.Part part : SceneParts.of(scene)) {
+            String kind = part.shape().kind();
+            kinds.put(kind, kinds.getOrDefault(kind, Count.NONE).plus(part.isOperand()));
+        }
+        Bounds bounds = Bounds.EMPTY;
+        int unbounded = 0;
+        for (SceneObject object : scene.objects()) {
+            Bounds own = Solids.place(object.shape(), object.placement()).bounds();
+            unbounded += own.isFinite() ? 0 : 1;
+            bounds = own.isFinite() ? bounds.union(own) : bounds;
+        }
+        return new SceneSummary(scene, kinds, bounds, unbounded);
+    }
+
+    int operands() {
+        return kinds.values().stream().mapToInt(Count::operands).sum();
+    }
+}

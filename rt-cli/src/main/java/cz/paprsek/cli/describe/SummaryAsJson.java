@@ -1,0 +1,77 @@
+package cz.paprsek.cli.describe;
+
+import cz.paprsek.io.Json;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+
+/** A summary for scripts; colours are sRGB 0–255, as in scene files. */
+public final class SummaryAsJson {
+    private SummaryAsJson() {}
+
+    public static Json of(String file, SceneSummary summary) {
+        Scene scene = summary.scene();
+        Json kinds = new Json();
+        summary.kinds().forEach((kind, count) -> kinds.with(kind,
+                new Json().with("objects", count.objects()).with("operands", count.operands())));
+        Json json = new Json()
+                .with("file", file)
+                .with("name", scene.name())
+                .with("description", scene.description())
+                .withTexts("tags", scene.tags())
+                .with("render", of(scene.settings()))
+                .with("camera", of(scene.camera()))
+                .with("background", vector(scene.background()))
+                .with("ambient", vector(scene.ambient()))
+                .with("lights", scene.lights().stream().map(SummaryAsJson::of).toList())
+                .with("materials", scene.materials().entrySet().stream().map(entry -> of(entry.getKey(), entry.getValue())).toList())
+                .with("objects", scene.objects().size())
+                .with("kinds", kinds)
+                .with("unbounded", summary.unbounded());
+        return summary.bounds().isEmpty() ? json : json.with("bounds", of(summary.bounds()));
+    }
+
+    private static Json of(RenderSettings settings) {
+        return new Json().with("width", settings.width()).with("height", settings.height()).with("max-depth", settings.maxDepth())
+                .with("samples", settings.samples());
+    }
+
+    private static Json of(Camera camera) {
+        Json json = new Json().with("position", camera.position()).with("direction", camera.forward());
+        if (camera.aim() instanceof Camera.Target target) {
+            json.with("target", target.point());
+        }
+        return json.with("up", camera.up()).with("fovy", camera.fovy());
+    }
+
+    private static Json of(Light light) {
+        return new Json().with("name", light.name()).with("position", light.position()).with("color", vector(light.color()))
+                .with("intensity", light.intensity());
+    }
+
+    private static Json of(String name, Material material) {
+        Json json = new Json().with("name", name);
+        if (material.pattern() instanceof Pattern.Plain plain) {
+            json.with("color", vector(plain.color()));
+        } else {
+            json.with("pattern", material.pattern() instanceof Pattern.Checkerboard ? "checkerboard" : "checker");
+        }
+        return json.with("diffusion", material.diffusion()).with("specular", material.specular()).with("shininess", material.shininess())
+                .with("reflection", material.reflection()).with("transparency", material.transparency())
+                .with("refractive-index", material.refractiveIndex());
+    }
+
+    private static Json of(Bounds box) {
+        return new Json().with("min", new Vec3(box.minX(), box.minY(), box.minZ())).with("max", new Vec3(box.maxX(), box.maxY(), box.maxZ()));
+    }
+
+    private static Vec3 vector(Rgb color) {
+        return new Vec3(color.red(), color.green(), color.blue());
+    }
+}

@@ -1,0 +1,93 @@
+package cz.paprsek.cli.describe;
+
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Numbers;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import java.util.ArrayList;
+import java.util.List;
+
+/** A summary for people: a heading and its value a line, what belongs to it indented below. */
+public final class SummaryAsText {
+    private final List<String> lines = new ArrayList<>();
+
+    private SummaryAsText() {}
+
+    public static List<String> lines(SceneSummary summary) {
+        SummaryAsText text = new SummaryAsText();
+        text.scene(summary.scene());
+        text.objects(summary);
+        return text.lines;
+    }
+
+    private void scene(Scene scene) {
+        RenderSettings settings = scene.settings();
+        Camera camera = scene.camera();
+        optional("name", scene.name());
+        optional("description", scene.description().strip().replaceAll("\\s+", " "));
+        optional("tags", String.join(" ", scene.tags()));
+        line("picture", settings.width() + "x" + settings.height() + ", max-depth " + settings.maxDepth() + ", "
+                + (settings.samples() == 1 ? "1 ray a pixel" : settings.samples() + "x" + settings.samples() + " rays a pixel"));
+        line("camera", "position " + Numbers.text(camera.position()) + ", " + aim(camera) + ", up " + Numbers.text(camera.up())
+                + ", fovy " + Numbers.text(camera.fovy()));
+        line("background", text(scene.background()));
+        line("ambient", text(scene.ambient()));
+        line("lights", Integer.toString(scene.lights().size()));
+        for (Light light : scene.lights()) {
+            item(light.name(), "position " + Numbers.text(light.position()) + ", color " + text(light.color()) + ", intensity "
+                    + Numbers.text(light.intensity()));
+        }
+        line("materials", Integer.toString(scene.materials().size()));
+        scene.materials().forEach((name, material) -> item(name, text(material)));
+    }
+
+    private void objects(SceneSummary summary) {
+        int operands = summary.operands();
+        line("objects", summary.scene().objects().size() + (operands > 0 ? ", with " + operands + (operands == 1 ? " operand" : " operands") : ""));
+        summary.kinds().forEach((kind, count) -> item(kind, count.operands() == 0 ? Integer.toString(count.objects())
+                : count.objects() + " and " + count.operands() + (count.operands() == 1 ? " operand" : " operands")));
+        Bounds box = summary.bounds();
+        line("bounds", (box.isEmpty() ? "none"
+                : Numbers.text(box.minX()) + " " + Numbers.text(box.minY()) + " " + Numbers.text(box.minZ()) + " to "
+                        + Numbers.text(box.maxX()) + " " + Numbers.text(box.maxY()) + " " + Numbers.text(box.maxZ()))
+                + (summary.unbounded() > 0 ? ", and " + summary.unbounded() + " without bounds" : ""));
+    }
+
+    private void optional(String heading, String value) {
+        if (!value.isEmpty()) {
+            line(heading, value);
+        }
+    }
+
+    private void line(String heading, String value) {
+        lines.add(String.format("  %-12s %s", heading, value));
+    }
+
+    private void item(String name, String value) {
+        lines.add(String.format("    %-12s %s", name.isEmpty() ? "-" : name, value));
+    }
+
+    private static String aim(Camera camera) {
+        return camera.aim() instanceof Camera.Target target
+                ? "target " + Numbers.text(target.point())
+                : "direction " + Numbers.text(camera.forward());
+    }
+
+    static String text(Rgb color) {
+        return Numbers.text(color.red()) + " " + Numbers.text(color.green()) + " " + Numbers.text(color.blue());
+    }
+
+    private static String text(Material material) {
+        String color = material.pattern() instanceof Pattern.Plain plain ? text(plain.color())
+                : material.pattern() instanceof Pattern.Checkerboard ? "checkerboard" : "checker";
+        return "color " + color + ", diffusion " + Numbers.text(material.diffusion()) + ", specular " + Numbers.text(material.specular())
+                + ", shininess " + Numbers.text(material.shininess()) + ", reflection " + Numbers.text(material.reflection())
+                + ", transparency " + Numbers.text(material.transparency()) + ", refractive-index "
+                + Numbers.text(material.refractiveIndex());
+    }
+}

@@ -1,0 +1,25 @@
+package cz.paprsek.cli.input;
+
+import cz.paprsek.scene.RenderSettings;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import picocli.CommandLine.TypeConversionException;
+
+/** A picture's width and height in pixels, as in {@code 1280x720}. */
+public record Size(int width, int height) {
+    private static final Pattern FORM = Pattern.compile("(\\d{1,5})[xX](\\d{1,5})");
+
+    public static Size parse(String text) {
+        Matcher found = FORM.matcher(text);
+        if (!found.matches()) {
+            throw new TypeConversionException("expected WIDTHxHEIGHT such as 1280x720, but found '" + text + "'");
+        }
+        Size size = new Size(Integer.parseInt(found.group(1)), Integer.parseInt(found.group(2)));
+        try {
+            RenderSettings.DEFAULT.withSize(size.width, size.height);
+        } catch (IllegalArgumentException refused) {
+            throw new TypeConversionException(refused.getMessage());
+        }
+        return size;
+    }
+}

@@ -1,0 +1,37 @@
+package cz.paprsek.cli.input;
+
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.Tile;
+import cz.paprsek.scene.RenderSettings;
+import java.util.Optional;
+
+/** What the user wants otherwise than the scenes say. */
+public record Wishes(
+        Optional<Size> size, Optional<Integer> maxDepth, Optional<Integer> samples, Optional<Tile> region, Optional<Integer> threads) {
+
+    /** @throws WrongUsage if a number is out of range, or the region outside a picture of the size wished for */
+    public Wishes {
+        try {
+            RenderOptions.of(settings(RenderSettings.DEFAULT, size, maxDepth, samples)).withThreads(threads.orElse(1));
+            if (size.isPresent() && region.isPresent()) {
+                RenderOptions.of(RenderSettings.DEFAULT.withSize(size.get().width(), size.get().height())).withRegion(region.get());
+            }
+        } catch (IllegalArgumentException refused) {
+            throw new WrongUsage(String.valueOf(refused.getMessage()));
+        }
+    }
+
+    /** @throws IllegalArgumentException if the region does not lie inside the picture */
+    public RenderOptions applyTo(RenderSettings settings) {
+        RenderOptions options = RenderOptions.of(settings(settings, size, maxDepth, samples));
+        options = threads.isPresent() ? options.withThreads(threads.get()) : options;
+        return region.isPresent() ? options.withRegion(region.get()) : options;
+    }
+
+    private static RenderSettings settings(
+            RenderSettings settings, Optional<Size> size, Optional<Integer> maxDepth, Optional<Integer> samples) {
+        RenderSettings sized = size.map(s -> settings.withSize(s.width(), s.height())).orElse(settings);
+        return sized.withMaxDepth(maxDepth.orElse(sized.maxDepth())).withSamples(samples.orElse(sized.samples()));
+    }
+}

@@ -1,0 +1,200 @@
+package cz.paprsek.cli.output;
+
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.image.Image;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.Tile;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.zip.CRC32;
+
+/**
+ * The finished tiles of a picture under way, in a file beside it. The file begins with a digest of scene and settings; each tile is appended
+ * as a whole with a checksum, so that a process may be killed at any moment: a torn last tile is dropped when the file is read.
+ */
+public final class Checkpoint implements AutoCloseable {
+    private static final byte[] MAGIC = "paprsek tiles 1\n".getBytes(StandardCharsets.US_ASCII);
+    private static final int RECORD_HEAD = 5 * Integer.BYTES;
+    private static final int CHANNELS = 3;
+
+    private final Path file;
+    private final FileChannel channel;
+    private final Map<Tile, FloatBuffer> tiles = new HashMap<>();
+
+    private Checkpoint(Path file, FileChannel channel) {
+        this.file = file;
+        this.channel = channel;
+    }
+
+    /** Where the tiles of a picture are kept. */
+    public static Path fileFor(Path picture) {
+        return picture.resolveSibling(picture.getFileName() + ".resume");
+    }
+
+    /**
+     * Opens the file of a picture's tiles, or begins one.
+     *
+     * @throws WrongUsage if it holds tiles of another picture, or another process is at work on it
+     */
+    static Checkpoint open(Path picture, Scene scene, RenderOptions options) throws IOException {
+        Path file = fileFor(picture);
+        FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+        boolean opened = false;
+        try {
+            if (isTaken(channel)) {
+                throw new WrongUsage(file + ": another render is at work on this picture");
+            }
+            Checkpoint checkpoint = new Checkpoint(file, channel);
+            checkpoint.read(digest(scene, options), new Tile(0, 0, options.region().width(), options.region().height()));
+            opened = true;
+            return checkpoint;
+        } finally {
+            if (!opened) {
+                channel.close();
+            }
+        }
+    }
+
+    /** How many pixels are known. */
+    long pixels() {
+        return tiles.keySet().stream().mapToLong(tile -> (long) tile.width() * tile.height()).sum();
+    }
+
+    /** Whether a tile was there when the file was opened. */
+    boolean holds(Tile tile) {
+        return tiles.containsKey(tile);
+    }
+
+    /** Sets the pixels of a tile if they are known. */
+    boolean restore(Tile tile, Image image) {
+        FloatBuffer known = tiles.get(tile);
+        if (known == null) {
+            return false;
+        }
+        for (int i = 0; i < tile.width() * tile.height(); i++) {
+            image.set(tile.x() + i % tile.width(), tile.y() + i / tile.width(),
+                    known.get(CHANNELS * i), known.get(CHANNELS * i + 1), known.get(CHANNELS * i + 2));
+        }
+        return true;
+    }
+
+    /** Adds a finished tile. */
+    synchronized void save(Tile tile, Image image) throws IOException {
+        ByteBuffer record = ByteBuffer.allocate(RECORD_HEAD + pixelBytes(tile));
+        record.putInt(tile.x()).putInt(tile.y()).putInt(tile.width()).putInt(tile.height()).putInt(0);
+        for (int i = 0; i < tile.width() * tile.height(); i++) {
+            int x = tile.x() + i % tile.width();
+            int y = tile.y() + i / tile.width();
+            record.putFloat(image.red(x, y)).putFloat(image.green(x, y)).putFloat(image.blue(x, y));
+        }
+        record.putInt(RECORD_HEAD - Integer.BYTES, checksum(record)).flip();
+        while (record.hasRemaining()) {
+            channel.write(record);
+        }
+    }
+
+    /** The picture is written: its tiles are needed no more. */
+    void discard() throws IOException {
+        Files.deleteIfExists(file);
+    }
+
+    @Override
+    public void close() throws IOException {
+        channel.close();
+    }
+
+    private void read(byte[] digest, Tile region) throws IOException {
+        if (channel.size() < MAGIC.length + digest.length) {
+            // New, or its beginning was torn.
+            channel.truncate(0);
+            channel.write(ByteBuffer.allocate(MAGIC.length + digest.length).put(MAGIC).put(digest).flip());
+            return;
+        }
+        ByteBuffer expected = ByteBuffer.allocate(MAGIC.length + digest.length).put(MAGIC).put(digest).flip();
+        if (!read(expected.limit()).equals(expected)) {
+            throw new WrongUsage(file + ": holds tiles of another picture, the scene or the settings are not the same;"
+                    + " delete it to begin anew, or give this picture another name");
+        }
+        long whole = channel.position();
+        while (readTile(region)) {
+            whole = channel.position();
+        }
+        channel.truncate(whole);
+        channel.position(whole);
+    }
+
+    private boolean readTile(Tile region) throws IOException {
+        ByteBuffer head = read(RECORD_HEAD);
+        if (head.remaining() < RECORD_HEAD) {
+            return false;
+        }
+        int x = head.getInt();
+        int y = head.getInt();
+        int width = head.getInt();
+        int height = head.getInt();
+        if (x < 0 || y < 0 || width < 1 || height < 1 || width > region.width() - x || height > region.height() - y) {
+            return false;
+        }
+        Tile tile = new Tile(x, y, width, height);
+        ByteBuffer pixels = read(pixelBytes(tile));
+        ByteBuffer record = ByteBuffer.allocate(RECORD_HEAD + pixelBytes(tile)).put(head.rewind()).put(pixels.duplicate());
+        if (record.hasRemaining() || checksum(record) != head.getInt(RECORD_HEAD - Integer.BYTES)) {
+            return false;
+        }
+        tiles.put(tile, pixels.asFloatBuffer());
+        return true;
+    }
+
+    /** The next bytes of the file; fewer where it ends. */
+    private ByteBuffer read(int size) throws IOException {
+        ByteBuffer bytes = ByteBuffer.allocate((int) Math.min(size, channel.size() - channel.position()));
+        while (bytes.hasRemaining() && channel.read(bytes) >= 0) {
+            // A read may bring less than was asked for.
+        }
+        return bytes.flip();
+    }
+
+    private static int pixelBytes(Tile tile) {
+        return CHANNELS * Float.BYTES * tile.width() * tile.height();
+    }
+
+    /** Of everything but the place of the checksum itself. */
+    private static int checksum(ByteBuffer record) {
+        CRC32 crc = new CRC32();
+        crc.update(record.slice(0, RECORD_HEAD - Integer.BYTES));
+        crc.update(record.slice(RECORD_HEAD, record.capacity() - RECORD_HEAD));
+        return (int) crc.getValue();
+    }
+
+    private static boolean isTaken(FileChannel channel) throws IOException {
+        try {
+            return channel.tryLock() == null;
+        } catch (OverlappingFileLockException e) {
+            return true;
+        }
+    }
+
+    /** Two pictures are the same if these are: everything but the number of threads. */
+    private static byte[] digest(Scene scene, RenderOptions options) {
+        try {
+            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            digest.update(SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8));
+            return digest.digest(options.withThreads(1).toString().getBytes(StandardCharsets.UTF_8));
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java has SHA-256", e);
+        }
+    }
+}

@@ -1,0 +1,34 @@
+package cz.paprsek.cli.output;
+
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.render.RenderOptions;
+import java.util.Locale;
+
+/** Progress for a log file: a line at the start, then one every ten seconds. */
+final class ProgressInLines extends Progress {
+    private static final double SECONDS_BETWEEN = 10;
+
+    private final Terminal terminal;
+    private final String scene;
+    private final long begin = System.nanoTime();
+    private double said;
+
+    ProgressInLines(Terminal terminal, String scene, RenderOptions options, Stop stop) {
+        super(options, stop);
+        this.terminal = terminal;
+        this.scene = scene;
+        terminal.message(scene + ": rendering " + options.region().width() + "x" + options.region().height() + " on "
+                + options.threads() + (options.threads() == 1 ? " thread" : " threads"));
+    }
+
+    @Override
+    void show(long done, long total) {
+        double seconds = (System.nanoTime() - begin) / 1e9;
+        if (done < total && seconds >= said + SECONDS_BETWEEN) {
+            said = seconds;
+            terminal.message(String.format(Locale.ROOT, "%s: %d %% after %.0f s, about %.0f s left",
+                    scene, 100 * done / total, seconds, seconds * (total - done) / done));
+        }
+    }
+}

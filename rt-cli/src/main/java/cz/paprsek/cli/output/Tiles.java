@@ -1,0 +1,55 @@
+package cz.paprsek.cli.output;
+
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicBoolean;
+
+/** What becomes of the tiles of a picture when its render is interrupted. */
+interface Tiles extends AutoCloseable {
+    /** They are lost. */
+    Tiles NOT_KEPT = monitor -> monitor;
+
+    /** The monitor, and whatever it takes to keep the tiles. */
+    RenderMonitor around(RenderMonitor monitor);
+
+    /** The picture is written. */
+    default void discard() throws IOException {}
+
+    @Override
+    default void close() throws IOException {}
+
+    /**
+     * They are kept in a file beside the picture.
+     *
+     * @throws WrongUsage if that file is of another picture
+     */
+    static Tiles kept(Target target, Scene scene, RenderOptions options, Terminal terminal) throws IOException {
+        Path picture = target.file().orElseThrow();
+        Checkpoint checkpoint = Checkpoint.open(picture, scene, options);
+        long pixels = (long) options.region().width() * options.region().height();
+        if (checkpoint.pixels() > 0) {
+            terminal.message(target.source().label() + ": going on, " + 100 * checkpoint.pixels() / pixels + " % is done already");
+        }
+        return new Tiles() {
+            @Override
+            public RenderMonitor around(RenderMonitor monitor) {
+                return new Resuming(monitor, checkpoint, terminal, Checkpoint.fileFor(picture).toString(), new AtomicBoolean());
+            }
+
+            @Override
+            public void discard() throws IOException {
+                checkpoint.discard();
+            }
+
+            @Override
+            public void close() throws IOException {
+                checkpoint.close();
+            }
+        };
+    }
+}

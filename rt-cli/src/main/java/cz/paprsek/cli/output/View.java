@@ -1,0 +1,47 @@
+package cz.paprsek.cli.output;
+
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.image.Image;
+import cz.paprsek.render.HeatScale;
+import cz.paprsek.render.Legend;
+import cz.paprsek.render.RenderMode;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * What a picture is to show, if not just the scene as it is.
+ *
+ * @param light the only light to be lit: its name, or its number from 1
+ * @param legend whether a heat map gets its scale below it
+ */
+public record View(RenderMode mode, Optional<String> light, boolean legend) {
+
+    /** @throws WrongUsage if the scene has no such light */
+    Scene of(Scene scene) {
+        return light.isEmpty() ? scene : scene.withLights(List.of(chosen(scene, light.get())));
+    }
+
+    /** The picture as it is written. */
+    Image finished(Image image) {
+        Optional<HeatScale> scale = mode.scale();
+        return legend && scale.isPresent() ? Legend.below(image, scale.get()) : image;
+    }
+
+    private static Light chosen(Scene scene, String word) {
+        List<Light> lights = scene.lights();
+        return lights.stream().filter(light -> light.name().equals(word)).findFirst()
+                .or(() -> IntStream.range(0, lights.size()).filter(i -> word.equals(Integer.toString(i + 1))).mapToObj(lights::get).findFirst())
+                .orElseThrow(() -> new WrongUsage("there is no light \"" + word + "\"; this scene has " + known(lights)));
+    }
+
+    private static String known(List<Light> lights) {
+        if (lights.isEmpty()) {
+            return "none";
+        }
+        List<String> names = lights.stream().map(Light::name).filter(name -> !name.isEmpty()).toList();
+        return "lights 1 to " + lights.size() + (names.isEmpty() ? "" : ", named " + String.join(", ", names));
+    }
+}

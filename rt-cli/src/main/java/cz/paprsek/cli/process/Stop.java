@@ -1,0 +1,81 @@
+package cz.paprsek.cli.process;
+
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The user's wish to stop, told to the one thread that runs the command. Computing stops by asking {@link #requested}; a file being
+ * written is given up by interrupting the thread, and waited for, so that no half of it stays behind.
+ */
+public final class Stop {
+    /** How long a process that writes nothing is kept alive to say that it was interrupted. */
+    private static final long LAST_WORDS_MILLIS = 20;
+    /** How long to wait for a half-written file to be removed: more than that, and the disk hangs. */
+    private static final long CLEANING_MILLIS = 5_000;
+
+    private volatile boolean requested;
+    private @Nullable Thread writer;
+    private boolean ended;
+
+    /** Writes a file. */
+    @FunctionalInterface
+    public interface Writing {
+        void run() throws IOException;
+    }
+
+    public boolean requested() {
+        return requested;
+    }
+
+    /** Asks the command to stop. */
+    public synchronized void request() {
+        requested = true;
+        if (writer != null) {
+            writer.interrupt();
+        }
+    }
+
+    /** Asks the command to stop and gives it the time to clean up. */
+    public synchronized void requestAndWait() {
+        request();
+        long begin = System.nanoTime();
+        try {
+            for (long left = 1; !ended && left > 0;) {
+                long patience = writer == null ? LAST_WORDS_MILLIS : CLEANING_MILLIS;
+                left = patience - (System.nanoTime() - begin) / 1_000_000;
+                wait(Math.max(1, left));
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** The command is over. */
+    public synchronized void ended() {
+        ended = true;
+        notifyAll();
+    }
+
+    /** Writes a file unless a stop was asked for; a stop asked for meanwhile interrupts it. */
+    public void guard(Writing writing) throws IOException {
+        synchronized (this) {
+            if (requested) {
+                throw new InterruptedIOException("interrupted");
+            }
+            writer = Thread.currentThread();
+        }
+        try {
+            writing.run();
+        } finally {
+            synchronized (this) {
+                writer = null;
+                if (requested) {
+                    // The interrupt was meant for this file only.
+                    Thread.interrupted();
+                }
+                notifyAll();
+            }
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package cz.paprsek.cli.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import cz.paprsek.cli.Run;
+import cz.paprsek.cli.Scenes;
+import cz.paprsek.image.ImageFiles;
+import cz.paprsek.pov.PovRay;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class CrossCheckCommandTest {
+    private static final Path SUITE = Path.of("../rt-core/src/test/resources/crosscheck");
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void theTableSaysHowFarThePicturesAreApart() {
+        Run run = Run.cli("crosscheck", "--recorded", SUITE.resolve("s*.xml"), SUITE.resolve("combined-table.xml"));
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.out().lines()).hasSize(4).first().asString().startsWith("POV-Ray 3.7, recorded");
+        assertThat(run.out()).containsPattern("sphere.xml +0\\.5 +0\\.\\d+ +0  the same\n");
+    }
+
+    @Test
+    void aDifferenceIsToldByTheExitCodeAndShown() throws IOException {
+        Path scene = folder.resolve("sphere.xml");
+        Files.writeString(scene, Files.readString(SUITE.resolve("sphere.xml")).replace("radius=\"0.9\"", "radius=\"0.8\""));
+        Files.copy(SUITE.resolve("sphere.png"), folder.resolve("sphere.png"));
+        Run run = Run.cli("crosscheck", "--recorded", scene, "--heatmaps", folder);
+        assertThat(run.code()).isEqualTo(1);
+        assertThat(run.out()).contains("DIFFERENT");
+        assertThat(ImageFiles.read(folder.resolve("sphere.xml.png")).width()).isEqualTo(64);
+    }
+
+    @Test
+    void aSceneWithoutARecordingIsSaidToHaveNone() throws IOException {
+        Run run = Run.cli("crosscheck", "--recorded", Scenes.ball(folder.resolve("ball.xml")), Scenes.broken(folder.resolve("broken.xml")));
+        assertThat(run.code()).isEqualTo(3);
+        assertThat(run.err()).contains("there is no recorded picture " + folder.resolve("ball.png"), "did you mean \"radius\"?");
+        assertThat(Run.cli("crosscheck", "--recorded", "--record", folder.resolve("ball.xml")).code()).isEqualTo(2);
+    }
+
+    @Test
+    void whereItIsInstalledPovRayRunsAndIsRecorded() throws IOException {
+        Run skipped = Run.cli("crosscheck", "--recorded", SUITE.resolve("sphere.xml"));
+        assertThat(skipped.code()).isZero();
+        assumeTrue(PovRay.installed().isPresent(), "povray is not installed");
+        Path ball = Scenes.ball(folder.resolve("ball.xml"));
+        Run live = Run.cli("crosscheck", ball, "--record");
+        assertThat(live.code()).as(live.out() + live.err()).isZero();
+        assertThat(live.out()).contains("run now", "ball.xml", "the same");
+        assertThat(folder.resolve("ball.png")).isNotEmptyFile();
+        assertThat(Run.cli("crosscheck", ball, "--recorded").code()).isZero();
+        assertThat(Run.cli("crosscheck", ball, "--size", "20x10").code()).isZero();
+    }
+}

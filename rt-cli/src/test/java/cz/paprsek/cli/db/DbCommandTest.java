@@ -1,0 +1,190 @@
+package cz.paprsek.cli.db;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.cli.Run;
+import cz.paprsek.cli.Scenes;
+import cz.paprsek.cli.input.FileNames;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class DbCommandTest {
+    @TempDir
+    Path folder;
+
+    private Path database;
+    private Path ball;
+
+    @BeforeEach
+    void writeADatabase() throws IOException {
+        database = folder.resolve("db.xml");
+        ball = Scenes.ball(folder.resolve("ball.xml"));
+        SceneFiles.writeAll(List.of(scene("red one", "one, \"two\"\nthree"), scene("Blue/2", ""), scene("blue:2", "")), database);
+    }
+
+    private static Scene scene(String name, String description) {
+        Scene empty = Scene.EMPTY.withName(name).withDescription(description).withTags(List.of(name.substring(0, 3).toLowerCase(Locale.ROOT)));
+        return empty.withSettings(empty.settings().withSize(8, 4));
+    }
+
+    private List<String> names() throws Exception {
+        return List.copyOf(SceneFiles.readDatabase(database).names());
+    }
+
+    @Test
+    void scenesAreListedInThreeForms() {
+        assertThat(Run.cli("db", "list", database).out()).isEqualTo("""
+                name     tag  objects  lights  description
+                red one  red        0       0  one, "two" three
+                Blue/2   blu        0       0
+                blue:2   blu        0       0
+                """);
+        assertThat(Run.cli("db", "list", database, "--csv", "--where", "tag = \"red\"").out()).isEqualTo(
+                "name,tag,objects,lights,description\nred one,red,0,0,\"one, \"\"two\"\"\nthree\"\n");
+        assertThat(Run.cli("db", "list", database, "--json", "--columns", "name,background,width", "--sort", "name").out()).isEqualTo("""
+                {"name":"Blue/2","background":[0,0,0],"width":8}
+                {"name":"blue:2","background":[0,0,0],"width":8}
+                {"name":"red one","background":[0,0,0],"width":8}
+                """);
+        assertThat(Run.cli("db", "list", database, "--columns", "name", "--reverse").out().lines()).containsExactly("name", "blue:2", "Blue/2", "red one");
+    }
+
+    @Test
+    void tablesAreListedAndShown() {
+        assertThat(Run.cli("db", "tables", database).out().lines().map(line -> line.split(" +", 2)[0])).startsWith("table", "scene", "camera", "light",
+                "material", "object").contains("sphere", "torus", "difference");
+        assertThat(Run.cli("db", "show", "camera", database, "--scenes", "name like \"blue%\"", "--columns", "scene,position.z", "--csv").out())
+                .isEqualTo("scene,position.z\nBlue/2,5\nblue:2,5\n");
+        assertThat(Run.cli("db", "find", ball, "--where", "radius > 0.5").out().lines()).containsExactly(
+                "table   scene  path", "sphere  ball   sphere#1");
+    }
+
+    @Test
+    void scenesAreAddedRenamedMergedAndRemoved() throws Exception {
+        Path fresh = folder.resolve("fresh.xml");
+        assertThat(Run.cli("db", "add", fresh, ball, "--name", "my ball", "--tag", "round").err()).isEqualTo(fresh + ": 1 scene added\n");
+        assertThat(SceneFiles.readDatabase(fresh).get("my ball").tags()).containsExactly("round");
+        assertThat(Run.cli("db", "merge", database, fresh).err()).isEqualTo(database + ": 4 scenes, 1 of them new\n");
+        assertThat(Run.cli("db", "rename", database, "my ball", "ball").code()).isZero();
+        assertThat(names()).containsExactly("red one", "Blue/2", "blue:2", "ball");
+        assertThat(Run.cli("db", "add", database, ball).err()).contains("both have different scenes named \"ball\"");
+        assertThat(Run.cli("db", "add", database, ball, "--replace", "--quiet").err()).isEmpty();
+        assertThat(SceneFiles.readDatabase(database).get("ball").tags()).isEmpty();
+        assertThat(Run.cli("db", "remove", database, "--where", "exists(sphere) or tag = \"red\"").err())
+                .isEqualTo(database + ": 2 scenes removed: red one, ball\n");
+        assertThat(names()).containsExactly("Blue/2", "blue:2");
+    }
+
+    @Test
+    void scenesAreExtractedToFilesThatAreNotOverwritten() throws Exception {
+        Path out = folder.resolve("out");
+        assertThat(Run.cli("db", "extract", database, "--where", "tag = \"blu\"", "-o", out + "/").code()).isZero();
+        assertThat(out.toFile().list()).containsExactlyInAnyOrder("Blue-2.xml", "blue-2-2.xml");
+        assertThat(SceneFiles.read(out.resolve("blue-2-2.xml")).name()).isEqualTo("blue:2");
+        assertThat(Run.cli("db", "extract", database, "blue:2", "-o", "-").text()).isEqualTo(Files.readString(out.resolve("blue-2-2.xml")));
+        assertThat(Run.cli("db", "extract", database, "Blue/2", "-o", out).err()).contains("Blue-2.xml exists already; --force overwrites it");
+        assertThat(Run.cli("db", "extract", database, "Blue/2", "-o", out, "--force").code()).isZero();
+        assertThat(Run.cli("db", "extract", database, "Blue/2", "red one", "-o", "x.xml").err()).contains("2 scenes do not fit into x.xml");
+    }
+
+    @Test
+    void aNewDatabaseHasExamplesOrNothing() throws Exception {
+        Path fresh = folder.resolve("fresh.xml");
+        assertThat(Run.cli("db", "init", fresh).code()).isZero();
+        assertThat(SceneFiles.readDatabase(fresh).names()).contains("Test scene").hasSizeGreaterThan(20);
+        assertThat(Run.cli("db", "init", fresh, "--empty").err()).contains("exists already; --force overwrites it");
+        assertThat(Run.cli("db", "init", fresh, "--empty", "--force").code()).isZero();
+        assertThat(SceneFiles.readDatabase(fresh).size()).isZero();
+    }
+
+    @Test
+    void theScenesOfADatabaseThatMatchAreRenderedUnderTheirNames() throws IOException {
+        Path out = folder.resolve("out");
+        Run run = Run.cli("render", database, ball, "--where", "not tag = \"red\"", "-o", out + "/{name}.png", "--quiet", "--json");
+        assertThat(run.code()).isZero();
+        assertThat(run.out().lines()).hasSize(3).allMatch(line -> line.contains("\"outcome\":\"done\""));
+        assertThat(out.toFile().list()).containsExactlyInAnyOrder("Blue-2.png", "blue-2-2.png", "ball.png");
+        assertThat(Run.cli("render", database, "--where", "lights > 9").err()).contains("no scene matches lights > 9");
+        assertThat(Run.cli("render", database, "--where", "lihgts > 9").err()).contains("--where, character 1: there is no column \"lihgts\"");
+        assertThat(Run.cli("render", database, "-o", out + "/", "--quiet").code()).isZero();
+        assertThat(out.resolve("red-one.png")).exists();
+    }
+
+    @Test
+    void twoWhoChangeADatabaseAtOnceLoseNothing() throws Exception {
+        List<Integer> codes = IntStream.range(0, 12).parallel()
+                .mapToObj(i -> Run.cli("db", "add", database, ball, "--name", "ball " + i).code()).toList();
+        assertThat(codes).containsOnly(0);
+        assertThat(names()).hasSize(15);
+        assertThat(folder.toFile().list()).containsExactlyInAnyOrder("db.xml", "ball.xml");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "db                                    | say what to do: list, tables, show, find, add, extract, remove, rename, merge, init",
+        "db lsit DB                            | there is no command \"lsit\"; did you mean \"list\"?",
+        "db show spere DB                      | there is no table \"spere\"; did you mean \"sphere\"?",
+        "db list DB --columns nam              | there is no column \"nam\" in scene; did you mean \"name\"?",
+        "db list DB --sort nam                 | there is no column \"nam\" in scene",
+        "db list DB --csv --json               | --csv and --json exclude each other",
+        "db find DB --where raduis=1           | there is no column \"raduis\" in sphere; did you mean \"radius\"?",
+        "db remove DB                          | say which scenes: either their names, or --where with a filter",
+        "db remove DB red --where lights=0     | say which scenes: either their names, or --where with a filter",
+        "db remove DB Blue/3                   | there is no scene named \"Blue/3\"; did you mean \"Blue/2\"?",
+        "db remove DB --where lights=7         | no scene matches lights=7",
+        "db rename DB Blue/2 blue:2            | there is already a scene named \"blue:2\"",
+        "db merge DB DB --keep --replace       | --keep and --replace exclude each other",
+        "db add DB DB --name x                 | --name is for one scene, but there are 3",
+    })
+    void wrongUsageIsExplainedInOneSentence(String line, String sentence) throws Exception {
+        String before = Files.readString(database);
+        Run run = Run.cli((Object[]) line.trim().replace("DB", database.toString()).split(" "));
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err()).contains(sentence).contains("--help'.").hasLineCount(2);
+        assertThat(database).hasContent(before);
+    }
+
+    @Test
+    void aMissingOrBrokenFileIsABadScene() throws IOException {
+        Path none = folder.resolve("none.xml");
+        for (String command : List.of("list", "tables", "remove")) {
+            Run run = command.equals("remove") ? Run.cli("db", command, none, "x") : Run.cli("db", command, none);
+            assertThat(run.code()).isEqualTo(3);
+            assertThat(run.err()).isEqualTo(none + ": no such file\n");
+        }
+        Path broken = Scenes.broken(folder.resolve("broken.xml"));
+        assertThat(Run.cli("db", "list", broken).err()).startsWith(broken + ":2:").hasLineCount(2);
+        assertThat(Run.cli("db", "merge", database, broken).code()).isEqualTo(3);
+        assertThat(Run.cli("db", "rename", ball, "ball", "x").err()).isEqualTo(ball + ": this is a scene, not a database; it can be added to one\n");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"list", "tables", "show", "find", "add", "extract", "remove", "rename", "merge", "init"})
+    void everyCommandExplainsItself(String command) {
+        Run run = Run.cli("db", command, "--help");
+        assertThat(run.code()).isZero();
+        assertThat(run.out()).contains("Usage: rt-cli db " + command, "Example", "Exit codes:").doesNotContain("%%");
+        assertThat(run.out().lines()).allMatch(line -> line.length() <= 100);
+        assertThat(Run.cli("db", "--help").out()).contains(command, "A filter compares").doesNotContain("%%");
+    }
+
+    @Test
+    void namesAreMadeFitForFilesOnEverySystem() {
+        assertThat(FileNames.of(List.of("a b", "a/b", "A:B", "..", "con", "žluť*", "x".repeat(300), "plain-1.2"))).isEqualTo(Map.of(
+                "a b", "a-b", "a/b", "a-b-2", "A:B", "A-B-3", "..", "scene", "con", "scene-con", "žluť*", "žluť", "x".repeat(300), "x".repeat(80),
+                "plain-1.2", "plain-1.2"));
+    }
+}

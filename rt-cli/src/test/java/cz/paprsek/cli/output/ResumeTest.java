@@ -1,0 +1,125 @@
+package cz.paprsek.cli.output;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.cli.Run;
+import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.image.Image;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.render.Tile;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ResumeTest {
+    private static final Path SCENE = Path.of("../scenes/lens.xml");
+
+    @TempDir
+    Path folder;
+
+    private Path picture;
+    private Path tiles;
+    private byte[] whole;
+
+    @BeforeEach
+    void renderWhole() throws Exception {
+        picture = folder.resolve("picture.pfm");
+        tiles = folder.resolve("picture.pfm.resume");
+        assertThat(render("100x70").code()).isEqualTo(ExitCode.DONE);
+        whole = Files.readAllBytes(picture);
+        Files.delete(picture);
+    }
+
+    @Test
+    void tilesAreGoneWhenThePictureIsWritten() {
+        assertThat(render("100x70", "--resume").code()).isEqualTo(ExitCode.DONE);
+        assertThat(picture).hasBinaryContent(whole);
+        assertThat(tiles).doesNotExist();
+    }
+
+    @Test
+    void goingOnGivesTheSameBytesWhereverTheFileOfTilesWasCut() throws Exception {
+        byte[] all = allTiles();
+        Random random = new Random(5);
+        for (int i = 0; i < 40; i++) {
+            int length = i == 0 ? all.length : random.nextInt(all.length);
+            Files.write(tiles, Arrays.copyOf(all, length));
+            Run run = render("100x70", "--resume");
+            assertThat(run.code()).as(run.err()).isEqualTo(ExitCode.DONE);
+            assertThat(picture).hasBinaryContent(whole);
+            Files.delete(picture);
+        }
+    }
+
+    @Test
+    void damagedTilesAreRenderedAnew() throws Exception {
+        byte[] all = allTiles();
+        Random random = new Random(6);
+        for (int i = 0; i < 40; i++) {
+            byte[] damaged = all.clone();
+            damaged[48 + random.nextInt(damaged.length - 48)] ^= (byte) (1 << random.nextInt(8));
+            Files.write(tiles, damaged);
+            assertThat(render("100x70", "--resume").code()).isEqualTo(ExitCode.DONE);
+            assertThat(picture).hasBinaryContent(whole);
+        }
+    }
+
+    @Test
+    void tilesOfAnotherPictureAreRefusedAndLeftAlone() throws Exception {
+        byte[] all = allTiles();
+        Run run = render("100x71", "--resume");
+        assertThat(run.code()).isEqualTo(ExitCode.WRONG_USAGE);
+        assertThat(run.err()).contains("picture.pfm.resume: holds tiles of another picture");
+        assertThat(tiles).hasBinaryContent(all);
+        assertThat(picture).doesNotExist();
+    }
+
+    @Test
+    void whatIsDoneIsTold() throws Exception {
+        allTiles();
+        assertThat(render("100x70", "--resume").err()).contains("100 % is done already");
+    }
+
+    @Test
+    void standardOutputCannotBeResumed() {
+        Run run = Run.cli("render", SCENE, "-o", "-", "--resume");
+        assertThat(run.code()).isEqualTo(ExitCode.WRONG_USAGE);
+        assertThat(run.err()).contains("--resume needs a file");
+    }
+
+    /** Renders the whole picture without writing it: what is left of a process killed at the last moment. */
+    private byte[] allTiles() throws IOException, SceneFileException {
+        Scene scene = SceneFiles.read(SCENE);
+        RenderOptions options = RenderOptions.of(scene.settings().withSize(100, 70));
+        try (Checkpoint checkpoint = Checkpoint.open(picture, scene, options)) {
+            Renderer.render(RenderScene.of(scene), options, new RenderMonitor() {
+                @Override
+                public void finished(Tile tile, Image image, int done, int total) {
+                    try {
+                        checkpoint.save(tile, image);
+                    } catch (IOException e) {
+                        throw new UncheckedIOException(e);
+                    }
+                }
+            });
+        }
+        return Files.readAllBytes(tiles);
+    }
+
+    private Run render(String size, String... more) {
+        return Run.cli(Stream.concat(Stream.of("render", SCENE, "-o", picture, "--size", size), Arrays.stream(more)).toArray());
+    }
+}
