@@ -1,8 +1,8 @@
 package cz.paprsek.fx;
 
-import cz.paprsek.fx.model.Document;
-import cz.paprsek.fx.model.Recovery;
-import cz.paprsek.fx.model.SceneSource;
+import cz.paprsek.fx.model.file.Document;
+import cz.paprsek.fx.model.file.Recovery;
+import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
 import java.util.Optional;

@@ -1,15 +1,15 @@
 package cz.paprsek.fx;
 
-import cz.paprsek.fx.model.Clipboard;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.model.Items;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
-import cz.paprsek.fx.model.Structure;
-import cz.paprsek.fx.view.ItemNames;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.model.edit.Clipboard;
+import cz.paprsek.fx.model.edit.Structure;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.xml.SceneFileException;

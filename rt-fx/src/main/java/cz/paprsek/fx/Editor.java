@@ -1,13 +1,14 @@
 package cz.paprsek.fx;
 
-import cz.paprsek.fx.model.Document;
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Recovery;
-import cz.paprsek.fx.model.SceneSource;
-import cz.paprsek.fx.model.Settings;
-import cz.paprsek.fx.view.Texts;
-import cz.paprsek.fx.view.Theme;
+import cz.paprsek.fx.model.file.Document;
+import cz.paprsek.fx.model.file.Recovery;
+import cz.paprsek.fx.model.file.SceneSource;
+import cz.paprsek.fx.model.file.Settings;
 import cz.paprsek.fx.view.explain.TreeChooser;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.shell.MessageBar;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.Problem;

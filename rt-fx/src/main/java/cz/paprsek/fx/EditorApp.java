@@ -1,6 +1,6 @@
 package cz.paprsek.fx;
 
-import cz.paprsek.fx.model.Settings;
+import cz.paprsek.fx.model.file.Settings;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;

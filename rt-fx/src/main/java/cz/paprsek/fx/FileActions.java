@@ -1,11 +1,12 @@
 package cz.paprsek.fx;
 
-import cz.paprsek.fx.model.Document;
 import cz.paprsek.fx.model.Label;
-import cz.paprsek.fx.model.Recovery;
-import cz.paprsek.fx.model.SceneSource;
-import cz.paprsek.fx.model.Settings;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.model.file.Document;
+import cz.paprsek.fx.model.file.Recovery;
+import cz.paprsek.fx.model.file.SceneSource;
+import cz.paprsek.fx.model.file.Settings;
+import cz.paprsek.fx.view.shell.MessageBar;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.SceneFileException;

@@ -1,12 +1,12 @@
 package cz.paprsek.fx;
 
-import cz.paprsek.fx.model.Clipboard;
-import cz.paprsek.fx.model.Document;
 import cz.paprsek.fx.model.Label;
-import cz.paprsek.fx.model.Library;
-import cz.paprsek.fx.model.LibraryLink;
-import cz.paprsek.fx.model.LibraryStore;
-import cz.paprsek.fx.model.SceneSource;
+import cz.paprsek.fx.model.edit.Clipboard;
+import cz.paprsek.fx.model.file.Document;
+import cz.paprsek.fx.model.file.SceneSource;
+import cz.paprsek.fx.model.library.Library;
+import cz.paprsek.fx.model.library.LibraryLink;
+import cz.paprsek.fx.model.library.LibraryStore;
 import cz.paprsek.fx.view.library.Desk;
 import cz.paprsek.fx.view.library.LibraryPane;
 import cz.paprsek.fx.view.library.Worker;

@@ -1,11 +1,14 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.view.AddPalette;
-import cz.paprsek.fx.view.ItemNames;
-import cz.paprsek.fx.view.Texts;
-import cz.paprsek.fx.view.UndoKeys;
+import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.sheet.PropertySheet;
+import cz.paprsek.fx.view.shell.AddPalette;
+import cz.paprsek.fx.view.shell.MessageBar;
+import cz.paprsek.fx.view.shell.ProblemList;
+import cz.paprsek.fx.view.shell.StatusBar;
+import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.fx.view.tree.ObjectTree;
 import java.io.File;
 import java.util.List;

@@ -1,5 +1,6 @@
 package cz.paprsek.fx;
 
+import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.xml.Problem;
 import java.util.List;
 

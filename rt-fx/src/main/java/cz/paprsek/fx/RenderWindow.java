@@ -1,8 +1,7 @@
 package cz.paprsek.fx;
 
-import cz.paprsek.fx.view.PictureChooser;
-import cz.paprsek.fx.view.RenderPane;
-import cz.paprsek.fx.view.Theme;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.render.RenderPane;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.value.ObservableValue;

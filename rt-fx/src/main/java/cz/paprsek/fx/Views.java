@@ -1,16 +1,16 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Sight;
-import cz.paprsek.fx.view.CameraPane;
-import cz.paprsek.fx.view.PaneGrid;
-import cz.paprsek.fx.view.Texts;
-import cz.paprsek.fx.view.Theme;
-import cz.paprsek.fx.view.TitledView;
+import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.view.camera.CameraPane;
 import cz.paprsek.fx.view.explain.ExplainMode;
 import cz.paprsek.fx.view.explain.ExplainPane;
+import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
+import cz.paprsek.fx.view.shell.PaneGrid;
+import cz.paprsek.fx.view.shell.TitledView;
+import cz.paprsek.fx.view.texts.Texts;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Item;
 import cz.paprsek.fx.model.Label;
-import cz.paprsek.fx.model.Moves;
-import cz.paprsek.fx.model.Structure;
+import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.edit.Structure;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;

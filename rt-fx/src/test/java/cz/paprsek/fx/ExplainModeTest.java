@@ -2,9 +2,9 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.view.Theme;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.explain.ExplainPane;
+import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Outline;
 import cz.paprsek.scene.Camera;

@@ -2,9 +2,9 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.fx.model.Item;
 import cz.paprsek.fx.model.Label;
-import cz.paprsek.fx.model.Moves;
+import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;

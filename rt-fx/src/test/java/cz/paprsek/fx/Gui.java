@@ -1,6 +1,6 @@
 package cz.paprsek.fx;
 
-import cz.paprsek.fx.view.Theme;
+import cz.paprsek.fx.view.look.Theme;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;

@@ -2,8 +2,8 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.fx.model.Library;
-import cz.paprsek.fx.view.Theme;
+import cz.paprsek.fx.model.library.Library;
+import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;

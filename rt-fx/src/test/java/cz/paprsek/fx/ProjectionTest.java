@@ -4,7 +4,7 @@ import static cz.paprsek.fx.EditorGui.place;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;

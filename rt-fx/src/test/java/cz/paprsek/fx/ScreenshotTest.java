@@ -2,8 +2,8 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.view.Theme;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.look.Theme;
 import java.nio.file.Path;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;

@@ -1,9 +1,9 @@
 package cz.paprsek.fx;
 
-import cz.paprsek.fx.view.PictureChooser;
-import cz.paprsek.fx.view.Texts;
 import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.fx.view.library.LibraryFiles;
+import cz.paprsek.fx.view.picture.PictureChooser;
+import cz.paprsek.fx.view.texts.Texts;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.model;
 
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.scene.Scene;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -102,7 +103,7 @@ public final class EditorModel {
         editState(label, before -> before.withScene(change.apply(before.scene())));
     }
 
-    /** As {@link #edit}, for changes that also move, hide or select items, such as those of {@link Structure}. */
+    /** As {@link #edit}, for changes that also move, hide or select items, such as those of {@code Structure}. */
     public void editState(Label label, UnaryOperator<EditorState> change) {
         commitGesture();
         EditorState before = state();

@@ -1,7 +1,9 @@
 package cz.paprsek.fx.model;
 
-import cz.paprsek.fx.model.Item.BodyAt;
-import cz.paprsek.fx.model.Item.LightAt;
+import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.scene.Scene;
 import java.util.Collections;
 import java.util.LinkedHashSet;
@@ -48,7 +50,7 @@ public record EditorState(Scene scene, Set<Item> selection, Set<Item> hidden, Se
     }
 
     /** Another scene, with each item taken to where it is now; one without a place is dropped. */
-    EditorState moved(Scene value, Function<Item, Optional<Item>> place) {
+    public EditorState moved(Scene value, Function<Item, Optional<Item>> place) {
         return new EditorState(value, moved(selection, place), moved(hidden, place), moved(locked, place));
     }
 

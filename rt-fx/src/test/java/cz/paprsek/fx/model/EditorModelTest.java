@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.edit.Structure;
+import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;

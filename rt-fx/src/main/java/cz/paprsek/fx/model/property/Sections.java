@@ -1,11 +1,11 @@
 package cz.paprsek.fx.model.property;
 
-import cz.paprsek.fx.model.Body;
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.model.Item.BodyAt;
-import cz.paprsek.fx.model.Item.LightAt;
-import cz.paprsek.fx.model.Items;
+import cz.paprsek.fx.model.item.Body;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.model.property.Targets.BodiesAt;
 import cz.paprsek.fx.model.property.Targets.LightsAt;
 import cz.paprsek.fx.model.property.Targets.MaterialsOf;

@@ -1,10 +1,10 @@
 package cz.paprsek.fx.model.property;
 
-import cz.paprsek.fx.model.Bodies;
-import cz.paprsek.fx.model.Body;
-import cz.paprsek.fx.model.Item.BodyAt;
-import cz.paprsek.fx.model.Item.LightAt;
-import cz.paprsek.fx.model.Materials;
+import cz.paprsek.fx.model.edit.Materials;
+import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Body;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.material.Material;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;

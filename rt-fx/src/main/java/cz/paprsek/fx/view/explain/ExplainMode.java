@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.view.CameraPane;
-import cz.paprsek.fx.view.PicturePoint;
+import cz.paprsek.fx.view.camera.CameraPane;
+import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import java.util.List;
 import javafx.beans.property.BooleanProperty;

@@ -2,9 +2,10 @@ package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.drawing.DrawingFrame;
 import cz.paprsek.drawing.RayLine;
-import cz.paprsek.fx.view.PicturePoint;
-import cz.paprsek.fx.view.Texts;
-import cz.paprsek.fx.view.Theme;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.picture.PicturePoint;
+import cz.paprsek.fx.view.rays.DrawnRays;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.Pixel;

@@ -2,7 +2,8 @@ package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.drawing.RayLine;
 import cz.paprsek.drawing.Segment;
-import cz.paprsek.fx.view.Theme;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.rays.RayPainter;
 import cz.paprsek.render.explain.Words;
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;

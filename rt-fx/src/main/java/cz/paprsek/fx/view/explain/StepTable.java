@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.explain;
 
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.explain.Step;
 import java.util.function.Function;
 import javafx.beans.property.ReadOnlyStringWrapper;

@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.explain;
 
-import cz.paprsek.fx.model.Bodies;
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.render.explain.SurfacePath;
 import cz.paprsek.scene.Scene;
 

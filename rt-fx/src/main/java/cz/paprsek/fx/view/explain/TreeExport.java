@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.explain;
 
-import cz.paprsek.fx.view.Faults;
-import cz.paprsek.fx.view.PicturePoint;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.picture.PicturePoint;
+import cz.paprsek.fx.view.texts.Faults;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.Words;
 import java.io.IOException;

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.drawing.TreeDrawing;
-import cz.paprsek.fx.view.PicturePoint;
+import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.explain.Decoration;
 import cz.paprsek.render.explain.Pixel;

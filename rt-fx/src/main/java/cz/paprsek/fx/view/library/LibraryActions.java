@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.library;
 
-import cz.paprsek.fx.model.Library;
-import cz.paprsek.fx.model.LibraryStore;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.model.library.Library;
+import cz.paprsek.fx.model.library.LibraryStore;
+import cz.paprsek.fx.view.texts.Texts;
 import java.util.List;
 import javafx.scene.control.Button;
 import javafx.stage.Window;

@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.library;
 
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.texts.Texts;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.Arrays;

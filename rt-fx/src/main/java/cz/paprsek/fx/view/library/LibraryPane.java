@@ -1,10 +1,10 @@
 package cz.paprsek.fx.view.library;
 
-import cz.paprsek.fx.model.Library;
-import cz.paprsek.fx.model.LibraryRows;
-import cz.paprsek.fx.model.LibraryStore;
-import cz.paprsek.fx.view.Texts;
-import cz.paprsek.fx.view.UndoKeys;
+import cz.paprsek.fx.model.library.Library;
+import cz.paprsek.fx.model.library.LibraryRows;
+import cz.paprsek.fx.model.library.LibraryStore;
+import cz.paprsek.fx.view.command.UndoKeys;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.query.SceneTables;
 import cz.paprsek.scene.Scene;

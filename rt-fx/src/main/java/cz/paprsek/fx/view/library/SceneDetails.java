@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.library;
 
-import cz.paprsek.fx.model.Library;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.model.library.Library;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePart;
 import java.util.List;

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.library;
 
-import cz.paprsek.fx.model.Library;
-import cz.paprsek.fx.model.LibraryRows;
+import cz.paprsek.fx.model.library.Library;
+import cz.paprsek.fx.model.library.LibraryRows;
 import cz.paprsek.material.Material;
 import cz.paprsek.query.Column;
 import cz.paprsek.query.Relation;

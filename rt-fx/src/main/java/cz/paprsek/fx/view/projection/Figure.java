@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.projection;
 
-import cz.paprsek.fx.model.Body;
+import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg;

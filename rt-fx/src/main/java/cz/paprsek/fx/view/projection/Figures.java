@@ -1,11 +1,11 @@
 package cz.paprsek.fx.view.projection;
 
-import cz.paprsek.fx.model.Body;
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.model.Item.BodyAt;
-import cz.paprsek.fx.model.Item.LightAt;
-import cz.paprsek.fx.model.Sight;
+import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.model.item.Body;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import java.util.Collection;

@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.projection;
 
-import cz.paprsek.fx.view.Palette;
+import cz.paprsek.fx.view.look.Palette;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import javafx.scene.canvas.GraphicsContext;

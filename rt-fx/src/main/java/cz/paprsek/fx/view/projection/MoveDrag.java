@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.Gesture;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.model.Moves;
+import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.item.Item;
 import java.util.Set;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;

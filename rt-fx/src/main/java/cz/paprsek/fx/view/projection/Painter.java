@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.view.Palette;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.look.Palette;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;

@@ -1,10 +1,10 @@
 package cz.paprsek.fx.view.projection;
 
-import cz.paprsek.fx.model.Item;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
-import cz.paprsek.fx.model.Moves;
-import cz.paprsek.fx.view.ItemNames;
+import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.texts.ItemNames;
 import cz.paprsek.math.Vec3;
 import java.util.Set;
 import javafx.scene.input.KeyEvent;

@@ -1,10 +1,10 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Item;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
-import cz.paprsek.fx.view.ItemNames;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.texts.ItemNames;
 import cz.paprsek.math.Vec3;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -174,7 +174,7 @@ final class PaneMouse {
     /** What is put on the grid: where a single object says it is, else the corner of the box. */
     private Box reference(Set<Item> items, Box box) {
         if (items.size() == 1 && items.iterator().next() instanceof Item.BodyAt body) {
-            Vec3 origin = cz.paprsek.fx.model.Bodies.toWorld(model.scene(), body).point(Vec3.ZERO);
+            Vec3 origin = cz.paprsek.fx.model.item.Bodies.toWorld(model.scene(), body).point(Vec3.ZERO);
             return Box.EMPTY.with(pane.axes().u(origin), pane.axes().v(origin));
         }
         return box.isEmpty() ? Box.EMPTY.with(0, 0) : box;
@@ -183,7 +183,7 @@ final class PaneMouse {
     private Snapping others(Set<Item> moving) {
         Figures figures = pane.figures();
         Set<Integer> objects = new java.util.HashSet<>();
-        cz.paprsek.fx.model.Items.bodies(moving).forEach(body -> objects.add(body.object().index()));
+        cz.paprsek.fx.model.item.Items.bodies(moving).forEach(body -> objects.add(body.object().index()));
         Stream<Box> boxes = IntStream.range(0, figures.objects().size())
                 .filter(i -> !objects.contains(i) && !model.state().isHidden(Item.body(i)))
                 .mapToObj(i -> figures.of(figures.objects().get(i)).box());

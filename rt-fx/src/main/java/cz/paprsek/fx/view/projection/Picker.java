@@ -1,9 +1,9 @@
 package cz.paprsek.fx.view.projection;
 
-import cz.paprsek.fx.model.Bodies;
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;

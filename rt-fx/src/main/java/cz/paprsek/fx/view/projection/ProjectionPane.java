@@ -1,16 +1,16 @@
 package cz.paprsek.fx.view.projection;
 
+import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.model.Items;
-import cz.paprsek.fx.model.Sight;
-import cz.paprsek.fx.view.ItemNames;
-import cz.paprsek.fx.view.Texts;
-import cz.paprsek.fx.view.Theme;
-import cz.paprsek.drawing.Segment;
-import cz.paprsek.fx.view.explain.DrawnRays;
-import cz.paprsek.fx.view.explain.RayPainter;
+import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.rays.DrawnRays;
+import cz.paprsek.fx.view.rays.RayPainter;
+import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import java.util.HashSet;

@@ -1,13 +1,13 @@
 package cz.paprsek.fx.view.sheet;
 
-import cz.paprsek.fx.model.Bodies;
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Item.BodyAt;
-import cz.paprsek.fx.model.Items;
-import cz.paprsek.fx.model.Materials;
-import cz.paprsek.fx.model.ReadyMaterial;
+import cz.paprsek.fx.model.edit.Materials;
+import cz.paprsek.fx.model.edit.ReadyMaterial;
+import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.model.property.Property;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;

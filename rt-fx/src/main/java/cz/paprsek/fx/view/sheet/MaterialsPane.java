@@ -1,10 +1,10 @@
 package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Materials;
+import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.property.Section;
 import cz.paprsek.fx.model.property.Sections;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
 import cz.paprsek.scene.Scene;
 import java.util.ArrayList;

@@ -2,7 +2,7 @@ package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.model.property.Trait.Unit;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import javafx.geometry.Pos;
 import javafx.scene.Node;

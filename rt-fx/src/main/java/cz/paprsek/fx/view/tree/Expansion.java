@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import java.util.ArrayList;

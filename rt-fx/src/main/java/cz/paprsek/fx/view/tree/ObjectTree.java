@@ -1,11 +1,11 @@
 package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.model.Item.BodyAt;
-import cz.paprsek.fx.view.Commands;
-import cz.paprsek.fx.view.Texts;
-import cz.paprsek.fx.view.UndoKeys;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.view.command.Commands;
+import cz.paprsek.fx.view.command.UndoKeys;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.Objects;

@@ -2,7 +2,7 @@ package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.view.texts.Texts;
 import java.util.Optional;
 import javafx.beans.InvalidationListener;
 import javafx.beans.WeakInvalidationListener;

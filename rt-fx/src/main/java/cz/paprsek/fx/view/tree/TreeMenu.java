@@ -1,12 +1,12 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.Bodies;
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.model.Items;
-import cz.paprsek.fx.view.Commands;
-import cz.paprsek.fx.view.Icons;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.view.command.Commands;
+import cz.paprsek.fx.view.look.Icons;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.shape.Csg;
 import java.util.Locale;
 import java.util.Set;

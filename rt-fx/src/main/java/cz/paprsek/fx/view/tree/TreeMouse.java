@@ -1,12 +1,12 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.Bodies;
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.model.Item.BodyAt;
-import cz.paprsek.fx.model.Item.LightAt;
-import cz.paprsek.fx.model.Items;
-import cz.paprsek.fx.view.Commands;
+import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.view.command.Commands;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;

@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.item.Item;
 
 /**
  * A line of the tree.

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Item;
+import cz.paprsek.fx.model.item.Item;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.view.Commands;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.command.Commands;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Examples;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.model.edit.Examples;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Item;
-import cz.paprsek.fx.model.ReadyMaterial;
-import cz.paprsek.fx.view.Texts;
+import cz.paprsek.fx.model.edit.ReadyMaterial;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;

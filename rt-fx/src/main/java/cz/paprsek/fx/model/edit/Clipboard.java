@@ -1,0 +1,101 @@
+package cz.paprsek.fx.model.edit;
+
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Body;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.MaterialSource;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** Items as text: a scene file of just these, so that they can be pasted into another window, a mail or a file. */
+public final class Clipboard {
+    private Clipboard() {}
+
+    /**
+     * Objects, operands and lights as a scene file, with the named materials they refer to. Operands become objects of their own.
+     *
+     * @throws IllegalArgumentException if nothing of the kind is selected, or an operand is sheared
+     */
+    public static String copy(EditorState state, Collection<? extends Item> items) {
+        List<BodyAt> places = Items.outermost(items);
+        List<LightAt> lightPlaces = Items.lights(items);
+        if (places.isEmpty() && lightPlaces.isEmpty()) {
+            throw new IllegalArgumentException("select objects or lights to copy");
+        }
+        Scene scene = state.scene();
+        Set<String> names = new LinkedHashSet<>();
+        List<SceneObject> objects = new ArrayList<>();
+        for (BodyAt at : places) {
+            Body body = Bodies.find(scene, at).orElseThrow();
+            if (at.depth() > 0) {
+                body = body.placed(Placements.of(Bodies.toWorld(scene, at)).orElseThrow(() -> new IllegalArgumentException(
+                        "an operand sheared by the operations around it cannot be copied on its own"))).madeOf(Materials.effective(scene, at));
+            }
+            body = body.named(Names.free(body.name(), names));
+            names.add(body.name());
+            objects.add(body.toObject());
+        }
+        List<Light> lights = lightPlaces.stream().map(at -> scene.lights().get(at.index())).toList();
+        Map<String, Material> materials = new LinkedHashMap<>(scene.materials());
+        Set<String> used = new LinkedHashSet<>();
+        objects.forEach(object -> Materials.collectNames(Body.of(object), used));
+        materials.keySet().retainAll(used);
+        return SceneFiles.format(Scene.EMPTY.withMaterials(materials).withLights(lights).withObjects(objects));
+    }
+
+    /**
+     * As {@link #insert}, from a scene file.
+     *
+     * @throws SceneFileException if the text is not a scene
+     */
+    public static EditorState paste(EditorState state, String xml) throws SceneFileException {
+        return insert(state, SceneFiles.parse(xml));
+    }
+
+    /**
+     * Adds the objects and lights of a scene and selects them. Materials come along; one whose name is taken by another material is given a
+     * free name.
+     *
+     * @throws IllegalArgumentException if there is nothing in it
+     */
+    public static EditorState insert(EditorState state, Scene pasted) {
+        if (pasted.objects().isEmpty() && pasted.lights().isEmpty() && pasted.materials().isEmpty()) {
+            throw new IllegalArgumentException("there are no objects or lights in the clipboard");
+        }
+        Map<String, Material> materials = new LinkedHashMap<>(state.scene().materials());
+        Map<String, String> renamed = new LinkedHashMap<>();
+        pasted.materials().forEach((name, material) -> {
+            String fresh = material.equals(materials.get(name)) ? name : Names.free(name, materials.keySet());
+            renamed.put(name, fresh);
+            materials.put(fresh, material);
+        });
+        EditorState withMaterials = state.withScene(state.scene().withMaterials(materials));
+        if (pasted.objects().isEmpty() && pasted.lights().isEmpty()) {
+            return withMaterials;
+        }
+        return Structure.add(withMaterials,
+                pasted.objects().stream().map(object -> Materials.mapped(Body.of(object), source -> renamed(source, renamed)).toObject()).toList(),
+                pasted.lights());
+    }
+
+    private static MaterialSource renamed(MaterialSource source, Map<String, String> names) {
+        return source instanceof MaterialName reference
+                ? new MaterialName(names.getOrDefault(reference.name(), reference.name())) : source;
+    }
+}

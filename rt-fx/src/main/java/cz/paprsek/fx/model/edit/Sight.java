@@ -1,0 +1,66 @@
+package cz.paprsek.fx.model.edit;
+
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Camera.Target;
+import cz.paprsek.scene.Scene;
+import java.util.function.Predicate;
+
+/**
+ * Where a user looks: where new things are put.
+ *
+ * @param point the middle of the view, world space
+ * @param size what is large enough to be seen well there, scene units
+ */
+public record Sight(Vec3 point, double size) {
+    /** The share of the picture's height that a new thing takes. */
+    private static final double SHARE = 0.25;
+
+    /** What the scene's camera looks at: its target, or else the point of its view nearest to the middle of all there is. */
+    public static Sight of(Scene scene) {
+        Camera camera = scene.camera();
+        Vec3 aim = camera.aim() instanceof Target target ? target.point() : middle(bounds(scene));
+        double ahead = aim.minus(camera.position()).dot(camera.forward());
+        double distance = ahead > 0 ? ahead : camera.position().length() + 1;
+        double height = 2 * Math.tan(Math.toRadians(camera.fovy()) / 2) * distance;
+        return at(camera.position().plus(camera.forward().times(distance)), height);
+    }
+
+    /**
+     * A view of a given point.
+     *
+     * @param height what of the world the view shows from top to bottom there, scene units
+     */
+    public static Sight at(Vec3 point, double height) {
+        double size = round(height * SHARE);
+        double grid = size / 4;
+        return new Sight(new Vec3(snap(point.x(), grid), snap(point.y(), grid), snap(point.z(), grid)), size);
+    }
+
+    /** The box around all bounded objects; empty if there are none. */
+    static Bounds bounds(Scene scene) {
+        return scene.objects().stream()
+                .map(object -> object.shape().bounds().transformed(object.placement().toParent()))
+                .filter(Bounds::isFinite).filter(Predicate.not(Bounds::isEmpty))
+                .reduce(Bounds.EMPTY, Bounds::union);
+    }
+
+    private static Vec3 middle(Bounds box) {
+        return box.isEmpty() ? Vec3.ZERO
+                : new Vec3((box.minX() + box.maxX()) / 2, (box.minY() + box.maxY()) / 2, (box.minZ() + box.maxZ()) / 2);
+    }
+
+    /** The nearest of 1, 2, 5, 10 … and 0.5, 0.2, 0.1 …. */
+    private static double round(double value) {
+        int exponent = (int) Math.floor(Math.log10(value));
+        double digits = value / Math.pow(10, exponent);
+        String leading = digits < 1.5 ? "1" : digits < 3.5 ? "2" : digits < 7.5 ? "5" : "10";
+        return Double.parseDouble(leading + "e" + exponent);
+    }
+
+    private static double snap(double value, double grid) {
+        // Divided by the inverse, multiples of 0.25 and the like come out without noise; 0 is added to make −0 into 0.
+        return Math.rint(value / grid) / (1 / grid) + 0.0;
+    }
+}

@@ -1,0 +1,235 @@
+package cz.paprsek.fx.model.edit;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.edit.SceneTree.Node;
+import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Body;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.material.Inherited;
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Placement;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Changes of what belongs to what: each takes a state and gives another, to be passed to {@link EditorModel#editState}. All throw
+ * {@link IllegalArgumentException} with a sentence for the user if they cannot be.
+ */
+public final class Structure {
+    private Structure() {}
+
+    /** Adds an object, with a free name, and selects it. */
+    public static EditorState add(EditorState state, SceneObject object) {
+        return add(state, List.of(object), List.of());
+    }
+
+    /** Adds a light, with a free name, and selects it. */
+    public static EditorState add(EditorState state, Light light) {
+        return add(state, List.of(), List.of(light));
+    }
+
+    /** Adds objects and lights, with free names, and selects them. */
+    public static EditorState add(EditorState state, List<SceneObject> objects, List<Light> lights) {
+        SceneTree tree = new SceneTree(state);
+        Set<String> names = tree.names(null);
+        List<Node> nodes = new ArrayList<>();
+        for (SceneObject object : objects) {
+            Node node = Node.fresh(named(Body.of(object), names));
+            names.add(node.body.name());
+            tree.insert(null, tree.objectCount(), node);
+            nodes.add(node);
+        }
+        List<Integer> places = new ArrayList<>();
+        for (Light light : lights) {
+            places.add(tree.lightCount());
+            tree.insertLight(tree.lightCount(), light.named(Names.free(light.name(), tree.lightNames())), -1);
+        }
+        return tree.resultSelecting(nodes, places);
+    }
+
+    /** Deletes objects, operands and lights. An operation that loses its last operand goes too; the camera stays. */
+    public static EditorState delete(EditorState state, Collection<? extends Item> items) {
+        SceneTree tree = new SceneTree(state);
+        tree.nodes(items).forEach(tree::remove);
+        Items.lights(items).forEach(tree::removeLight);
+        return tree.result();
+    }
+
+    /** Copies objects, operands and lights, each right after its original and moved by an offset in world space; selects the copies. */
+    public static EditorState duplicate(EditorState state, Collection<? extends Item> items, Vec3 offset) {
+        SceneTree tree = new SceneTree(state);
+        List<Node> copies = new ArrayList<>();
+        for (Node original : tree.nodes(items)) {
+            Node parent = original.parent();
+            Node copy = Node.fresh(named(original.body, tree.names(parent)));
+            tree.insert(parent, tree.index(original) + 1, copy);
+            copies.add(copy);
+        }
+        List<Integer> lights = new ArrayList<>();
+        for (LightAt at : Items.lights(items)) {
+            Light light = tree.light(at);
+            lights.add(tree.lightCount());
+            tree.insertLight(tree.lightCount(), light.named(Names.free(light.name(), tree.lightNames())), -1);
+        }
+        EditorState copied = tree.resultSelecting(copies, lights);
+        return copied.withScene(Moves.translated(copied.scene(), copied.selection(), offset));
+    }
+
+    /**
+     * Takes objects and operands to other places, keeping where they are in the world.
+     *
+     * @param parent the operation that takes them in; empty for the scene
+     * @param index before which of the parent's children as they are now, 0 to their number
+     */
+    public static EditorState move(EditorState state, Collection<? extends Item> items, Optional<BodyAt> parent, int index) {
+        SceneTree tree = new SceneTree(state);
+        Node target = parent.map(tree::node).orElse(null);
+        Affine toTarget = parent.map(at -> Bodies.toWorld(state.scene(), at)).orElse(Affine.IDENTITY);
+        int place = index;
+        List<Node> moving = new ArrayList<>();
+        for (BodyAt at : Items.outermost(items)) {
+            Node node = tree.node(at);
+            if (node.parent() == target && tree.index(node) < place) {
+                place--;
+            }
+            node.body = transferred(node.body, Bodies.parentToWorld(state.scene(), at), toTarget);
+            tree.remove(node);
+            moving.add(node);
+        }
+        for (Node node : moving) {
+            node.body = named(node.body, tree.names(target));
+            tree.insert(target, place++, node);
+        }
+        return tree.result();
+    }
+
+    /** Takes a light to another place in the order; the index counts the lights as they are now. */
+    public static EditorState moveLight(EditorState state, LightAt at, int index) {
+        SceneTree tree = new SceneTree(state);
+        Light light = tree.light(at);
+        tree.removeLight(at);
+        tree.insertLight(index > at.index() ? index - 1 : index, light, at.index());
+        return tree.result();
+    }
+
+    /**
+     * Makes one solid of several, in the order given: a difference takes all others from the first. It stands where the first stood, and
+     * each keeps its place in the world.
+     */
+    public static EditorState combine(EditorState state, Collection<? extends Item> items, Csg.Operation operation, String name) {
+        SceneTree tree = new SceneTree(state);
+        List<BodyAt> places = Items.outermost(items);
+        if (places.size() < 2) {
+            throw new IllegalArgumentException("select at least two solids to combine");
+        }
+        Node first = tree.node(places.get(0));
+        Node parent = first.parent();
+        Affine toParent = Bodies.parentToWorld(state.scene(), places.get(0));
+        List<Body> operands = new ArrayList<>();
+        Set<String> names = new LinkedHashSet<>();
+        for (BodyAt at : places) {
+            Body body = named(transferred(tree.node(at).body, Bodies.parentToWorld(state.scene(), at), toParent), names);
+            names.add(body.name());
+            operands.add(body);
+        }
+        Csg csg = new Csg(operation, operands.stream().map(Body::toOperand).toList());
+        return replaced(tree, places, parent, new Body(name, csg, Placement.NONE, Inherited.INHERITED));
+    }
+
+    private static EditorState replaced(SceneTree tree, List<BodyAt> places, @Nullable Node parent, Body body) {
+        int index = tree.index(tree.node(places.get(0)));
+        int earlier = (int) places.stream().skip(1).map(tree::node)
+                .filter(node -> node.parent() == parent && tree.index(node) < index).count();
+        places.forEach(at -> tree.remove(tree.node(at)));
+        Node fresh = Node.fresh(named(body, tree.names(parent)));
+        tree.insert(parent, index - earlier, fresh);
+        return tree.resultSelecting(List.of(fresh), List.of());
+    }
+
+    /** Puts the operands of operations in the place of these, where they are in the world and of what they are made of; selects them. */
+    public static EditorState dissolve(EditorState state, Collection<? extends Item> items) {
+        SceneTree tree = new SceneTree(state);
+        List<Node> freed = new ArrayList<>();
+        for (Node node : tree.nodes(items)) {
+            if (node.isOperation()) {
+                freed.addAll(dissolve(tree, node));
+            }
+        }
+        if (freed.isEmpty()) {
+            throw new IllegalArgumentException("select a union, difference or intersection to dissolve");
+        }
+        return tree.resultSelecting(freed, List.of());
+    }
+
+    private static List<Node> dissolve(SceneTree tree, Node operation) {
+        Node parent = operation.parent();
+        int index = tree.index(operation);
+        List<Node> operands = operation.children();
+        operands.forEach(tree::remove);
+        tree.remove(operation);
+        for (Node operand : operands) {
+            Body body = transferred(operand.body, operation.body.placement().toParent(), Affine.IDENTITY);
+            body = body.material() == Inherited.INHERITED ? body.madeOf(operation.body.material()) : body;
+            operand.body = named(body, tree.names(parent));
+            tree.insert(parent, index++, operand);
+        }
+        return operands;
+    }
+
+    /** Gives an object, operand or light another name; empty for none. */
+    public static EditorState rename(EditorState state, Item item, String name) {
+        if (item instanceof LightAt at) {
+            List<Light> lights = new ArrayList<>(state.scene().lights());
+            lights.set(at.index(), lights.get(at.index()).named(name));
+            return state.withScene(state.scene().withLights(lights));
+        }
+        return item instanceof BodyAt at ? state.withScene(Bodies.with(state.scene(), at, body -> body.named(name))) : state;
+    }
+
+    /** Hides items from the editor's views, or shows them again. */
+    public static EditorState hide(EditorState state, Collection<? extends Item> items, boolean hidden) {
+        return state.withHidden(changed(state.hidden(), items, hidden));
+    }
+
+    /** Keeps items from being picked and moved, or allows it again. */
+    public static EditorState lock(EditorState state, Collection<? extends Item> items, boolean locked) {
+        return state.withLocked(changed(state.locked(), items, locked));
+    }
+
+    private static Set<Item> changed(Set<Item> set, Collection<? extends Item> items, boolean present) {
+        Set<Item> result = new LinkedHashSet<>(set);
+        if (present) {
+            result.addAll(items);
+        } else {
+            result.removeAll(items);
+        }
+        return result;
+    }
+
+    private static Body named(Body body, Set<String> taken) {
+        return body.named(Names.free(body.name(), taken));
+    }
+
+    /** The body placed in another space so that it stays where it is. */
+    private static Body transferred(Body body, Affine fromSpace, Affine toSpace) {
+        if (fromSpace.equals(toSpace)) {
+            return body;
+        }
+        Affine map = toSpace.inverse().after(fromSpace).after(body.placement().toParent());
+        return body.placed(Placements.of(map).orElseThrow(() -> new IllegalArgumentException(
+                "this would shear the object, because an operation around it is stretched along an axis and turned")));
+    }
+}

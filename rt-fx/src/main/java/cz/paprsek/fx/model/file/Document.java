@@ -1,0 +1,124 @@
+package cz.paprsek.fx.model.file;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFileException;
+import java.io.IOException;
+import java.util.Optional;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+
+/** The model's scene as something kept in a file, or not yet. For JavaFX's thread only. */
+public final class Document {
+    private final EditorModel model;
+    private final ReadOnlyObjectWrapper<Optional<SceneSource>> source = new ReadOnlyObjectWrapper<>(Optional.empty());
+    private Optional<FileStamp> stamp = Optional.empty();
+    /** The scene as the file had it when that was looked at last; empty if there is no file. */
+    private Optional<Scene> known = Optional.empty();
+
+    public Document(EditorModel model) {
+        this.model = model;
+    }
+
+    public EditorModel model() {
+        return model;
+    }
+
+    /** Where the scene is kept; empty if it has never been saved. */
+    public ReadOnlyObjectProperty<Optional<SceneSource>> sourceProperty() {
+        return source.getReadOnlyProperty();
+    }
+
+    /** Takes a scene that was read from a source. */
+    public void opened(SceneSource from, Scene scene) {
+        source.set(Optional.of(from));
+        stamp = FileStamp.of(from.file());
+        known = Optional.of(scene);
+        model.open(scene);
+    }
+
+    /** Takes a scene that is in no file. */
+    public void openedWithoutFile(Scene scene) {
+        source.set(Optional.empty());
+        stamp = Optional.empty();
+        known = Optional.empty();
+        model.open(scene);
+    }
+
+    /** Takes a scene that was to be saved at a source, or at none, and was not. */
+    public void recovered(Optional<SceneSource> from, Scene scene) {
+        source.set(from);
+        stamp = from.flatMap(place -> FileStamp.of(place.file()));
+        known = Optional.empty();
+        model.openUnsaved(scene);
+    }
+
+    /**
+     * Saves the scene where it is kept from now on.
+     *
+     * @throws IOException if it cannot be written; the old file is still there
+     * @throws SceneFileException if it is to go into a database that is not valid
+     * @throws IllegalArgumentException if the scene has what no file can hold
+     */
+    public void save(SceneSource to) throws IOException, SceneFileException {
+        Scene scene = model.scene();
+        SceneSource written = to.write(scene, source.get().equals(Optional.of(to)) ? known : Optional.empty());
+        source.set(Optional.of(written));
+        stamp = FileStamp.of(to.file());
+        known = Optional.of(written.inDatabase().map(scene::withName).orElse(scene));
+        model.saved(scene);
+    }
+
+    /** Takes note that the scene is kept at a source from now on, which has it as it is now, or soon will. */
+    public void kept(SceneSource at, Scene scene) {
+        source.set(Optional.of(at));
+        known = Optional.of(scene);
+        model.saved(scene);
+    }
+
+    /** Takes over what the scene is called where it is kept, its tags and its description, so far as they are others than before. */
+    public void relabelled(SceneSource at, Scene before, Scene now) {
+        boolean wasSaved = !model.unsavedProperty().get();
+        source.set(Optional.of(at));
+        known = known.map(scene -> labelled(scene, before, now));
+        model.edit(Label.of(Label.Edit.RENAME, now.name()), scene -> labelled(scene, before, now));
+        if (wasSaved) {
+            model.saved(model.scene());
+        }
+    }
+
+    private static Scene labelled(Scene scene, Scene before, Scene now) {
+        return scene.withName(scene.name().equals(before.name()) ? now.name() : scene.name())
+                .withTags(scene.tags().equals(before.tags()) ? now.tags() : scene.tags())
+                .withDescription(scene.description().equals(before.description()) ? now.description() : scene.description());
+    }
+
+    /** Whether the file has had this scene ever since it was looked at last. */
+    public boolean knows(Scene onDisk) {
+        return known.equals(Optional.of(onDisk));
+    }
+
+    /** Whether the file is there, and another one than was read or written last. Says so once: after {@link #noticeDisk} it counts as known. */
+    public boolean hasChangedOnDisk() {
+        Optional<FileStamp> now = source.get().flatMap(place -> FileStamp.of(place.file()));
+        return now.isPresent() && !now.equals(stamp);
+    }
+
+    /** Takes note of the file as it is on disk now, and of the scene that it has. */
+    public void noticeDisk(Scene onDisk) {
+        known = Optional.of(onDisk);
+        noticeDisk();
+    }
+
+    /** Takes note of the file as it is on disk now. */
+    public void noticeDisk() {
+        stamp = source.get().flatMap(place -> FileStamp.of(place.file()));
+    }
+
+    /** Takes the scene as it is on disk now in the place of this one, as a step that can be undone. */
+    public void reloaded(Label label, Scene scene) {
+        noticeDisk(scene);
+        model.reload(label, scene);
+    }
+}

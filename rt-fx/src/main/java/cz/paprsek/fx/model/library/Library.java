@@ -1,0 +1,184 @@
+package cz.paprsek.fx.model.library;
+
+import cz.paprsek.fx.model.edit.Names;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.xml.DatabaseFile;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+
+/** The scene database that is open: its scenes, its file, and what can be undone. For JavaFX's thread only. */
+public final class Library {
+    private final ReadOnlyObjectWrapper<SceneDatabase> database = new ReadOnlyObjectWrapper<>(SceneDatabase.EMPTY);
+    private final ReadOnlyObjectWrapper<Optional<DatabaseFile>> file = new ReadOnlyObjectWrapper<>(Optional.empty());
+    private final ReadOnlyBooleanWrapper unsaved = new ReadOnlyBooleanWrapper();
+    private final ReadOnlyBooleanWrapper undoable = new ReadOnlyBooleanWrapper();
+    private final ReadOnlyBooleanWrapper redoable = new ReadOnlyBooleanWrapper();
+    private final Deque<Step> past = new ArrayDeque<>();
+    private final Deque<Step> future = new ArrayDeque<>();
+
+    /** A change that was made here. */
+    private record Step(SceneDatabase before, SceneDatabase after) {}
+
+    public SceneDatabase database() {
+        return database.get();
+    }
+
+    public ReadOnlyObjectProperty<SceneDatabase> databaseProperty() {
+        return database.getReadOnlyProperty();
+    }
+
+    /** The file as it was read or written last; empty if none is open. */
+    public Optional<DatabaseFile> file() {
+        return file.get();
+    }
+
+    public ReadOnlyObjectProperty<Optional<DatabaseFile>> fileProperty() {
+        return file.getReadOnlyProperty();
+    }
+
+    /** The path of the file; empty if none is open. */
+    public Optional<Path> path() {
+        return file().map(open -> open.path().toAbsolutePath());
+    }
+
+    /** Whether there is what the file does not have yet. */
+    public ReadOnlyBooleanProperty unsavedProperty() {
+        return unsaved.getReadOnlyProperty();
+    }
+
+    public ReadOnlyBooleanProperty undoableProperty() {
+        return undoable.getReadOnlyProperty();
+    }
+
+    public ReadOnlyBooleanProperty redoableProperty() {
+        return redoable.getReadOnlyProperty();
+    }
+
+    /** Takes a database that was read, or that is to be a new file; what could be undone is forgotten. */
+    public void open(DatabaseFile opened) {
+        past.clear();
+        future.clear();
+        file.set(Optional.of(opened));
+        show(opened.database());
+    }
+
+    /**
+     * Changes the database, as one step.
+     *
+     * @throws IllegalArgumentException with what is wrong; nothing is changed then
+     */
+    public void edit(UnaryOperator<SceneDatabase> change) {
+        SceneDatabase before = database();
+        SceneDatabase after = change.apply(before);
+        if (!after.equals(before)) {
+            past.push(new Step(before, after));
+            future.clear();
+            show(after);
+        }
+    }
+
+    /**
+     * Undoes the last step; what others have changed since stays.
+     *
+     * @throws IllegalArgumentException if others have changed the same scenes since
+     */
+    public void undo() {
+        swap(past, future);
+    }
+
+    /** As {@link #undo}, the other way. */
+    public void redo() {
+        swap(future, past);
+    }
+
+    /** Adds a scene at the end, by its own name or one like it that is free; returns that name. */
+    public String add(Scene scene) {
+        String name = Names.free(scene.name().isEmpty() ? "Scene" : scene.name(), database().names());
+        edit(before -> before.plus(scene.withName(name)));
+        return name;
+    }
+
+    /** Adds copies of scenes, as one step; returns their names. */
+    public List<String> duplicate(Collection<String> names) {
+        SceneDatabase before = database();
+        SceneDatabase after = before;
+        for (String name : names) {
+            after = after.plus(before.get(name).withName(Names.free(name, after.names())));
+        }
+        SceneDatabase all = after;
+        edit(old -> all);
+        return all.names().stream().skip(before.size()).toList();
+    }
+
+    /** @throws IllegalArgumentException if the new name is none, or taken */
+    public void rename(String name, String newName) {
+        edit(before -> before.rename(name, newName.strip()));
+    }
+
+    /** Changes scenes, each by itself, as one step. */
+    public void editEach(Collection<String> names, UnaryOperator<Scene> change) {
+        edit(before -> {
+            SceneDatabase after = before;
+            for (String name : names) {
+                after = after.replace(name, change.apply(after.get(name)));
+            }
+            return after;
+        });
+    }
+
+    /** Gives scenes tags in place of those they have: words with blanks between. */
+    public void tag(Collection<String> names, String words) {
+        List<String> tags = words.isBlank() ? List.of() : List.of(words.strip().split("\\s+", -1));
+        editEach(names, scene -> scene.withTags(tags));
+    }
+
+    public void delete(Collection<String> names) {
+        edit(before -> before.without(names));
+    }
+
+    /**
+     * Takes note of what the file holds now: what others have changed in it comes in, what was changed here since stays.
+     *
+     * @param content what was to be written; there may have been edits since
+     * @throws IllegalArgumentException if these meet changes of others in one scene; they stay unsaved
+     */
+    public void saved(SceneDatabase content, DatabaseFile written) {
+        SceneDatabase now = written.database();
+        SceneDatabase together = now.equals(content) ? database() : database().equals(content) ? now : database().rebase(content, now);
+        file.set(Optional.of(written));
+        show(together);
+    }
+
+    private void swap(Deque<Step> from, Deque<Step> to) {
+        Step step = from.peek();
+        if (step == null) {
+            return;
+        }
+        boolean undoes = from == past;
+        SceneDatabase source = undoes ? step.after() : step.before();
+        SceneDatabase target = undoes ? step.before() : step.after();
+        SceneDatabase next = database().equals(source) ? target : target.rebase(source, database());
+        from.pop();
+        to.push(step);
+        show(next);
+    }
+
+    private void show(SceneDatabase next) {
+        undoable.set(!past.isEmpty());
+        redoable.set(!future.isEmpty());
+        unsaved.set(file().isPresent() && !next.equals(file().get().database()));
+        if (!next.equals(database())) {
+            database.set(next);
+        }
+    }
+}

@@ -1,9 +1,0 @@
-package cz.paprsek.fx.view;
-
-/** A value to choose, and what the user reads for it. */
-record Named<T>(T value, String name) {
-    @Override
-    public String toString() {
-        return name;
-    }
-}

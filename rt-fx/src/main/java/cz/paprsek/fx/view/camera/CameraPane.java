@@ -1,0 +1,138 @@
+package cz.paprsek.fx.view.camera;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.view.picture.PicturePoint;
+import cz.paprsek.fx.view.picture.PictureStyle;
+import cz.paprsek.fx.view.rays.DrawnRays;
+import cz.paprsek.scene.Scene;
+import java.util.LinkedHashSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.value.ChangeListener;
+import javafx.beans.value.WeakChangeListener;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.StackPane;
+
+/**
+ * The live picture of the model's scene, as its camera sees it. Mouse and keys move the camera, see {@link CameraHand}; a click selects the
+ * object that is seen at the pixel, a second one the operand of it, Alt and a click the innermost operand at once.
+ */
+public final class CameraPane extends StackPane implements AutoCloseable {
+    private final EditorModel model;
+    private final LivePicture picture;
+    private final CameraHand hand;
+    private final ReadOnlyObjectWrapper<Optional<PicturePoint>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
+    /** Held here, because the model, which may outlive the pane, holds it weakly. */
+    private final ChangeListener<Scene> onScene;
+    private Predicate<PicturePoint> clickedFirst = point -> false;
+
+    /** @param onFault is told, on JavaFX's thread, if the renderer fails */
+    public CameraPane(EditorModel model, Consumer<Throwable> onFault) {
+        this.model = model;
+        this.picture = new LivePicture(model.scene(), onFault);
+        this.hand = new CameraHand(picture, model);
+        Label size = new Label();
+        size.getStyleClass().add("picture-size");
+        size.setMouseTransparent(true);
+        StackPane.setAlignment(size, Pos.BOTTOM_LEFT);
+        setId("camera-pane");
+        getStyleClass().add("camera-pane");
+        getStylesheets().add(PictureStyle.sheet());
+        getChildren().addAll(picture, size);
+        picture.setOnMouseReleased(this::released);
+        picture.setOnMouseMoved(event -> pointed.set(picture.at(event.getX(), event.getY())));
+        picture.setOnMouseExited(event -> pointed.set(Optional.empty()));
+        Runnable caption = () -> size.setText(model.scene().settings().width() + " × " + model.scene().settings().height()
+                + (picture.completeProperty().get() ? "" : " …"));
+        picture.completeProperty().addListener((property, old, now) -> caption.run());
+        onScene = (property, old, now) -> {
+            picture.show(now);
+            caption.run();
+        };
+        model.sceneProperty().addListener(new WeakChangeListener<>(onScene));
+        caption.run();
+    }
+
+    /** Where in the picture the mouse is; empty beside it. */
+    public ReadOnlyObjectProperty<Optional<PicturePoint>> pointedProperty() {
+        return pointed.getReadOnlyProperty();
+    }
+
+    /** Lets somebody else have a click first: if it returns true, nothing is selected. */
+    public void setClickedFirst(Predicate<PicturePoint> listener) {
+        clickedFirst = listener;
+    }
+
+    /** Draws rays above the picture. */
+    public void setRays(Optional<DrawnRays> rays) {
+        picture.setRays(rays);
+    }
+
+    /** Is told when the picture of another scene, or of another size, has come to be seen. */
+    public void setOnRefreshed(Runnable listener) {
+        picture.setOnRefreshed(listener);
+    }
+
+    /** The point of the picture at shares of its width and height; empty as long as there is no picture. */
+    public Optional<PicturePoint> at(double across, double down) {
+        return picture.atShare(across, down);
+    }
+
+    /** Whether the picture is that of the model's scene, with all its samples. */
+    public boolean isComplete() {
+        return picture.completeProperty().get();
+    }
+
+    /** Ends rendering for ever. */
+    @Override
+    public void close() {
+        picture.close();
+    }
+
+    private void released(MouseEvent event) {
+        event.consume();
+        if (hand.release(event) || event.getButton() != MouseButton.PRIMARY) {
+            return;
+        }
+        Optional<PicturePoint> point = picture.at(event.getX(), event.getY());
+        if (point.isEmpty() || clickedFirst.test(point.get())) {
+            return;
+        }
+        Optional<BodyAt> innermost = point.get().body();
+        boolean more = event.isShiftDown() || event.isShortcutDown();
+        if (innermost.isPresent()) {
+            BodyAt chosen = event.isAltDown() ? innermost.get() : more ? innermost.get().object() : deeper(innermost.get());
+            select(chosen, more);
+        } else if (!more) {
+            model.select();
+        }
+    }
+
+    /** The object, or what is one level further inside if that is selected already. */
+    private BodyAt deeper(BodyAt innermost) {
+        if (model.selection().size() == 1 && model.selection().iterator().next() instanceof BodyAt selected && selected.holds(innermost)) {
+            return selected.child(innermost.path().get(selected.path().size()));
+        }
+        return innermost.object();
+    }
+
+    private void select(BodyAt chosen, boolean more) {
+        if (model.state().isLocked(chosen)) {
+            return;
+        }
+        Set<Item> selection = new LinkedHashSet<>(more ? model.selection() : Set.of());
+        if (!more || !selection.remove(chosen)) {
+            selection.add(chosen);
+        }
+        model.select(selection);
+    }
+}

@@ -1,0 +1,196 @@
+package cz.paprsek.fx.view.camera;
+
+import cz.paprsek.fx.view.picture.PictureBuffer;
+import cz.paprsek.fx.view.picture.PicturePoint;
+import cz.paprsek.fx.view.rays.DrawnRays;
+import cz.paprsek.image.Image;
+import cz.paprsek.render.LiveListener;
+import cz.paprsek.render.LivePass;
+import cz.paprsek.render.LiveRender;
+import cz.paprsek.render.RenderResult;
+import cz.paprsek.render.Tile;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javafx.application.Platform;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.scene.image.ImageView;
+import javafx.scene.layout.Region;
+import javafx.scene.shape.Rectangle;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A scene as its camera sees it, rendered again whenever another one is shown: in a frame of the shape that the final picture has, as large
+ * as there is room for.
+ */
+final class LivePicture extends Region implements AutoCloseable {
+    private final LiveRender live = new LiveRender(Runtime.getRuntime().availableProcessors());
+    private final ImageView view = new ImageView();
+    private final Rectangle frame = new Rectangle();
+    private final RayOverlay rays = new RayOverlay();
+    private final ReadOnlyBooleanWrapper complete = new ReadOnlyBooleanWrapper();
+    private final Consumer<Throwable> onFault;
+    private Runnable onRefreshed = () -> {};
+    private Scene scene;
+    private @Nullable PictureBuffer buffer;
+    private @Nullable LivePass seen;
+    /** How many pictures have been begun. */
+    private int pictures;
+
+    /** @param onFault is told, on JavaFX's thread, if the renderer fails */
+    LivePicture(Scene scene, Consumer<Throwable> onFault) {
+        this.scene = scene;
+        this.onFault = onFault;
+        frame.getStyleClass().add("picture-frame");
+        frame.setMouseTransparent(true);
+        getStyleClass().add("live-picture");
+        // Else each of them, when it changes, would have the other laid out again.
+        view.setManaged(false);
+        frame.setManaged(false);
+        getChildren().addAll(view, frame, rays);
+        // While nobody can see it, it does not take the processor from what is seen.
+        sceneProperty().addListener((property, old, now) -> restart());
+        visibleProperty().addListener((property, old, now) -> restart());
+    }
+
+    /** Shows another scene. */
+    void show(Scene next) {
+        scene = next;
+        placeFrame();
+        restart();
+    }
+
+    /** Whether the picture is that of the newest scene, with all its samples. */
+    ReadOnlyBooleanProperty completeProperty() {
+        return complete.getReadOnlyProperty();
+    }
+
+    /** How high the frame is in this node, in its own units. */
+    double frameHeight() {
+        return frame.getHeight();
+    }
+
+    /** The point of the picture at a point of this node; empty beside the frame, and as long as there is no picture. */
+    Optional<PicturePoint> at(double x, double y) {
+        double across = (x - frame.getX()) / frame.getWidth();
+        double down = (y - frame.getY()) / frame.getHeight();
+        return atShare(across, down);
+    }
+
+    /** The point of the picture at shares of its width and height; empty beside it, and as long as there is no picture. */
+    Optional<PicturePoint> atShare(double across, double down) {
+        boolean inside = across >= 0 && across < 1 && down >= 0 && down < 1;
+        LivePass pass = seen;
+        return inside && pass != null
+                ? Optional.of(new PicturePoint(pass.scene(), pass.settings(), across * pass.settings().width(), down * pass.settings().height()))
+                : Optional.empty();
+    }
+
+    /** The point in the middle of the picture. */
+    Optional<PicturePoint> middle() {
+        return at(frame.getX() + frame.getWidth() / 2, frame.getY() + frame.getHeight() / 2);
+    }
+
+    /** Draws rays above the picture. */
+    void setRays(Optional<DrawnRays> drawn) {
+        rays.show(drawn);
+    }
+
+    /** Is told when another picture has come to be seen. */
+    void setOnRefreshed(Runnable listener) {
+        onRefreshed = listener;
+    }
+
+    /** Ends rendering for ever. */
+    @Override
+    public void close() {
+        live.close();
+    }
+
+    @Override
+    protected void layoutChildren() {
+        if (placeFrame()) {
+            restart();
+        }
+    }
+
+    /** Makes the frame as large as there is room for; whether it changed its size. */
+    private boolean placeFrame() {
+        double aspect = (double) scene.settings().width() / scene.settings().height();
+        double width = Math.max(1, Math.rint(Math.min(getWidth(), getHeight() * aspect)));
+        double height = Math.max(1, Math.rint(Math.min(getHeight(), getWidth() / aspect)));
+        boolean otherSize = width != frame.getWidth() || height != frame.getHeight();
+        frame.setX(snapPositionX((getWidth() - width) / 2));
+        frame.setY(snapPositionY((getHeight() - height) / 2));
+        frame.setWidth(width);
+        frame.setHeight(height);
+        view.setX(frame.getX());
+        view.setY(frame.getY());
+        view.setFitWidth(width);
+        view.setFitHeight(height);
+        rays.place(frame.getX(), frame.getY(), width, height);
+        return otherSize;
+    }
+
+    private void restart() {
+        complete.set(false);
+        pictures++;
+        if (getScene() == null || !isVisible() || getWidth() < 1 || getHeight() < 1) {
+            live.stop();
+            return;
+        }
+        double pixels = getScene().getWindow() == null ? 1 : getScene().getWindow().getRenderScaleX();
+        RenderSettings settings = scene.settings().withSize(
+                (int) Math.min(RenderSettings.LARGEST_SIDE, Math.ceil(frame.getWidth() * pixels)),
+                (int) Math.min(RenderSettings.LARGEST_SIDE, Math.ceil(frame.getHeight() * pixels)));
+        PictureBuffer target = buffer;
+        if (target == null || target.width() != settings.width() || target.height() != settings.height()) {
+            target = new PictureBuffer(settings.width(), settings.height());
+            buffer = target;
+        }
+        live.show(scene, settings, new Painter(pictures, target));
+    }
+
+    private void seen(LivePass pass, PictureBuffer target) {
+        if (target == buffer) {
+            seen = pass;
+            view.setImage(target.image());
+            onRefreshed.run();
+        }
+    }
+
+    /** Paints one picture. */
+    private final class Painter implements LiveListener {
+        private final int number;
+        private final PictureBuffer target;
+        private boolean begun;
+
+        Painter(int number, PictureBuffer target) {
+            this.number = number;
+            this.target = target;
+        }
+
+        @Override
+        public void painted(LivePass pass, Image image, Tile tile) {
+            target.paint(image, tile, pass.step());
+        }
+
+        @Override
+        public void completed(LivePass pass, RenderResult result) {
+            if (!begun) {
+                begun = true;
+                Platform.runLater(() -> seen(pass, target));
+            }
+            if (pass.isLast()) {
+                Platform.runLater(() -> complete.set(number == pictures));
+            }
+        }
+
+        @Override
+        public void failed(Throwable fault) {
+            Platform.runLater(() -> onFault.accept(fault));
+        }
+    }
+}

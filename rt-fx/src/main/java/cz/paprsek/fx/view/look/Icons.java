@@ -1,0 +1,43 @@
+package cz.paprsek.fx.view.look;
+
+import cz.paprsek.shape.Shape;
+import java.util.Map;
+import org.kordamp.ikonli.javafx.FontIcon;
+
+/** The icons of kinds of things. */
+public final class Icons {
+    private static final String ANY_SHAPE = "mdi2s-shape-outline";
+    private static final Map<String, String> SHAPES = Map.ofEntries(
+            Map.entry("sphere", "mdi2s-sphere"),
+            Map.entry("block", "mdi2c-cube-outline"),
+            Map.entry("ellipsoid", "mdi2e-egg-outline"),
+            Map.entry("plane", "mdi2t-terrain"),
+            Map.entry("cylinder", "mdi2c-cylinder"),
+            Map.entry("cone", "mdi2c-cone"),
+            Map.entry("torus", "mdi2c-circle-double"),
+            Map.entry("rectangle", "mdi2r-rectangle-outline"),
+            Map.entry("disc", "mdi2c-circle-outline"),
+            Map.entry("union", "mdi2v-vector-union"),
+            Map.entry("difference", "mdi2v-vector-difference-ba"),
+            Map.entry("intersection", "mdi2v-vector-intersection"));
+
+    public static final String LIGHT = "mdi2l-lightbulb-on-outline";
+    public static final String CAMERA = "mdi2v-video-outline";
+    public static final String DISSOLVE = "mdi2u-ungroup";
+
+    private Icons() {}
+
+    /** The icon of a shape's kind; a general one for a kind without its own. */
+    public static String of(Shape shape) {
+        return SHAPES.getOrDefault(shape.kind(), ANY_SHAPE);
+    }
+
+    /** The icon of a kind, by its word. */
+    public static String of(String kind) {
+        return SHAPES.getOrDefault(kind, ANY_SHAPE);
+    }
+
+    public static FontIcon icon(String literal) {
+        return new FontIcon(literal);
+    }
+}

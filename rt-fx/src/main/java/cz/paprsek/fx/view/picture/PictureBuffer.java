@@ -1,0 +1,94 @@
+package cz.paprsek.fx.view.picture;
+
+import cz.paprsek.image.Image;
+import cz.paprsek.render.Tile;
+import java.nio.IntBuffer;
+import javafx.application.Platform;
+import javafx.geometry.Rectangle2D;
+import javafx.scene.image.PixelBuffer;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
+
+/**
+ * A picture on the screen that any thread may paint on. However many tiles are painted, JavaFX's thread is asked but once to show them.
+ * What is not painted yet is transparent.
+ */
+public final class PictureBuffer {
+    private final int width;
+    private final int height;
+    private final int[] argb;
+    private final PixelBuffer<IntBuffer> pixels;
+    private final WritableImage image;
+    private boolean updatePending;
+    private int dirtyLeft;
+    private int dirtyTop;
+    private int dirtyRight;
+    private int dirtyBottom;
+
+    /** An empty picture. */
+    public PictureBuffer(int width, int height) {
+        this.width = width;
+        this.height = height;
+        this.argb = new int[Math.multiplyExact(width, height)];
+        this.pixels = new PixelBuffer<>(width, height, IntBuffer.wrap(argb), PixelFormat.getIntArgbPreInstance());
+        this.image = new WritableImage(pixels);
+    }
+
+    public int width() {
+        return width;
+    }
+
+    public int height() {
+        return height;
+    }
+
+    /** What is to be shown, for JavaFX's thread. */
+    public WritableImage image() {
+        return image;
+    }
+
+    /** Whether a pixel has been painted. */
+    boolean isPainted(int x, int y) {
+        return argb[y * width + x] != 0;
+    }
+
+    /**
+     * Paints a part of another picture.
+     *
+     * @param source the other picture
+     * @param tile the part, in pixels of the other picture
+     * @param step how many pixels of this picture, side by side, are one of the other
+     */
+    public void paint(Image source, Tile tile, int step) {
+        int left = tile.x() * step;
+        int right = Math.min(width, (tile.x() + tile.width()) * step);
+        int top = tile.y() * step;
+        int bottom = Math.min(height, (tile.y() + tile.height()) * step);
+        for (int y = top; y < bottom; y++) {
+            if ((y - top) % step == 0) {
+                for (int x = left; x < right; x++) {
+                    argb[y * width + x] = (x - left) % step == 0 ? source.argb(x / step, y / step) : argb[y * width + x - 1];
+                }
+            } else {
+                System.arraycopy(argb, (y - 1) * width + left, argb, y * width + left, right - left);
+            }
+        }
+        changed(left, top, right, bottom);
+    }
+
+    private synchronized void changed(int left, int top, int right, int bottom) {
+        dirtyLeft = updatePending ? Math.min(dirtyLeft, left) : left;
+        dirtyTop = updatePending ? Math.min(dirtyTop, top) : top;
+        dirtyRight = updatePending ? Math.max(dirtyRight, right) : right;
+        dirtyBottom = updatePending ? Math.max(dirtyBottom, bottom) : bottom;
+        if (!updatePending) {
+            updatePending = true;
+            Platform.runLater(() -> pixels.updateBuffer(buffer -> takeDirty()));
+        }
+    }
+
+    private synchronized Rectangle2D takeDirty() {
+        updatePending = false;
+        return new Rectangle2D(dirtyLeft, dirtyTop, dirtyRight - dirtyLeft, dirtyBottom - dirtyTop);
+    }
+}

@@ -1,0 +1,48 @@
+package cz.paprsek.fx.view.picture;
+
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.image.ImageFormat;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import javafx.stage.FileChooser;
+import javafx.stage.FileChooser.ExtensionFilter;
+import javafx.stage.Window;
+
+/** Asks where a picture is to be saved. */
+@FunctionalInterface
+public interface PictureChooser {
+
+    /**
+     * Asks, and waits for the answer.
+     *
+     * @param name the name to suggest, with its extension
+     * @return empty if the user thought better of it
+     */
+    Optional<Path> choose(Window owner, String name);
+
+    /** Asks in the system's own dialog. */
+    static PictureChooser ofSystem(Texts texts) {
+        return (owner, name) -> {
+            FileChooser chooser = new FileChooser();
+            chooser.setTitle(texts.of("render.save"));
+            chooser.setInitialFileName(name);
+            Map<ExtensionFilter, ImageFormat> formats = new HashMap<>();
+            for (ImageFormat format : ImageFormat.values()) {
+                ExtensionFilter filter = new ExtensionFilter(
+                        format.extension().toUpperCase(texts.locale()) + " – " + texts.of("format." + format.extension()), "*." + format.extension());
+                formats.put(filter, format);
+                chooser.getExtensionFilters().add(filter);
+            }
+            File file = chooser.showSaveDialog(owner);
+            if (file == null) {
+                return Optional.empty();
+            }
+            boolean complete = ImageFormat.ofFile(file.getName()).isPresent();
+            ImageFormat format = formats.getOrDefault(chooser.getSelectedExtensionFilter(), ImageFormat.PNG);
+            return Optional.of(complete ? file.toPath() : Path.of(file + "." + format.extension()));
+        };
+    }
+}

@@ -1,0 +1,45 @@
+package cz.paprsek.fx.view.picture;
+
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.render.Pick;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.scene.RenderSettings;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A point of a rendered picture that the user points at.
+ *
+ * @param scene what was rendered
+ * @param settings how: the size of the picture, its depth and samples
+ * @param x columns from the left edge, in pixels and parts of one; the centre of the first pixel is 0.5
+ * @param y rows from the top edge
+ */
+public record PicturePoint(RenderScene scene, RenderSettings settings, double x, double y) {
+
+    /** The pixel's column, counted from 0. */
+    public int column() {
+        return Math.min((int) x, settings.width() - 1);
+    }
+
+    /** The pixel's row, counted from 0. */
+    public int row() {
+        return Math.min((int) y, settings.height() - 1);
+    }
+
+    /** What is seen there; empty for the background. */
+    public Optional<Pick> pick() {
+        return Pick.at(scene, settings, x, y);
+    }
+
+    /** Where in the scene stands what is seen there: the object, or the operand that the surface belongs to. */
+    public Optional<BodyAt> body() {
+        return pick().map(pick -> {
+            List<Integer> path = new ArrayList<>();
+            path.add(pick.object());
+            path.addAll(pick.operands());
+            return new BodyAt(path);
+        });
+    }
+}

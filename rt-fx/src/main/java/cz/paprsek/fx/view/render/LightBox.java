@@ -1,0 +1,39 @@
+package cz.paprsek.fx.view.render;
+
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.Scene;
+import java.util.List;
+import java.util.stream.Stream;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Tooltip;
+
+/** Chooses which lights are lit: all, or one by itself. */
+final class LightBox extends ChoiceBox<Named<Integer>> {
+    private static final int ALL = -1;
+    private static final double WIDTH = 150;
+    private final Texts texts;
+
+    LightBox(Texts texts) {
+        this.texts = texts;
+        setId("render-lights");
+        // As the names of a scene come after the box has been measured.
+        setPrefWidth(WIDTH);
+        setTooltip(new Tooltip(texts.of("render.lights.hint")));
+    }
+
+    /** Offers the lights of a scene, all of them lit. */
+    void offer(Scene scene) {
+        Stream<Named<Integer>> each = Stream.iterate(0, i -> i + 1).limit(scene.lights().size())
+                .map(i -> new Named<>(i, i + 1 + ": " + ItemNames.of(scene, Item.light(i), texts)));
+        getItems().setAll(Stream.concat(Stream.of(new Named<>(ALL, texts.of("render.lights.all"))), each).toList());
+        getSelectionModel().selectFirst();
+    }
+
+    /** The scene with the chosen light only; as it is if that has gone. */
+    Scene lit(Scene scene) {
+        int index = getValue().value();
+        return index >= 0 && index < scene.lights().size() ? scene.withLights(List.of(scene.lights().get(index))) : scene;
+    }
+}

@@ -1,0 +1,118 @@
+package cz.paprsek.fx.view.render;
+
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javafx.beans.binding.Bindings;
+import javafx.beans.binding.BooleanBinding;
+import javafx.beans.value.ObservableBooleanValue;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.layout.FlowPane;
+import javafx.scene.layout.HBox;
+
+/** What to render and how: size, samples, depth, threads, what the picture shows, and which lights are lit. */
+final class RenderForm extends FlowPane {
+    private record Preset(int width, int height, String name) {}
+
+    private static final List<Preset> PRESETS = List.of(
+            new Preset(320, 240, "QVGA"),
+            new Preset(640, 480, "VGA"),
+            new Preset(800, 600, "SVGA"),
+            new Preset(1024, 768, "XGA"),
+            new Preset(1280, 720, "HD"),
+            new Preset(1920, 1080, "Full HD"),
+            new Preset(2560, 1440, "QHD"),
+            new Preset(3840, 2160, "4K UHD"),
+            new Preset(1024, 1024, "1 : 1"));
+
+    private final WholeNumberField width;
+    private final WholeNumberField height;
+    private final WholeNumberField samples;
+    private final WholeNumberField depth;
+    private final WholeNumberField threads;
+    private final ModeBox mode;
+    private final LightBox lights;
+    private final BooleanBinding valid;
+
+    RenderForm(Texts texts) {
+        width = new WholeNumberField("render-width", texts.of("render.width"), 1, RenderSettings.LARGEST_SIDE, 4);
+        height = new WholeNumberField("render-height", texts.of("render.height"), 1, RenderSettings.LARGEST_SIDE, 4);
+        samples = new WholeNumberField("render-samples", texts.of("render.samples.hint"), 1, 16, 2);
+        depth = new WholeNumberField("render-depth", texts.of("render.depth.hint"), 1, RenderSettings.DEEPEST, 3);
+        threads = new WholeNumberField("render-threads", texts.of("render.threads.hint"), 1, 1024, 3);
+        threads.set(Runtime.getRuntime().availableProcessors());
+        mode = new ModeBox(texts);
+        lights = new LightBox(texts);
+        MenuButton presets = new MenuButton(texts.of("render.size"));
+        presets.setId("render-presets");
+        PRESETS.forEach(preset -> presets.getItems().add(item(preset)));
+        valid = Bindings.createBooleanBinding(() -> fields().allMatch(field -> field.validProperty().get()),
+                fields().map(WholeNumberField::validProperty).toArray(ObservableBooleanValue[]::new));
+        setHgap(12);
+        setVgap(6);
+        setAlignment(Pos.CENTER_LEFT);
+        getChildren().addAll(group(presets, width, new Label("×"), height), group(new Label(texts.of("render.samples")), samples),
+                group(new Label(texts.of("render.depth")), depth), group(new Label(texts.of("render.threads")), threads),
+                group(new Label(texts.of("render.mode")), mode), group(new Label(texts.of("render.lights")), lights));
+    }
+
+    /** Fills in what a scene asks for. */
+    void set(Scene scene) {
+        RenderSettings settings = scene.settings();
+        width.set(settings.width());
+        height.set(settings.height());
+        samples.set(settings.samples());
+        depth.set(settings.maxDepth());
+        mode.reset();
+        lights.offer(scene);
+    }
+
+    /** Whether all fields hold numbers within their ranges. */
+    BooleanBinding valid() {
+        return valid;
+    }
+
+    /** What the fields say; only if they are valid. */
+    RenderOptions options() {
+        return RenderOptions.of(new RenderSettings(width.get(), height.get(), depth.get(), samples.get())).withThreads(threads.get())
+                .withMode(mode.mode());
+    }
+
+    /** The scene with those of its lights that are to be lit. */
+    Scene lit(Scene scene) {
+        return lights.lit(scene);
+    }
+
+    /** What beside its size tells this picture from others; empty for one that shows the light of all lights. */
+    String remark() {
+        return Stream.of(mode, lights).filter(box -> box.getSelectionModel().getSelectedIndex() > 0).map(box -> " · " + box.getValue())
+                .collect(Collectors.joining());
+    }
+
+    private Stream<WholeNumberField> fields() {
+        return Stream.of(width, height, samples, depth, threads);
+    }
+
+    private MenuItem item(Preset preset) {
+        MenuItem item = new MenuItem(preset.width() + " × " + preset.height() + "   " + preset.name());
+        item.setOnAction(event -> {
+            width.set(preset.width());
+            height.set(preset.height());
+        });
+        return item;
+    }
+
+    private static HBox group(Node... nodes) {
+        HBox group = new HBox(6, nodes);
+        group.setAlignment(Pos.CENTER_LEFT);
+        return group;
+    }
+}

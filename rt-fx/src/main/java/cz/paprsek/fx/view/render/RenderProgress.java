@@ -1,0 +1,26 @@
+package cz.paprsek.fx.view.render;
+
+/**
+ * How far a render is.
+ *
+ * @param done tiles finished
+ * @param total tiles in all; 0 as long as that is not known
+ * @param elapsedSeconds since the beginning
+ * @param rays traced so far, of all kinds
+ */
+record RenderProgress(int done, int total, double elapsedSeconds, long rays) {
+
+    /** 0–1. */
+    double share() {
+        return total == 0 ? 0 : (double) done / total;
+    }
+
+    /** What is left to wait if the other tiles take as long as those that are finished; not a number if there is none. */
+    double remainingSeconds() {
+        return done == 0 ? Double.NaN : elapsedSeconds * (total - done) / done;
+    }
+
+    double raysPerSecond() {
+        return elapsedSeconds > 0 ? rays / elapsedSeconds : 0;
+    }
+}

@@ -1,0 +1,48 @@
+package cz.paprsek.fx.view.render;
+
+import cz.paprsek.fx.view.texts.Faults;
+import cz.paprsek.fx.view.texts.Texts;
+import java.util.Locale;
+import java.util.Optional;
+import javafx.concurrent.Worker;
+
+/** Says how far a render is, or how it ended. */
+final class RenderStatus {
+    private final Texts texts;
+
+    RenderStatus(Texts texts) {
+        this.texts = texts;
+    }
+
+    String of(Worker.State state, RenderProgress progress, Optional<Throwable> fault) {
+        return switch (state) {
+            case READY, SCHEDULED, RUNNING -> texts.of("render.running",
+                    percent(progress), time(progress.elapsedSeconds()), time(progress.remainingSeconds()), speed(progress));
+            case SUCCEEDED -> texts.of("render.done", time(progress.elapsedSeconds()), speed(progress));
+            case CANCELLED -> texts.of("render.cancelled", percent(progress), time(progress.elapsedSeconds()));
+            case FAILED -> texts.of("render.failed", fault.map(Faults::sentence).orElse(""));
+        };
+    }
+
+    private static String percent(RenderProgress progress) {
+        return Integer.toString((int) (100 * progress.share()));
+    }
+
+    private String speed(RenderProgress progress) {
+        return String.format(texts.locale(), "%.2f", progress.raysPerSecond() / 1e6);
+    }
+
+    /** Seconds below a minute, else minutes or hours as a clock shows them. */
+    private String time(double seconds) {
+        if (Double.isNaN(seconds)) {
+            return "–";
+        }
+        if (seconds < 60) {
+            return String.format(texts.locale(), "%.1f s", seconds);
+        }
+        long whole = Math.round(seconds);
+        return whole < 3600
+                ? String.format(Locale.ROOT, "%d:%02d min", whole / 60, whole % 60)
+                : String.format(Locale.ROOT, "%d:%02d:%02d h", whole / 3600, whole / 60 % 60, whole % 60);
+    }
+}

@@ -1,0 +1,108 @@
+package cz.paprsek.fx.view.render;
+
+import cz.paprsek.fx.view.picture.PictureBuffer;
+import cz.paprsek.image.Image;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderResult;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.render.Tile;
+import cz.paprsek.scene.Scene;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import javafx.concurrent.Task;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One picture on its way to the screen. Paints finished tiles on a {@link PictureBuffer}; cancelled, it stops at once and what is done
+ * stays. All methods may be called while it runs, from JavaFX's thread.
+ */
+final class RenderTask extends Task<RenderResult> {
+    private final Scene scene;
+    private final RenderOptions options;
+    private final PictureBuffer buffer;
+    private final AtomicLong rays = new AtomicLong();
+    private final long created = System.nanoTime();
+    private volatile int done;
+    private volatile int total;
+    private volatile long ended;
+    private volatile @Nullable RenderScene prepared;
+    private volatile @Nullable Image image;
+
+    /** @throws ArithmeticException if the picture is larger than any array */
+    RenderTask(Scene scene, RenderOptions options) {
+        this.scene = scene;
+        this.options = options;
+        this.buffer = new PictureBuffer(options.settings().width(), options.settings().height());
+    }
+
+    @Override
+    protected RenderResult call() {
+        try {
+            RenderScene ready = RenderScene.of(scene, new Monitor());
+            prepared = ready;
+            return Renderer.render(ready, options, new Monitor());
+        } finally {
+            ended = System.nanoTime();
+        }
+    }
+
+    Scene scene() {
+        return scene;
+    }
+
+    RenderOptions options() {
+        return options;
+    }
+
+    PictureBuffer buffer() {
+        return buffer;
+    }
+
+    /** The scene made ready for rays; empty until it is. */
+    Optional<RenderScene> prepared() {
+        return Optional.ofNullable(prepared);
+    }
+
+    /** The picture in linear light, as far as it has got; empty until there is a tile of it. */
+    Optional<Image> image() {
+        return Optional.ofNullable(image);
+    }
+
+    /** Whether nothing more will be painted; after cancelling, that is a moment later. */
+    boolean isStopped() {
+        return ended != 0;
+    }
+
+    /** How far it is by now. */
+    RenderProgress progress() {
+        long now = ended == 0 ? System.nanoTime() : ended;
+        return new RenderProgress(done, total, (now - created) / 1e9, rays.get());
+    }
+
+    private final class Monitor implements RenderMonitor {
+        @Override
+        public boolean cancelled() {
+            return isCancelled();
+        }
+
+        @Override
+        public void traced(long more) {
+            rays.addAndGet(more);
+        }
+
+        @Override
+        public void finished(Tile tile, Image underWay, int tilesDone, int tilesTotal) {
+            image = underWay;
+            total = tilesTotal;
+            countUpTo(tilesDone);
+            buffer.paint(underWay, tile, 1);
+        }
+    }
+
+    /** Workers may tell of their tiles in another order than they counted them. */
+    private synchronized void countUpTo(int tiles) {
+        done = Math.max(done, tiles);
+    }
+}

@@ -1,0 +1,94 @@
+package cz.paprsek.fx.view.shell;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.edit.Examples;
+import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.view.command.Commands;
+import cz.paprsek.fx.view.look.Icons;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Shape;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import javafx.beans.binding.Bindings;
+import javafx.beans.binding.BooleanBinding;
+import javafx.scene.control.Button;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.FlowPane;
+import org.kordamp.ikonli.javafx.FontIcon;
+
+/** Buttons and menu items that add every kind of object and lights, and that make one solid of several. */
+public final class AddPalette extends FlowPane {
+    /** A row of both: its name in ids, its text, its icon, when it makes sense, what it does. */
+    private record Entry(String id, String text, String icon, BooleanBinding possible, Runnable action) {}
+
+    private final List<Entry> adding = new ArrayList<>();
+    private final List<Entry> combining = new ArrayList<>();
+
+    /**
+     * @param sight where new things are put, and how large: where the user looks
+     * @param refusal is told why something cannot be done; empty when something was done
+     */
+    public AddPalette(EditorModel model, Texts texts, Supplier<Sight> sight, Consumer<String> refusal) {
+        Commands commands = new Commands(model, texts, refusal);
+        setId("add-palette");
+        getStyleClass().add("add-palette");
+        getStylesheets().add(Objects.requireNonNull(AddPalette.class.getResource("palette.css")).toExternalForm());
+        BooleanBinding always = Bindings.createBooleanBinding(() -> true);
+        for (Shape kind : Examples.ofSize(1)) {
+            adding.add(new Entry("add-" + kind.kind(), texts.kind(kind), Icons.of(kind), always, () -> {
+                Sight now = sight.get();
+                Examples.ofSize(now.size()).stream().filter(example -> example.getClass() == kind.getClass()).findFirst()
+                        .ifPresent(example -> commands.add(example, now));
+            }));
+        }
+        adding.add(new Entry("add-light", texts.of("kind.light"), Icons.LIGHT, always, () -> commands.addLight(sight.get())));
+        BooleanBinding several = when(model, items -> Items.outermost(items).size() > 1);
+        for (Csg.Operation operation : Csg.Operation.values()) {
+            String word = operation.name().toLowerCase(Locale.ROOT);
+            combining.add(new Entry("combine-" + word, texts.of("combine." + word), Icons.of(word), several, () -> commands.combine(operation)));
+        }
+        BooleanBinding any = when(model, items -> !Items.bodies(items).isEmpty());
+        combining.add(new Entry("dissolve", texts.of("menu.dissolve"), Icons.DISSOLVE, any, commands::dissolve));
+        adding.forEach(entry -> getChildren().add(button(entry, texts.of("palette.add", entry.text()))));
+        combining.forEach(entry -> getChildren().add(button(entry, entry.text())));
+    }
+
+    /** What is added, as a menu; what combines stands in the menu of objects. */
+    public List<MenuItem> menuItems() {
+        return adding.stream().map(AddPalette::menuItem).toList();
+    }
+
+    private static BooleanBinding when(EditorModel model, Predicate<Set<Item>> condition) {
+        return Bindings.createBooleanBinding(() -> condition.test(model.selection()), model.selectionProperty());
+    }
+
+    private static Button button(Entry entry, String text) {
+        Button button = new Button("", new FontIcon(entry.icon()));
+        button.setId(entry.id());
+        button.setAccessibleText(text);
+        button.setTooltip(new Tooltip(text));
+        button.getStyleClass().add("palette-button");
+        button.disableProperty().bind(entry.possible().not());
+        button.setOnAction(event -> entry.action().run());
+        return button;
+    }
+
+    private static MenuItem menuItem(Entry entry) {
+        String text = entry.text().substring(0, 1).toUpperCase(Locale.ROOT) + entry.text().substring(1);
+        MenuItem item = new MenuItem(text, new FontIcon(entry.icon()));
+        item.setId("menu-" + entry.id());
+        item.disableProperty().bind(entry.possible().not());
+        item.setOnAction(event -> entry.action().run());
+        return item;
+    }
+}

@@ -1,0 +1,53 @@
+package cz.paprsek.fx.view.shell;
+
+import javafx.beans.value.ObservableValue;
+import javafx.geometry.Pos;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+
+/** The line at the bottom of the window: what happened last, where the mouse is in the world, what is selected. */
+public final class StatusBar extends HBox {
+    private final Label message = label("status-message");
+    private final Label cursor = label("status-cursor");
+    private final Label selection = label("status-selection");
+    private final Label render = label("status-render");
+
+    public StatusBar() {
+        setId("status-bar");
+        getStyleClass().add("status-bar");
+        setAlignment(Pos.CENTER_LEFT);
+        HBox.setHgrow(message, Priority.ALWAYS);
+        message.setMaxWidth(Double.MAX_VALUE);
+        message.setMinWidth(0);
+        cursor.setMinWidth(210);
+        selection.setMinWidth(160);
+        selection.setMaxWidth(320);
+        render.setMinWidth(Region.USE_PREF_SIZE);
+        getChildren().addAll(message, cursor, selection, render);
+    }
+
+    public void showMessage(String text) {
+        message.setText(text);
+    }
+
+    public void showCursor(String text) {
+        cursor.setText(text);
+    }
+
+    public void showSelection(String text) {
+        selection.setText(text);
+    }
+
+    /** Shows what has become of the last render, now and later. */
+    public void followRender(ObservableValue<String> words) {
+        render.textProperty().bind(words);
+    }
+
+    private static Label label(String id) {
+        Label label = new Label();
+        label.setId(id);
+        return label;
+    }
+}

@@ -1,0 +1,67 @@
+package cz.paprsek.fx.view.texts;
+
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Shape;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.MissingResourceException;
+import java.util.ResourceBundle;
+
+/** All words that a user reads, in one language. They stand in one properties file per part of the window and language. */
+public final class Texts {
+    /** The files, in the folder {@code texts}. */
+    static final List<String> PARTS = List.of("common", "window", "sheet", "picture", "explain", "library");
+    /** The languages, the first being that of the files without a language in their name. */
+    public static final List<Locale> LANGUAGES = List.of(Locale.ENGLISH, Locale.forLanguageTag("cs"));
+
+    private final Locale locale;
+    private final Map<String, String> texts = new HashMap<>();
+
+    private Texts(Locale locale) {
+        this.locale = locale;
+        for (String part : PARTS) {
+            ResourceBundle bundle = ResourceBundle.getBundle(
+                    "cz.paprsek.fx.view.texts." + part, locale, ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
+            bundle.keySet().forEach(key -> texts.put(key, bundle.getString(key)));
+        }
+    }
+
+    /** The texts in a language; in English if there are none in it. */
+    public static Texts in(Locale locale) {
+        return new Texts(LANGUAGES.stream().filter(language -> language.getLanguage().equals(locale.getLanguage())).findFirst().orElse(Locale.ENGLISH));
+    }
+
+    /** The language, also for the form of numbers. */
+    public Locale locale() {
+        return locale;
+    }
+
+    /**
+     * A text, with {0}, {1} … replaced.
+     *
+     * @throws MissingResourceException if no file has it
+     */
+    public String of(String key, Object... arguments) {
+        String text = texts.get(key);
+        if (text == null) {
+            throw new MissingResourceException("there is no text for " + key, Texts.class.getName(), key);
+        }
+        for (int i = 0; i < arguments.length; i++) {
+            text = text.replace("{" + i + "}", String.valueOf(arguments[i]));
+        }
+        return text;
+    }
+
+    /** What a kind of shape is called: "sphere". */
+    public String kind(Shape shape) {
+        return of("kind." + (shape instanceof Csg csg ? csg.operation().name() : shape.getClass().getSimpleName()).toLowerCase(Locale.ROOT));
+    }
+
+    /** What an edit is called: "Move sphere". */
+    public String edit(Label label) {
+        return of("edit." + label.edit().name().toLowerCase(Locale.ROOT), label.subject()).strip();
+    }
+}

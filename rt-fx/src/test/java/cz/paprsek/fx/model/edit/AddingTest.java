@@ -1,0 +1,64 @@
+package cz.paprsek.fx.model.edit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Cylinder;
+import cz.paprsek.shape.Plane;
+import cz.paprsek.shape.Sphere;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class AddingTest {
+    @Test
+    void middleOfAnEmptySceneIsSeenByTheFirstCamera() {
+        assertThat(Sight.of(Scene.EMPTY)).isEqualTo(new Sight(new Vec3(0, 1, 0), 1));
+    }
+
+    @Test
+    void targetOfTheCameraIsWhereTheUserLooks() {
+        Scene scene = Scene.EMPTY.withCamera(Camera.lookingAt(new Vec3(0, 0, 10), new Vec3(2, 3, 0)));
+        assertThat(Sight.of(scene).point()).isEqualTo(new Vec3(2, 3, 0));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-6, 1, 1e6})
+    void newThingsAreAsLargeAsTheSceneIs(double scale) {
+        Scene scene = Scene.EMPTY.withCamera(Camera.looking(new Vec3(0, 0, 5 * scale), new Vec3(0, 0, -1)))
+                .plus(SceneObject.of(new Sphere(scale)));
+        assertThat(Sight.of(scene).size() / scale).isBetween(0.5, 2.0);
+    }
+
+    @Test
+    void middleOfTheShapeIsWhereTheUserLooks() {
+        EditorState after = Adding.shape(EditorState.of(Scene.EMPTY), new Cylinder(1, 4), "rod", new Sight(new Vec3(1, 2, 3), 1));
+        assertThat(after.scene().objects().get(0).placement().position()).isEqualTo(new Vec3(1, 0, 3));
+        assertThat(after.selection()).containsExactly(Item.body(0));
+    }
+
+    @Test
+    void planeIsTheGroundUnderWhatThereIs() {
+        EditorState state = EditorState.of(Scene.EMPTY.plus(SceneObject.of(new Sphere(2)).at(0, 1, 0)));
+        EditorState after = Adding.shape(state, new Plane(), "ground", Sight.of(state.scene()));
+        assertThat(after.scene().objects().get(1).placement().position()).isEqualTo(new Vec3(0, -1, 0));
+    }
+
+    @Test
+    void lightStandsAboveAndOutsideWhatIsSeen() {
+        EditorState after = Adding.light(EditorState.of(Scene.EMPTY), "lamp", new Sight(Vec3.ZERO, 2));
+        assertThat(after.scene().lights().get(0).position()).isEqualTo(new Vec3(-2, 4, 2));
+    }
+
+    @Test
+    void examplesAreAboutAsLargeAsAsked() {
+        Examples.ofSize(0.2).stream().map(shape -> shape.bounds()).filter(Bounds::isFinite)
+                .forEach(box -> assertThat(box.maxX() - box.minX()).isBetween(0.15, 0.25));
+    }
+}

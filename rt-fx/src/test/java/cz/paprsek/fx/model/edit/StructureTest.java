@@ -1,0 +1,197 @@
+package cz.paprsek.fx.model.edit;
+
+import static cz.paprsek.fx.model.TestScenes.names;
+import static cz.paprsek.fx.model.item.Item.body;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.TestScenes;
+import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Body;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.material.Inherited;
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Sphere;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+
+class StructureTest {
+    private final EditorState kitchen = TestScenes.kitchenState();
+
+    @Test
+    void addedObjectGetsAFreeNameAndTheSelection() {
+        EditorState after = Structure.add(kitchen, SceneObject.of(new Sphere(1)).named("ball"));
+        assertThat(names(after)).isEqualTo("ball, bowl, floor, ball 2, ball 3");
+        assertThat(after.selection()).containsExactly(body(4));
+    }
+
+    @Test
+    void addedLightGetsAFreeNameAndTheSelection() {
+        EditorState after = Structure.add(kitchen, Light.at(0, 9, 0).named("key"));
+        assertThat(after.scene().lights().get(2).name()).isEqualTo("key 2");
+        assertThat(after.selection()).containsExactly(Item.light(2));
+    }
+
+    @Test
+    void whatIsNotTouchedStaysTheSameObject() {
+        EditorState after = Structure.delete(kitchen, Set.of(body(0)));
+        assertThat(names(after)).isEqualTo("bowl, floor, ball 2");
+        assertThat(after.scene().objects().get(0)).isSameAs(kitchen.scene().objects().get(1));
+    }
+
+    @Test
+    void selectionHiddenAndLockedFollowWhatTheyLedTo() {
+        EditorState before = kitchen.withSelection(Set.of(body(1, 1, 1))).withHidden(Set.of(body(3))).withLocked(Set.of(Item.light(1)));
+        EditorState after = Structure.delete(before, List.of(body(0), body(1, 1, 0), Item.light(0)));
+        assertThat(after.selection()).containsExactly(body(0, 1, 0));
+        assertThat(after.hidden()).containsExactly(body(2));
+        assertThat(after.locked()).containsExactly(Item.light(0));
+    }
+
+    @Test
+    void operationThatLosesItsLastOperandGoesToo() {
+        EditorState after = Structure.delete(kitchen, List.of(body(1, 1, 0), body(1, 1, 1)));
+        assertThat(Bodies.find(after.scene(), body(1)).orElseThrow().operands()).extracting(Operand::name).containsExactly("outer");
+        assertThat(names(Structure.delete(after, List.of(body(1, 0))))).isEqualTo("ball, floor, ball 2");
+    }
+
+    @Test
+    void deletingTheCameraDeletesNothing() {
+        assertThat(Structure.delete(kitchen, Set.of(Item.CAMERA)).scene()).isEqualTo(kitchen.scene());
+    }
+
+    @Test
+    void copiesStandBesideTheirOriginals() {
+        EditorState after = Structure.duplicate(kitchen, List.of(body(0), body(1, 0), Item.light(0)), new Vec3(0, 0, 2));
+        assertThat(names(after)).isEqualTo("ball, ball 3, bowl, floor, ball 2");
+        assertThat(after.selection()).containsExactly(body(1), body(2, 1), Item.light(2));
+        assertThat(after.scene().objects().get(1).placement().position()).isEqualTo(new Vec3(0, 0, 2));
+        // The bowl is turned by 90° about y: two units along the world's z are two along its own −x.
+        assertThat(Bodies.find(after.scene(), body(2, 1)).orElseThrow().placement().position()).isEqualTo(new Vec3(-2, 0, 0));
+        assertThat(after.scene().lights().get(2)).isEqualTo(Light.at(4, 6, 7).named("key 2"));
+    }
+
+    @Test
+    void reorderingCountsPlacesAsTheyWere() {
+        EditorState selected = kitchen.withSelection(Set.of(body(0)));
+        EditorState down = Structure.move(selected, List.of(body(0)), Optional.empty(), 3);
+        assertThat(names(down)).isEqualTo("bowl, floor, ball, ball 2");
+        assertThat(down.selection()).containsExactly(body(2));
+        assertThat(names(Structure.move(kitchen, List.of(body(3)), Optional.empty(), 0))).isEqualTo("ball 2, ball, bowl, floor");
+        assertThat(names(Structure.move(kitchen, List.of(body(1)), Optional.empty(), 1))).isEqualTo("ball, bowl, floor, ball 2");
+    }
+
+    @Test
+    void regroupedObjectStaysWhereItIs() {
+        Scene before = kitchen.scene();
+        EditorState in = Structure.move(kitchen, List.of(body(0)), Optional.of(body(1, 1)), 1);
+        assertThat(names(in)).isEqualTo("bowl, floor, ball 2");
+        assertThat(Bodies.find(in.scene(), body(0, 1, 1)).orElseThrow().name()).isEqualTo("ball");
+        assertSame(Bodies.toWorld(in.scene(), body(0, 1, 1)), Bodies.toWorld(before, body(0)));
+
+        EditorState out = Structure.move(kitchen, List.of(body(1, 1, 0)), Optional.empty(), 0);
+        assertThat(names(out)).isEqualTo("hole, ball, bowl, floor, ball 2");
+        assertSame(Bodies.toWorld(out.scene(), body(0)), Bodies.toWorld(before, body(1, 1, 0)));
+    }
+
+    @Test
+    void objectCannotBePutIntoItselfOrIntoAPrimitive() {
+        assertThatThrownBy(() -> Structure.move(kitchen, List.of(body(1)), Optional.of(body(1, 1)), 0))
+                .hasMessageContaining("not itself");
+        assertThatThrownBy(() -> Structure.move(kitchen, List.of(body(1)), Optional.of(body(0)), 0))
+                .hasMessageContaining("only an operation");
+    }
+
+    @Test
+    void lightsAreReorderedWithTheirSelection() {
+        EditorState after = Structure.moveLight(kitchen.withSelection(Set.of(Item.light(0))), Item.light(0), 2);
+        assertThat(after.scene().lights()).extracting(Light::name).containsExactly("fill", "key");
+        assertThat(after.selection()).containsExactly(Item.light(1));
+    }
+
+    @Test
+    void differenceTakesTheOthersFromTheFirstSelected() {
+        EditorState after = Structure.combine(kitchen, List.of(body(3), body(0)), Csg.Operation.DIFFERENCE, "part");
+        assertThat(names(after)).isEqualTo("bowl, floor, part");
+        assertThat(after.selection()).containsExactly(body(2));
+        assertThat(Bodies.find(after.scene(), body(2)).orElseThrow().operands()).extracting(Operand::name).containsExactly("ball 2", "ball");
+    }
+
+    @Test
+    void operandsCombineWithinTheirOperation() {
+        EditorState after = Structure.combine(kitchen, List.of(body(1, 1, 0), body(1, 1, 1)), Csg.Operation.INTERSECTION, "");
+        assertThat(Bodies.find(after.scene(), body(1, 1, 0)).orElseThrow().operands()).hasSize(2);
+        assertThat(after.selection()).containsExactly(body(1, 1, 0));
+    }
+
+    @Test
+    void surfaceCannotBeCombined() {
+        assertThatThrownBy(() -> Structure.combine(kitchen, List.of(body(0), body(2)), Csg.Operation.UNION, ""))
+                .isInstanceOf(IllegalArgumentException.class).hasMessageContaining("rectangle has no inside");
+        assertThatThrownBy(() -> Structure.combine(kitchen, List.of(body(0)), Csg.Operation.UNION, "")).hasMessageContaining("at least two");
+    }
+
+    @Test
+    void dissolvedOperandsStayWhereTheyAreAndWhatTheyAreMadeOf() {
+        EditorState after = Structure.dissolve(kitchen, List.of(body(1)));
+        assertThat(names(after)).isEqualTo("ball, outer, cut, floor, ball 2");
+        assertThat(after.selection()).containsExactly(body(1), body(2));
+        assertThat(after.scene().objects().get(1).material()).isEqualTo(new MaterialName("red"));
+        assertThat(after.scene().objects().get(2).material()).isEqualTo(TestScenes.BLUE);
+        assertThat(after.scene().objects().get(2).placement().position()).isEqualTo(new Vec3(3.25, 0, 0));
+        assertThat(after.scene().objects().get(2).placement().rotation()).isEqualTo(new Vec3(0, 90, 0));
+        assertThatThrownBy(() -> Structure.dissolve(kitchen, List.of(body(0)))).hasMessageContaining("select a union");
+    }
+
+    @Test
+    void combiningAndDissolvingGivesTheSceneBack() {
+        EditorState after = Structure.dissolve(Structure.combine(kitchen, List.of(body(0), body(1)), Csg.Operation.UNION, ""), List.of(body(0)));
+        assertThat(after.scene()).isEqualTo(kitchen.scene());
+    }
+
+    @Test
+    void shearIsRefusedInWords() {
+        Csg turnedInside = Csg.union(Operand.of(new Sphere(1)).rotated(0, 0, 30), Operand.of(new Sphere(2)));
+        Scene scene = Scene.EMPTY.plus(SceneObject.of(turnedInside).scaled(1, 2, 1));
+        assertThatThrownBy(() -> Structure.dissolve(EditorState.of(scene), List.of(body(0)))).hasMessageContaining("shear");
+    }
+
+    @Test
+    void renamingReachesOperandsAndLights() {
+        assertThat(Bodies.find(Structure.rename(kitchen, body(1, 1, 0), "pit").scene(), body(1, 1, 0)).orElseThrow().name()).isEqualTo("pit");
+        assertThat(Structure.rename(kitchen, Item.light(1), "lamp").scene().lights().get(1).name()).isEqualTo("lamp");
+        assertThatThrownBy(() -> Structure.rename(kitchen, Item.light(1), "key")).hasMessageContaining("already a light named");
+    }
+
+    @Test
+    void lockedOperationLocksItsOperands() {
+        EditorState after = Structure.lock(kitchen, Set.of(body(1)), true);
+        assertThat(after.isLocked(body(1, 0))).isTrue();
+        assertThat(Structure.lock(after, Set.of(body(1)), false).isLocked(body(1, 0))).isFalse();
+    }
+
+    @Test
+    void materialOfACombinationIsTheOperandsOwn() {
+        EditorState after = Structure.combine(kitchen, List.of(body(0), body(3)), Csg.Operation.UNION, "");
+        Body union = Bodies.find(after.scene(), body(0)).orElseThrow();
+        assertThat(union.material()).isEqualTo(Inherited.INHERITED);
+        assertThat(union.operands().get(0).material()).isEqualTo(new MaterialName("red"));
+    }
+
+    private static void assertSame(Affine actual, Affine expected) {
+        for (Vec3 p : List.of(Vec3.ZERO, Vec3.X, Vec3.Y, Vec3.Z)) {
+            assertThat(actual.point(p).minus(expected.point(p)).length()).isCloseTo(0, within(1e-12));
+        }
+    }
+}

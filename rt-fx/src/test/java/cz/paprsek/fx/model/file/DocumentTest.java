@@ -1,0 +1,131 @@
+package cz.paprsek.fx.model.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.TestScenes;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class DocumentTest {
+    /** No process has this number: the largest that a system gives is far below. */
+    private static final long DEAD = 999_999_999_999L;
+
+    @TempDir
+    Path folder;
+
+    private final Scene kitchen = TestScenes.kitchen().withName("kitchen");
+
+    @Test
+    void sourceOfADatabaseIsItsFirstScene() throws IOException, SceneFileException {
+        Path file = folder.resolve("d.xml");
+        SceneFiles.writeAll(List.of(kitchen, Scene.EMPTY.withName("empty")), file);
+        SceneSource source = SceneSource.of(file);
+        assertThat(source.title()).isEqualTo("d.xml · kitchen");
+        assertThat(source.read()).isEqualTo(kitchen);
+    }
+
+    @Test
+    void renamedSceneStaysAtItsPlaceInADatabase() throws IOException, SceneFileException {
+        Path file = folder.resolve("d.xml");
+        SceneFiles.writeAll(List.of(kitchen, Scene.EMPTY.withName("empty")), file);
+        SceneSource after = SceneSource.of(file).write(kitchen.withName("cellar"), Optional.of(kitchen));
+        assertThat(after.inDatabase()).contains("cellar");
+        assertThat(SceneFiles.readDatabase(file).names()).containsExactlyInAnyOrder("cellar", "empty");
+        assertThat(after.read().name()).isEqualTo("cellar");
+    }
+
+    @Test
+    void emptyDatabaseAndVanishedSceneAreToldInASentence() throws IOException {
+        Path file = folder.resolve("d.xml");
+        SceneFiles.writeAll(List.of(), file);
+        assertThatThrownBy(() -> SceneSource.of(file)).isInstanceOf(IOException.class).hasMessageContaining("no scene in this database");
+        assertThatThrownBy(() -> SceneSource.inDatabase(file, "gone").read()).isInstanceOf(IOException.class)
+                .hasMessageContaining("no scene named \"gone\"");
+    }
+
+    @Test
+    void failedSaveLeavesEverythingAsItWas() {
+        Document document = new Document(new EditorModel(kitchen));
+        document.model().edit(Label.of(Label.Edit.RENAME), scene -> scene.withName("cellar"));
+        assertThatThrownBy(() -> document.save(SceneSource.file(folder.resolve("no/folder.xml")))).isInstanceOf(IOException.class);
+        assertThat(document.sourceProperty().get()).isEmpty();
+        assertThat(document.model().unsavedProperty().get()).isTrue();
+    }
+
+    @Test
+    void copyOfAnUnsavedSceneIsFoundOnceItsWriterIsDead() throws IOException, SceneFileException {
+        Optional<SceneSource> source = Optional.of(SceneSource.file(folder.resolve("lens.xml")));
+        Recovery alive = new Recovery(folder);
+        alive.keep(source, kitchen);
+        assertThat(alive.left(source)).isEmpty();
+        new Recovery(folder, DEAD).keep(source, kitchen);
+        Path left = alive.left(source).orElseThrow();
+        assertThat(SceneFiles.read(left)).isEqualTo(kitchen);
+        assertThat(alive.left(Optional.of(SceneSource.file(folder.resolve("other.xml"))))).isEmpty();
+        assertThat(alive.left(Optional.empty())).isEmpty();
+        alive.discard(source);
+        assertThat(alive.place(source)).doesNotExist();
+    }
+
+    @Test
+    void sceneWithoutAFileHasItsCopyInTheProgramsFolder() throws IOException {
+        Path own = folder.resolve("made/when/needed");
+        new Recovery(own, DEAD).keep(Optional.empty(), kitchen);
+        assertThat(new Recovery(own).left(Optional.empty())).isPresent();
+    }
+
+    @Test
+    void scenesOfADatabaseHaveCopiesOfTheirOwn() throws IOException {
+        Path file = folder.resolve("d.xml");
+        new Recovery(folder, DEAD).keep(Optional.of(SceneSource.inDatabase(file, "a")), kitchen);
+        assertThat(new Recovery(folder).left(Optional.of(SceneSource.inDatabase(file, "b")))).isEmpty();
+        assertThat(new Recovery(folder).left(Optional.of(SceneSource.inDatabase(file, "a")))).isPresent();
+    }
+
+    @Test
+    void settingsAreThereAtTheNextStart() {
+        List<String> faults = new ArrayList<>();
+        Settings settings = new Settings(folder.resolve("s"), faults::add);
+        settings.set("language", "cs");
+        for (int i = 0; i < 12; i++) {
+            settings.addRecent(folder.resolve("scene" + i + ".xml"));
+        }
+        settings.addRecent(folder.resolve("scene5.xml"));
+        Settings next = new Settings(folder.resolve("s"), faults::add);
+        assertThat(next.get("language")).contains("cs");
+        assertThat(next.recent()).hasSize(10).startsWith(folder.resolve("scene5.xml"), folder.resolve("scene11.xml")).doesNotHaveDuplicates();
+        assertThat(faults).isEmpty();
+    }
+
+    @Test
+    void damagedOrUnwritableSettingsAreToldAndDoNoHarm() throws IOException {
+        List<String> faults = new ArrayList<>();
+        Files.writeString(folder.resolve("editor.properties"), "language=\\u00zz");
+        assertThat(new Settings(folder, faults::add).get("language")).isEmpty();
+        Files.writeString(folder.resolve("file"), "");
+        new Settings(folder.resolve("file"), faults::add).set("theme", "DARK");
+        assertThat(faults).hasSize(2);
+    }
+
+    @Test
+    void everySystemHasItsPlaceForSettings() {
+        Path home = Path.of("/home/jana");
+        assertThat(Settings.folder(Map.of(), "Linux", home)).isEqualTo(Path.of("/home/jana/.config/paprsek"));
+        assertThat(Settings.folder(Map.of("XDG_CONFIG_HOME", "/etc/mine"), "Linux", home)).isEqualTo(Path.of("/etc/mine/paprsek"));
+        assertThat(Settings.folder(Map.of(), "Mac OS X", home)).isEqualTo(Path.of("/home/jana/Library/Application Support/Paprsek"));
+        assertThat(Settings.folder(Map.of("APPDATA", "/data"), "Windows 11", home)).isEqualTo(Path.of("/data/Paprsek"));
+    }
+}

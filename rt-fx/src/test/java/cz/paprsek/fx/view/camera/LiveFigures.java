@@ -1,0 +1,195 @@
+package cz.paprsek.fx.view.camera;
+
+import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Gesture;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.edit.CameraMoves;
+import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.camera.CameraPane;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.projection.Axes;
+import cz.paprsek.fx.view.projection.ProjectionPane;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFiles;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javafx.animation.AnimationTimer;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ObservableValue;
+import javafx.scene.image.Image;
+import javafx.scene.image.ImageView;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Prints how the views follow a hand. Not a test, and left out of the build by its name; {@code -Dtest=LiveFigures} runs it. What
+ * is counted is what can be seen: pulses of JavaFX in which the picture is another one than in the pulse before.
+ */
+class LiveFigures {
+    private static final double SECONDS = 6;
+    private static final int CHANGES = 40;
+    private static final double DEGREES = 0.7;
+
+    @Test
+    void showcase() throws Exception {
+        EditorModel model = new EditorModel(SceneFiles.read(Path.of("../scenes/showcase.xml")));
+        CameraPane pane = Gui.on(() -> new CameraPane(model, fault -> {}));
+        try (Gui gui = Gui.show(() -> pane, 380, 330)) {
+            gui.until("the picture is complete", pane::isComplete);
+            Watch watch = Gui.on(() -> new Watch((ImageView) pane.lookup(".live-picture").lookup("ImageView")));
+            dragged(gui, model, watch);
+            double updates = dragged(gui, model, watch);
+            List<Double> delays = new ArrayList<>();
+            for (int i = 0; i < CHANGES; i++) {
+                gui.until("the picture is complete", pane::isComplete);
+                delays.add(firstPicture(gui, model, watch));
+            }
+            delays.sort(null);
+            System.out.printf(Locale.ROOT, "live picture of showcase.xml, 380 x 214 pixels, %d processors:%n"
+                            + "  updates a second while the camera is dragged: %.1f%n"
+                            + "  first picture after a change: median %.0f ms, longest of %d %.0f ms%n",
+                    Runtime.getRuntime().availableProcessors(), updates, delays.get(CHANGES / 2), CHANGES, delays.get(CHANGES - 1));
+        }
+        pane.close();
+    }
+
+    @Test
+    void tenThousandObjects() {
+        List<SceneObject> balls = IntStream.range(0, 10_000)
+                .mapToObj(i -> SceneObject.of(new Sphere(0.3)).at(i % 100, i / 1000 * 2, i / 100 % 10 * 2)).toList();
+        EditorModel model = new EditorModel(Scene.EMPTY.withObjects(balls).plus(Light.at(50, 50, 50)));
+        ObservableValue<Theme> theme = new SimpleObjectProperty<>(Theme.LIGHT);
+        List<ProjectionPane> panes = Stream.of(Axes.values()).map(axes -> Gui.on(
+                () -> new ProjectionPane(model, Texts.in(Locale.ENGLISH), axes, theme, new SimpleBooleanProperty(true)))).toList();
+        try (Gui gui = Gui.show(() -> {
+            HBox row = new HBox(4);
+            row.getChildren().addAll(panes);
+            panes.forEach(pane -> HBox.setHgrow(pane, Priority.ALWAYS));
+            return row;
+        }, 1200, 330)) {
+            gui.act(() -> model.select(Item.body(5000)));
+            ProjectionPane pane = panes.get(0);
+            pulses(gui, model, pane, 0, 1);
+            System.out.printf(Locale.ROOT, "three projections of 10,000 spheres, 400 x 330 pixels each, %d processors:%n"
+                            + "  frames a second while a ball is dragged with the mouse: %.1f%n  while a view is zoomed: %.1f%n",
+                    Runtime.getRuntime().availableProcessors(), pulses(gui, model, pane, 1, 1), pulses(gui, model, pane, 0, 1.01));
+        }
+    }
+
+    /** Frames a second while in every one of them the selection is moved, and a view zoomed. */
+    private static double pulses(Gui gui, EditorModel model, ProjectionPane pane, double by, double zoom) {
+                Gesture gesture = Gui.on(() -> model.begin(Label.of(Label.Edit.MOVE)));
+        AtomicInteger pulses = new AtomicInteger();
+        AnimationTimer hand = Gui.on(() -> new AnimationTimer() {
+            @Override
+            public void handle(long now) {
+                Vec3 moved = new Vec3(0.05 * by * pulses.incrementAndGet(), 0, 0);
+                gesture.preview(scene -> Moves.translated(scene, model.selection(), moved));
+                if (zoom != 1) {
+                    pane.zoom(pulses.get() / 60 % 2 == 0 ? zoom : 1 / zoom);
+                }
+            }
+        });
+        long start = System.nanoTime();
+        gui.act(hand::start);
+        gui.until("time is over", () -> System.nanoTime() - start > SECONDS * 1e9);
+        double taken = (System.nanoTime() - start) / 1e9;
+        int frames = pulses.get();
+        gui.act(() -> {
+            hand.stop();
+            gesture.cancel();
+        });
+        return frames / taken;
+    }
+
+    /** Updates a second while every pulse moves the camera. */
+    private static double dragged(Gui gui, EditorModel model, Watch watch) {
+        Gesture gesture = Gui.on(() -> model.begin(Label.of(Label.Edit.CAMERA)));
+        AtomicInteger pulses = new AtomicInteger();
+        AnimationTimer hand = Gui.on(() -> new AnimationTimer() {
+            @Override
+            public void handle(long now) {
+                double degrees = DEGREES * pulses.incrementAndGet();
+                gesture.preview(scene -> orbited(scene, degrees));
+            }
+        });
+        long start = System.nanoTime();
+        gui.act(() -> {
+            watch.updates.set(0);
+            watch.start();
+            hand.start();
+        });
+        gui.until("time is over", () -> System.nanoTime() - start > SECONDS * 1e9);
+        double taken = (System.nanoTime() - start) / 1e9;
+        int updates = watch.updates.get();
+        gui.act(() -> {
+            hand.stop();
+            watch.stop();
+            gesture.cancel();
+        });
+        return updates / taken;
+    }
+
+    /** From a change of the scene to the pulse that shows another picture, in milliseconds. */
+    private static double firstPicture(Gui gui, EditorModel model, Watch watch) {
+        gui.act(watch::start);
+        long start = System.nanoTime();
+        Gui.on(() -> {
+            watch.updates.set(0);
+            model.edit(Label.of(Label.Edit.CAMERA), scene -> orbited(scene, DEGREES));
+            return true;
+        });
+        gui.until("another picture is shown", () -> watch.updates.get() > 0);
+        double millis = (watch.changed - start) / 1e6;
+        gui.act(watch::stop);
+        return millis;
+    }
+
+    private static Scene orbited(Scene scene, double degrees) {
+        return scene.withCamera(CameraMoves.orbited(scene.camera(), Vec3.ZERO, degrees, 0));
+    }
+
+    /** Looks in every pulse whether the picture has changed. */
+    private static final class Watch extends AnimationTimer {
+        private static final int APART = 7;
+
+        private final ImageView view;
+        final AtomicInteger updates = new AtomicInteger();
+        volatile long changed;
+        private long last;
+
+        Watch(ImageView view) {
+            this.view = view;
+        }
+
+        @Override
+        public void handle(long now) {
+            Image image = view.getImage();
+            long sum = 0;
+            for (int y = 0; y < image.getHeight(); y += APART) {
+                for (int x = 0; x < image.getWidth(); x += APART) {
+                    sum = 31 * sum + image.getPixelReader().getArgb(x, y);
+                }
+            }
+            if (sum != last) {
+                last = sum;
+                changed = System.nanoTime();
+                updates.incrementAndGet();
+            }
+        }
+    }
+}

@@ -1,0 +1,306 @@
+package cz.paprsek.fx.view.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.Screenshots;
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.picture.PicturePoint;
+import cz.paprsek.fx.view.picture.PictureView;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.image.Image;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.render.RenderMode;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.render.Tile;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Sphere;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.concurrent.Worker;
+import javafx.scene.Node;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.TabPane;
+import javafx.scene.control.TextField;
+import javafx.scene.input.Clipboard;
+import javafx.scene.input.KeyCode;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class RenderPaneTest {
+    private static final Scene SCENE = Scene.EMPTY.withName("ball/1").withSettings(new RenderSettings(120, 80, 5, 1))
+            .withCamera(Camera.lookingAt(new Vec3(0, 0, 6), Vec3.ZERO)).plus(Light.at(3, 5, 6))
+            .plus(SceneObject.of(new Sphere(1)).named("ball").madeOf(Material.color(200, 60, 40)));
+
+    private static final cz.paprsek.fx.model.Label DELETE = cz.paprsek.fx.model.Label.of(cz.paprsek.fx.model.Label.Edit.DELETE);
+    private static final cz.paprsek.fx.model.Label CHANGE = cz.paprsek.fx.model.Label.of(cz.paprsek.fx.model.Label.Edit.CHANGE);
+
+    @TempDir
+    private Path folder = Path.of("");
+
+    private final AtomicReference<String> suggested = new AtomicReference<>("");
+    private final AtomicReference<Optional<Path>> answer = new AtomicReference<>(Optional.empty());
+    private final EditorModel model = new EditorModel(SCENE);
+    private final RenderPane pane = Gui.on(() -> new RenderPane(model, Texts.in(Locale.ENGLISH), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> {
+        suggested.set(name);
+        return Objects.requireNonNull(answer.get());
+    }, (owner, name) -> Optional.empty()));
+    private final Gui gui = Gui.show(() -> pane, 900, 600);
+
+    @AfterEach
+    void close() {
+        gui.act(pane::cancelAll);
+        gui.close();
+    }
+
+    @Test
+    void rendersAtTheSizeThatIsEnteredWhileTheSceneIsEdited() {
+        enter("#render-width", "64");
+        enter("#render-height", "48");
+        enter("#render-samples", "2");
+        gui.click("#render-start");
+        gui.act(() -> model.edit(DELETE, scene -> scene.withObjects(List.of())));
+        untilDone();
+        Image expected = Renderer.render(SCENE.withSettings(new RenderSettings(64, 48, 5, 2)));
+        Image rendered = shown().task().image().orElseThrow();
+        for (int y = 0; y < 48; y++) {
+            for (int x = 0; x < 64; x++) {
+                assertThat(shown().task().buffer().image().getPixelReader().getArgb(x, y)).isEqualTo(expected.argb(x, y));
+                assertThat(rendered.red(x, y)).isEqualTo(expected.red(x, y));
+            }
+        }
+        assertThat(status()).startsWith("Done in").contains("rays/s");
+    }
+
+    @Test
+    void aPresetFillsInTheSizeAndNumbersOutOfRangeAreRefused() {
+        gui.click("#render-presets");
+        gui.keys(KeyCode.DOWN);
+        gui.keys(KeyCode.ENTER);
+        assertThat(text("#render-width") + "x" + text("#render-height")).isEqualTo("320x240");
+        enter("#render-samples", "17");
+        assertThat(gui.node("#render-start").isDisabled()).isTrue();
+        gui.keys(KeyCode.DOWN);
+        assertThat(text("#render-samples")).isEqualTo("1");
+        assertThat(gui.node("#render-start").isDisabled()).isFalse();
+    }
+
+    @Test
+    @SuppressWarnings("unchecked")
+    void aPictureToLearnFromAndOneOfOneLight() {
+        ChoiceBox<Object> mode = (ChoiceBox<Object>) gui.node("#render-mode");
+        ChoiceBox<Object> lights = (ChoiceBox<Object>) gui.node("#render-lights");
+        assertThat(mode.getItems()).extracting(Object::toString).contains("Normals", "Depth", "Rays per pixel (heat map)");
+        gui.act(() -> model.edit(CHANGE, scene -> scene.plus(Light.at(-3, 5, 6).named("left"))));
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        gui.act(() -> mode.getSelectionModel().select(4));
+        gui.act(() -> lights.getSelectionModel().select(2));
+        gui.click("#render-start");
+        untilDone();
+        assertThat(shown().getText()).isEqualTo("2: 120 × 80 · Rays per pixel (heat map) · 2: left");
+        assertThat(gui.node("#render-scale")).isNotNull();
+        Scene onlyLeft = model.scene().withLights(model.scene().lights().subList(1, 2));
+        Image expected = Renderer.render(RenderScene.of(onlyLeft), RenderOptions.of(onlyLeft).withMode(RenderMode.RAYS), RenderMonitor.NONE).image();
+        assertThat(shown().task().buffer().image().getPixelReader().getArgb(60, 40)).isEqualTo(expected.argb(60, 40));
+        assertThat(Screenshots.save(gui, "render-modes")).isNotEmptyFile();
+    }
+
+    @Test
+    void cancellingKeepsWhatIsDone() {
+        enter("#render-width", "2000");
+        enter("#render-height", "1500");
+        enter("#render-samples", "16");
+        gui.click("#render-start");
+        gui.until("some tiles are done", () -> shown().task().progress().done() > 3);
+        assertThat(status()).contains("%");
+        gui.click("#render-cancel");
+        assertThat(Gui.on(() -> shown().task().getState())).isEqualTo(Worker.State.CANCELLED);
+        gui.until("the workers have stopped", () -> shown().task().isStopped());
+        int done = shown().task().progress().done();
+        assertThat(done).isLessThan(shown().task().progress().total());
+        assertThat(status()).startsWith("Cancelled at");
+        Image firstTile = Renderer.render(RenderScene.of(SCENE), shown().task().options().withRegion(new Tile(0, 0, 32, 32)), RenderMonitor.NONE).image();
+        assertThat(shown().task().image().orElseThrow().argb(5, 5)).isEqualTo(firstTile.argb(5, 5));
+    }
+
+    @Test
+    void escapeCancelsThePictureThatIsShown() {
+        enter("#render-width", "2000");
+        enter("#render-height", "1500");
+        enter("#render-samples", "16");
+        gui.click("#render-start");
+        gui.click("#render-start");
+        gui.act(() -> tabs().getSelectionModel().select(0));
+        gui.keys(KeyCode.ESCAPE);
+        assertThat(Gui.on(() -> shown().task().getState())).isEqualTo(Worker.State.CANCELLED);
+        assertThat(Gui.on(() -> ((RenderTab) tabs().getTabs().get(1)).task().isDone())).isFalse();
+    }
+
+    @Test
+    void aPaneInAnotherLanguageTakesThePicturesOver() {
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        RenderPane czech = Gui.on(() -> new RenderPane(model, Texts.in(Locale.forLanguageTag("cs")), new SimpleObjectProperty<>(Theme.LIGHT),
+                (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty()));
+        gui.act(() -> {
+            czech.takeOver(pane);
+            gui.stage().getScene().setRoot(czech);
+        });
+        assertThat(Gui.on(() -> czech.statusProperty().get())).startsWith("Hotovo");
+        RenderTab taken = (RenderTab) ((TabPane) gui.node("#renders")).getTabs().get(0);
+        assertThat(taken.task()).isSameAs(shown().task());
+    }
+
+    @Test
+    void savesThePictureInTheFormatOfTheFilesName() throws IOException {
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        Path png = folder.resolve("a.png");
+        answer.set(Optional.of(png));
+        gui.click("#render-save");
+        gui.until("the picture is saved", () -> message().equals("a.png saved"));
+        assertThat(suggested.get()).isEqualTo("ball-1.png");
+        BufferedImage read = ImageIO.read(png.toFile());
+        assertThat(read.getRGB(60, 40)).isEqualTo(Renderer.render(SCENE).argb(60, 40));
+        Path text = folder.resolve("a.txt");
+        answer.set(Optional.of(text));
+        gui.click("#render-save");
+        gui.until("the text is saved", () -> message().equals("a.txt saved"));
+        assertThat(Files.readAllLines(text)).hasSize(80);
+        answer.set(Optional.of(folder.resolve("none").resolve("a.png")));
+        gui.click("#render-save");
+        gui.until("the failure is told", () -> message().contains("could not be saved"));
+    }
+
+    @Test
+    void copiesThePicture() {
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        gui.click("#render-copy");
+        javafx.scene.image.Image copied = Gui.on(() -> Clipboard.getSystemClipboard().getImage());
+        assertThat(copied.getPixelReader().getArgb(60, 40)).isEqualTo(Renderer.render(SCENE).argb(60, 40));
+    }
+
+    @Test
+    void theMouseReadsOutPixelsAndTellsOfClicks() {
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        AtomicReference<Optional<PicturePoint>> pointed = new AtomicReference<>(Optional.empty());
+        AtomicReference<Optional<PicturePoint>> clicked = new AtomicReference<>(Optional.empty());
+        gui.act(() -> {
+            pane.setOnPointed(pointed::set);
+            pane.setOnClicked(point -> clicked.set(Optional.of(point)));
+        });
+        Node view = gui.node(".picture-view");
+        gui.click(view, view.getLayoutBounds().getWidth() / 2 + 2, view.getLayoutBounds().getHeight() / 2 + 2);
+        Image image = Renderer.render(SCENE);
+        String text = label("#pixel-text");
+        assertThat(text).startsWith("60, 40").endsWith("ball").contains("linear " + String.format(Locale.ROOT, "%.4f", image.red(60, 40)));
+        assertThat(clicked.get()).isPresent().isEqualTo(pointed.get());
+        gui.moveTo(view, 1, 1);
+        assertThat(label("#pixel-text")).isEmpty();
+    }
+
+    @Test
+    void theWheelZoomsAboutTheMouse() {
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        Node view = gui.node(".picture-view");
+        gui.moveTo(view, 300, 200);
+        String before = label("#pixel-text");
+        double zoom = shown().view().zoomProperty().get();
+        gui.wheel(3);
+        assertThat(shown().view().zoomProperty().get()).isNotEqualTo(zoom);
+        gui.moveTo(view, 300.4, 200);
+        assertThat(label("#pixel-text")).isEqualTo(before);
+        gui.click("#render-actual");
+        assertThat(shown().view().zoomProperty().get()).isEqualTo(1);
+        gui.click("#render-fit");
+        assertThat(shown().view().zoomProperty().get()).isEqualTo(zoom);
+    }
+
+    @Test
+    void earlierRendersAreKeptAndComparedWithAWipe() {
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        gui.act(() -> model.edit(CHANGE, scene -> scene.withBackground(Rgb.WHITE)));
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        assertThat(tabs().getTabs()).hasSize(2);
+        gui.act(() -> gui.stage().getScene().lookup("#render-compare").requestFocus());
+        gui.keys(KeyCode.DOWN);
+        Node wipe = gui.node(".wipe");
+        double x = wipe.getBoundsInParent().getCenterX();
+        assertThat(colorAt(x - 40)).isEqualTo(0xFFFFFFFF);
+        assertThat(colorAt(x + 40)).isEqualTo(0xFF000000);
+        gui.drag(shown().view(), x, 20, x - 100, 20);
+        assertThat(wipe.getBoundsInParent().getCenterX()).isBetween(x - 102, x - 98);
+        assertThat(colorAt(x - 40)).isEqualTo(0xFF000000);
+        gui.act(() -> tabs().getTabs().remove(0));
+        assertThat(gui.stage().getScene().getRoot().lookup(".wipe").isVisible()).isFalse();
+    }
+
+    /** What is shown in an upper row of the picture, where only the background is seen. */
+    private int colorAt(double x) {
+        return Gui.on(() -> {
+            PictureView view = shown().view();
+            return view.snapshot(null, null).getPixelReader().getArgb((int) x, (int) view.getHeight() / 2 - 150);
+        });
+    }
+
+    private void enter(String field, String text) {
+        gui.click(field);
+        gui.act(() -> ((TextField) gui.stage().getScene().lookup(field)).setText(text));
+    }
+
+    private void untilDone() {
+        gui.until("the picture is done", () -> shown().task().getState() == Worker.State.SUCCEEDED);
+    }
+
+    private RenderTab shown() {
+        return (RenderTab) tabs().getSelectionModel().getSelectedItem();
+    }
+
+    private TabPane tabs() {
+        return (TabPane) pane.lookup("#renders");
+    }
+
+    private String status() {
+        return label("#render-status");
+    }
+
+    /** For JavaFX's thread. */
+    private String message() {
+        return ((Label) pane.lookup("#render-message")).getText();
+    }
+
+    private String text(String selector) {
+        return Gui.on(() -> ((TextField) pane.lookup(selector)).getText());
+    }
+
+    private String label(String selector) {
+        return Gui.on(() -> ((Label) pane.lookup(selector)).getText());
+    }
+}

@@ -1,0 +1,79 @@
+package cz.paprsek.fx.view.shell;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.edit.Examples;
+import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Shape;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicReference;
+import javafx.scene.control.MenuItem;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class AddPaletteTest {
+    private final EditorModel model = new EditorModel(Scene.EMPTY);
+    private final AtomicReference<AddPalette> palette = new AtomicReference<>();
+    private final AtomicReference<String> refusal = new AtomicReference<>("");
+    private final Gui gui = Gui.show(() -> {
+        palette.set(new AddPalette(model, Texts.in(Locale.ENGLISH), () -> Sight.of(model.scene()), refusal::set));
+        return palette.get();
+    }, 300, 120);
+
+    @AfterEach
+    void close() {
+        gui.close();
+    }
+
+    @Test
+    void everyKindAndLightsAreAddedByAClickAndSelected() {
+        List<Shape> kinds = Examples.ofSize(1);
+        for (Shape kind : kinds) {
+            gui.click("#add-" + kind.kind());
+        }
+        gui.click("#add-light");
+        assertThat(model.scene().objects()).extracting(object -> object.shape().kind()).containsExactlyElementsOf(kinds.stream().map(Shape::kind).toList());
+        assertThat(model.scene().lights()).hasSize(1);
+        assertThat(model.selection()).containsExactly(Item.light(0));
+        for (int i = 0; i <= kinds.size(); i++) {
+            gui.act(model::undo);
+        }
+        assertThat(model.scene()).isSameAs(Scene.EMPTY);
+    }
+
+    @Test
+    void operationsNeedSeveralAndTellWhyNot() {
+        gui.click("#add-sphere");
+        assertThat(gui.node("#combine-union").isDisabled()).isTrue();
+        gui.click("#add-disc");
+        gui.act(() -> model.select(Item.body(0), Item.body(1)));
+        gui.click("#combine-union");
+        assertThat(refusal.get()).contains("disc has no inside");
+        gui.click("#add-block");
+        gui.act(() -> model.select(Item.body(0), Item.body(2)));
+        gui.click("#combine-difference");
+        assertThat(model.scene().objects().get(0).shape()).isInstanceOf(Csg.class);
+        assertThat(refusal.get()).isEmpty();
+        gui.click("#dissolve");
+        assertThat(model.scene().objects()).hasSize(3);
+    }
+
+    @Test
+    void menuAddsWhatThePaletteAdds() {
+        AddPalette shown = Objects.requireNonNull(palette.get());
+        List<String> buttons = Gui.on(() -> shown.getChildren().stream().map(button -> "menu-" + button.getId()).toList());
+        List<MenuItem> items = Gui.on(shown::menuItems);
+        assertThat(buttons).startsWith(items.stream().map(MenuItem::getId).toArray(String[]::new));
+        gui.act(() -> items.forEach(MenuItem::fire));
+        assertThat(model.scene().objects()).hasSize(Examples.ofSize(1).size());
+        assertThat(model.scene().lights()).hasSize(1);
+    }
+}

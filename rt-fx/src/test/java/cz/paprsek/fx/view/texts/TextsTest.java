@@ -1,0 +1,111 @@
+package cz.paprsek.fx.view.texts;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Shape;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Properties;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.FieldSource;
+
+class TextsTest {
+    /** Texts whose keys are put together: any of these beginnings counts as used. */
+    private static final List<String> MADE = List.of(
+            "kind.", "edit.", "format.", "field.", "alternative.", "combine.", "template.", "theme.", "ready.", "mode.", "explain.save.", "edit-menu.undo-", "edit-menu.redo-");
+    static final List<String> PARTS = Texts.PARTS;
+
+    @ParameterizedTest
+    @FieldSource("PARTS")
+    void everyTextIsThereInEveryLanguageWithTheSamePlaceholders(String part) throws IOException {
+        Properties english = load(part + ".properties");
+        Properties czech = load(part + "_cs.properties");
+        assertThat(new TreeSet<>(czech.stringPropertyNames())).isEqualTo(new TreeSet<>(english.stringPropertyNames()));
+        for (String key : english.stringPropertyNames()) {
+            assertThat(czech.getProperty(key)).as(key).isNotBlank();
+            assertThat(placeholders(czech.getProperty(key))).as(key).isEqualTo(placeholders(english.getProperty(key)));
+        }
+    }
+
+    @Test
+    void noTextIsUnused() throws IOException {
+        String sources = sources();
+        for (String part : PARTS) {
+            for (String key : load(part + ".properties").stringPropertyNames()) {
+                assertThat(sources.contains("\"" + key + "\"") || MADE.stream().anyMatch(key::startsWith)).as("%s is used", key).isTrue();
+            }
+        }
+    }
+
+    @Test
+    void noTextStandsInTwoParts() throws IOException {
+        Properties seen = new Properties();
+        for (String part : PARTS) {
+            for (String key : load(part + ".properties").stringPropertyNames()) {
+                assertThat(seen.put(key, part)).as(key).isNull();
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @FieldSource("cz.paprsek.fx.view.texts.Texts#LANGUAGES")
+    void everyKindAndEditHasAName(Locale language) {
+        Texts texts = Texts.in(language);
+        assertThat(texts.locale()).isEqualTo(language);
+        leaves(Shape.class).filter(kind -> kind != Csg.class)
+                .forEach(kind -> assertThat(texts.of("kind." + kind.getSimpleName().toLowerCase(Locale.ROOT))).isNotBlank());
+        for (Csg.Operation operation : Csg.Operation.values()) {
+            assertThat(texts.of("kind." + operation.name().toLowerCase(Locale.ROOT))).isNotBlank();
+        }
+        for (Label.Edit edit : Label.Edit.values()) {
+            assertThat(texts.edit(Label.of(edit, "ball"))).contains("ball");
+            assertThat(texts.edit(Label.of(edit))).doesNotContain("{").doesNotEndWith(" ");
+        }
+    }
+
+    @Test
+    void otherLanguagesGetEnglish() {
+        assertThat(Texts.in(Locale.JAPANESE).locale()).isEqualTo(Locale.ENGLISH);
+        assertThat(Texts.in(Locale.forLanguageTag("cs-CZ")).of("kind.sphere")).isEqualTo("koule");
+    }
+
+    private static Stream<Class<?>> leaves(Class<?> kind) {
+        return kind.isSealed() ? Arrays.stream(kind.getPermittedSubclasses()).flatMap(TextsTest::leaves) : Stream.of(kind);
+    }
+
+    private static Properties load(String file) throws IOException {
+        Properties properties = new Properties();
+        try (Reader reader = new InputStreamReader(
+                Objects.requireNonNull(Texts.class.getResourceAsStream("texts/" + file), file), StandardCharsets.UTF_8)) {
+            properties.load(reader);
+        }
+        return properties;
+    }
+
+    private static List<String> placeholders(String text) {
+        return Stream.iterate(0, i -> i + 1).limit(10).map(i -> "{" + i + "}").filter(text::contains).toList();
+    }
+
+    private static String sources() throws IOException {
+        StringBuilder all = new StringBuilder();
+        try (Stream<Path> files = Files.walk(Path.of("src/main/java"))) {
+            for (Path file : files.filter(f -> f.toString().endsWith(".java")).toList()) {
+                all.append(Files.readString(file));
+            }
+        }
+        return all.toString();
+    }
+}
