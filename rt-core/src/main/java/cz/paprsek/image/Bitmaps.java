@@ -3,6 +3,7 @@ package cz.paprsek.image;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Locale;
+import javax.imageio.IIOException;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
@@ -30,6 +31,9 @@ final class Bitmaps {
             }
             writer.setOutput(stream);
             writer.write(null, new IIOImage(image.toBufferedImage(), null, null), settings);
+        } catch (IIOException vague) {
+            // The platform says that there was an "I/O error writing PNG file!", and why in its cause only.
+            throw vague.getCause() instanceof IOException reason ? reason : vague;
         } finally {
             writer.dispose();
         }

@@ -40,6 +40,11 @@ public final class Image {
         return height;
     }
 
+    /**
+     * Linear light of a pixel; column and row are counted from 0 at the top left.
+     *
+     * @throws IllegalArgumentException if there is no such pixel, as in all methods here that take one
+     */
     public float red(int x, int y) {
         return linear[index(x, y)];
     }
@@ -88,7 +93,11 @@ public final class Image {
         return (float) Math.min(light, Float.MAX_VALUE);
     }
 
+    /** @throws IllegalArgumentException if there is no such pixel: a column too many would be one of the next row */
     private int index(int x, int y) {
+        if (x < 0 || x >= width || y < 0 || y >= height) {
+            throw new IllegalArgumentException("pixel " + x + "," + y + " must lie inside the picture of " + width + " × " + height + " pixels");
+        }
         return 3 * (y * width + x);
     }
 }

@@ -5,14 +5,24 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Objects;
+import java.util.Optional;
 
 /** Writes pictures to files, each as a whole or not at all, and reads them. */
 public final class ImageFiles {
     private ImageFiles() {}
 
-    /** Writes a picture in the format that the file's name ends with; PNG if it ends with none we know. */
+    /**
+     * Writes a picture in the format that the file's name ends with; PNG if it has no ending.
+     *
+     * @throws IllegalArgumentException if it has an ending that no format here has
+     */
     public static void write(Image image, Path file) throws IOException {
-        write(image, file, ImageFormat.ofFile(file.toString()).orElse(ImageFormat.PNG));
+        String name = String.valueOf(file.getFileName());
+        int dot = name.lastIndexOf('.');
+        Optional<ImageFormat> format = dot > 0 ? ImageFormat.ofFile(name) : Optional.of(ImageFormat.PNG);
+        write(image, file, format.orElseThrow(() -> new IllegalArgumentException(file + ": there is no picture format \"" + name.substring(dot + 1)
+                + "\" here; the ending should be one of " + ImageFormat.all())));
     }
 
     /**
@@ -20,11 +30,15 @@ public final class ImageFiles {
      * permissions are kept.
      */
     public static void write(Image image, Path file, ImageFormat format) throws IOException {
+        Objects.requireNonNull(image, "image");
+        Objects.requireNonNull(format, "format");
         AtomicFile.write(file, out -> write(image, out, format));
     }
 
     /** Writes a picture to a stream, which is not closed. */
     public static void write(Image image, OutputStream out, ImageFormat format) throws IOException {
+        Objects.requireNonNull(image, "image");
+        Objects.requireNonNull(out, "out");
         switch (format) {
             case PNG, JPG, BMP, TIF -> Bitmaps.write(image, out, format);
             case PPM -> Netpbm.ppm(image, out);
@@ -44,7 +58,8 @@ public final class ImageFiles {
 
     /**
      * Reads a picture of any kind that is written here, and others that the platform knows. What it is, is told by its first bytes; text by
-     * the ending of its name. Eight bits are taken as sRGB, 16 bits of PPM as linear light, of PNG as the file says.
+     * the ending of its name. Samples are taken as sRGB if the file does not say otherwise; 16 bits of a PPM as linear light if a comment in
+     * its head says {@code linear light}, as in ours, if its name ends in {@code .ppm16}, or if POV-Ray wrote it, which does not say.
      *
      * @throws IOException naming the file and what is wrong with it
      */
@@ -58,7 +73,7 @@ public final class ImageFiles {
             if (ending == ImageFormat.RAW) {
                 return BrightnessReader.linear(bytes);
             }
-            return NetpbmReader.canRead(bytes) ? NetpbmReader.read(bytes) : BitmapReader.read(bytes);
+            return NetpbmReader.canRead(bytes) ? NetpbmReader.read(bytes, ending == ImageFormat.PPM16) : BitmapReader.read(bytes);
         } catch (IOException | IllegalArgumentException unreadable) {
             throw new IOException(file + ": " + unreadable.getMessage(), unreadable);
         }

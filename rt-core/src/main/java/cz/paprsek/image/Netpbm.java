@@ -12,6 +12,9 @@ import java.nio.charset.StandardCharsets;
  * @source Netpbm, ppm(5), pgm(5); Debevec, PFM
  */
 final class Netpbm {
+    /** The comment by which a map of linear light is told from the sRGB that everybody expects in it. */
+    static final String LINEAR = "linear light";
+
     private Netpbm() {}
 
     static void ppm(Image image, OutputStream out) throws IOException {
@@ -28,9 +31,9 @@ final class Netpbm {
         }
     }
 
-    /** Linear light, clamped to 0–1, in 65535 steps, high byte first: what POV-Ray writes with a file gamma of 1. */
+    /** Linear light, clamped to 0–1, in 65535 steps, high byte first: what POV-Ray writes with a file gamma of 1; the head says so. */
     static void ppm16(Image image, OutputStream out) throws IOException {
-        header(out, "P6", image, "65535");
+        header(out, "P6\n# " + LINEAR, image, "65535");
         ByteBuffer row = ByteBuffer.allocate(6 * image.width()).order(ByteOrder.BIG_ENDIAN);
         for (int y = 0; y < image.height(); y++) {
             row.clear();

@@ -8,24 +8,31 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Reads binary portable maps: P5 and P6 of 8 bits as sRGB, of 16 bits as linear light, as POV-Ray writes them with a file gamma of 1;
- * PF and Pf as linear light.
+ * Reads binary portable maps: PF and Pf as linear light, P5 and P6 as sRGB, as everybody writes them. P5 and P6 are linear light if a comment of
+ * the head says so, as in what is written here; if the file is called so ({@code .ppm16}), as those were that said nothing; and, of 16 bits, if the
+ * comment says that POV-Ray wrote them, which does not tell: it does so with a file gamma of 1 when it is to be compared with.
  *
  * @source Netpbm, ppm(5), pgm(5); Debevec, PFM
  */
 final class NetpbmReader {
-    private final ByteBuffer bytes;
+    private static final String POV_RAY = " Software: POV-Ray";
 
-    private NetpbmReader(byte[] file) {
+    private final ByteBuffer bytes;
+    private boolean isLinear;
+    private boolean isByPovRay;
+
+    private NetpbmReader(byte[] file, boolean isLinear) {
         bytes = ByteBuffer.wrap(file);
+        this.isLinear = isLinear;
     }
 
     static boolean canRead(byte[] file) {
         return file.length > 2 && file[0] == 'P' && "56Ff".indexOf(file[1]) >= 0 && file[2] <= ' ';
     }
 
-    static StoredImage read(byte[] file) throws IOException {
-        return new NetpbmReader(file).read();
+    /** @param isLinear whether it is linear light for certain, whatever the head says */
+    static StoredImage read(byte[] file, boolean isLinear) throws IOException {
+        return new NetpbmReader(file, isLinear).read();
     }
 
     private StoredImage read() throws IOException {
@@ -38,7 +45,7 @@ final class NetpbmReader {
             int last = whole("largest value", 65_535);
             int size = last < 256 ? 1 : 2;
             checkLength(values * size);
-            double[] light = light(last);
+            double[] light = light(last, isLinear || (isByPovRay && size == 2));
             Image image = fill(width, height, isGrey, false, () -> light[Math.min(last, size == 1 ? bytes.get() & 0xFF : bytes.getShort() & 0xFFFF)]);
             return new StoredImage(image, size == 1 ? Precision.EIGHT_BIT : Precision.SIXTEEN_BIT, isGrey);
         }
@@ -48,10 +55,10 @@ final class NetpbmReader {
         return new StoredImage(fill(width, height, isGrey, true, () -> bytes.getFloat()), Precision.FLOAT, isGrey);
     }
 
-    private static double[] light(int last) {
+    private static double[] light(int last, boolean isLinear) {
         double[] light = new double[last + 1];
         for (int i = 0; i <= last; i++) {
-            light[i] = last < 256 ? Rgb.linear(i * 255.0 / last) : i / (double) last;
+            light[i] = isLinear ? i / (double) last : Rgb.linear(i * 255.0 / last);
         }
         return light;
     }
@@ -101,9 +108,7 @@ final class NetpbmReader {
         while (bytes.hasRemaining() && word.length() < 32) {
             int c = bytes.get();
             if (c == '#' && word.length() == 0) {
-                while (bytes.hasRemaining() && c != '\n') {
-                    c = bytes.get();
-                }
+                heed(restOfLine());
             } else if (c > ' ') {
                 word.append(new String(new byte[] {(byte) c}, StandardCharsets.ISO_8859_1));
             } else if (word.length() > 0) {
@@ -111,5 +116,19 @@ final class NetpbmReader {
             }
         }
         throw new IOException("the picture's head is cut off");
+    }
+
+    private String restOfLine() {
+        int start = bytes.position();
+        int end = start;
+        while (bytes.hasRemaining() && bytes.get() != '\n') {
+            end++;
+        }
+        return new String(bytes.array(), start, end - start, StandardCharsets.ISO_8859_1);
+    }
+
+    private void heed(String comment) {
+        isLinear |= comment.strip().equals(Netpbm.LINEAR);
+        isByPovRay |= comment.startsWith(POV_RAY);
     }
 }

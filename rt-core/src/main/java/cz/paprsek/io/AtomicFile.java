@@ -4,6 +4,7 @@ import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.channels.Channels;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
@@ -59,6 +60,8 @@ public final class AtomicFile {
             throw new IOException(file + ": cannot be written, there is no such folder", e);
         } catch (AccessDeniedException e) {
             throw new IOException(file + ": cannot be written, permission denied", e);
+        } catch (ClosedByInterruptException e) {
+            throw new IOException(file + ": writing was interrupted", e);
         }
     }
 

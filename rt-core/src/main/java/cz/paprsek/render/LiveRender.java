@@ -1,8 +1,10 @@
 package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
+import cz.paprsek.math.Require;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
@@ -33,7 +35,7 @@ public final class LiveRender implements AutoCloseable {
 
     /** @param threads how many workers trace a pass */
     public LiveRender(int threads) {
-        this.threads = threads;
+        this.threads = Require.within("threads", threads, 1, 1024);
         Thread thread = new Thread(this::run, "paprsek-live");
         thread.setDaemon(true);
         thread.start();
@@ -46,7 +48,8 @@ public final class LiveRender implements AutoCloseable {
      * @param listener is told of this picture only
      */
     public synchronized void show(Scene scene, RenderSettings settings, LiveListener listener) {
-        waiting = new Request(scene, settings, listener);
+        waiting = new Request(Objects.requireNonNull(scene, "scene"), Objects.requireNonNull(settings, "settings"),
+                Objects.requireNonNull(listener, "listener"));
         outdated = true;
         notifyAll();
     }
@@ -73,11 +76,25 @@ public final class LiveRender implements AutoCloseable {
         for (Request request = take(); request != null; request = take()) {
             try {
                 refine(request);
-            } catch (CancellationException cancelled) {
-                // As was wished: there is something else to show, or nothing any more.
-            } catch (RuntimeException | Error fault) {
-                request.listener().failed(fault);
+            } catch (Superseded wished) {
+                // There is something else to show, or nothing any more.
+            } catch (Throwable fault) {
+                ready = null;
+                tell(request.listener(), fault);
             }
+        }
+    }
+
+    /** A listener that cannot even hear of a fault is reported as if it had ended the thread, which goes on to serve others. */
+    private static void tell(LiveListener listener, Throwable fault) {
+        try {
+            listener.failed(fault);
+        } catch (Throwable another) {
+            if (another != fault) {
+                another.addSuppressed(fault);
+            }
+            Thread live = Thread.currentThread();
+            live.getUncaughtExceptionHandler().uncaughtException(live, another);
         }
     }
 
@@ -86,8 +103,8 @@ public final class LiveRender implements AutoCloseable {
         while (waiting == null && !closed) {
             try {
                 wait();
-            } catch (InterruptedException e) {
-                closed = true;
+            } catch (InterruptedException byAListener) {
+                // It is not theirs to end this thread, which others may still wait for; close() does that.
             }
         }
         Request taken = closed ? null : waiting;
@@ -98,14 +115,14 @@ public final class LiveRender implements AutoCloseable {
         return taken;
     }
 
-    private void refine(Request request) {
+    private void refine(Request request) throws Superseded {
         RenderMonitor unlessStopped = new RenderMonitor() {
             @Override
             public boolean cancelled() {
                 return stopped || closed;
             }
         };
-        RenderScene scene = ready == null ? RenderScene.of(request.scene(), unlessStopped) : ready.changedTo(request.scene(), unlessStopped);
+        RenderScene scene = prepared(request.scene(), unlessStopped);
         ready = scene;
         LivePass pass = LivePass.at(scene, request.settings(), firstStep);
         RenderResult result = render(pass, unlessStopped);
@@ -118,12 +135,33 @@ public final class LiveRender implements AutoCloseable {
         }
     }
 
-    private RenderResult render(LivePass pass, RenderMonitor monitor) {
+    private RenderScene prepared(Scene scene, RenderMonitor monitor) throws Superseded {
+        try {
+            return ready == null ? RenderScene.of(scene, monitor) : ready.changedTo(scene, monitor);
+        } catch (CancellationException cancelled) {
+            throw superseded(monitor);
+        }
+    }
+
+    private RenderResult render(LivePass pass, RenderMonitor monitor) throws Superseded {
         RenderResult result = Renderer.render(pass.scene(), pass.options(threads), pass.eye(), monitor);
         if (result.outcome() == RenderResult.Outcome.CANCELLED) {
-            throw new CancellationException("the pass was cancelled");
+            throw superseded(monitor);
         }
         return result;
+    }
+
+    /** @throws IllegalStateException if nobody wished that: then a listener has interrupted this thread */
+    private static Superseded superseded(RenderMonitor monitor) {
+        if (Thread.interrupted() && !monitor.cancelled()) {
+            throw new IllegalStateException("the thread that renders live was interrupted, which only a listener can do");
+        }
+        return new Superseded();
+    }
+
+    /** There is something else to show, or nothing any more. */
+    private static final class Superseded extends Exception {
+        private static final long serialVersionUID = 1;
     }
 
     /** Chooses how coarse the next first pass is, by how long this one took. */

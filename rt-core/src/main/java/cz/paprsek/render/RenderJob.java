@@ -2,7 +2,6 @@ package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /** One picture under way: its tiles, taken from a counter by any number of workers, and what they have in common. */
@@ -10,6 +9,8 @@ final class RenderJob implements RenderMonitor {
     private static final int SIDE = 32;
     /** Rays along each side of a block, about: how many are traced together. */
     private static final int TOGETHER = 8;
+    /** In place of the column and row of a fault outside of any pixel. */
+    static final int NOWHERE = -1;
 
     private final RenderScene scene;
     private final RenderOptions options;
@@ -22,8 +23,11 @@ final class RenderJob implements RenderMonitor {
     private final int tiles;
     private final AtomicInteger next = new AtomicInteger();
     private final AtomicInteger done = new AtomicInteger();
-    private final AtomicReference<@Nullable RuntimeException> failure = new AtomicReference<>();
     private volatile boolean stopped;
+    /** What was thrown first, and in what pixel; noted in fields that are there already, because it may be that no memory is left. */
+    private @Nullable Throwable fault;
+    private int faultColumn = NOWHERE;
+    private int faultRow = NOWHERE;
     private RenderStats total = RenderStats.NONE;
 
     RenderJob(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor) {
@@ -61,8 +65,16 @@ final class RenderJob implements RenderMonitor {
         return stopped || monitor.cancelled();
     }
 
-    /** Renders tiles until none is left or the job is stopped. */
+    /** Renders tiles until none is left or the job is stopped. Whatever is thrown meanwhile is kept for {@link #throwFailure}. */
     void work() {
+        try {
+            renderTiles();
+        } catch (Throwable thrown) {
+            fail(thrown, NOWHERE, NOWHERE);
+        }
+    }
+
+    private void renderTiles() {
         Tracer tracer;
         Blocks blocks;
         if (options.mode() == RenderMode.SHADED) {
@@ -80,10 +92,26 @@ final class RenderJob implements RenderMonitor {
         add(tracer);
     }
 
-    void throwFailure() {
-        RuntimeException thrown = failure.get();
-        if (thrown != null) {
-            throw thrown;
+    /** Stops the job, which has failed; column and row of the pixel, if it was one. Only what is thrown first is kept. */
+    void fail(Throwable thrown, int column, int row) {
+        stopped = true;
+        synchronized (this) {
+            if (fault == null) {
+                fault = thrown;
+                faultColumn = column;
+                faultRow = row;
+            }
+        }
+    }
+
+    /** @throws IllegalStateException if a worker or the monitor has thrown something, with that as its cause */
+    synchronized void throwFailure() {
+        if (fault instanceof OutOfMemoryError exhausted) {
+            throw Memory.exceeded(scene.scene(), options, exhausted);
+        }
+        if (fault != null) {
+            String place = faultRow == NOWHERE ? "" : " at pixel " + faultColumn + ", " + faultRow;
+            throw new IllegalStateException("rendering failed" + place + ": " + fault, fault);
         }
     }
 
@@ -123,9 +151,8 @@ final class RenderJob implements RenderMonitor {
             }
             monitor.traced(tracer.rays() - raysBefore);
             monitor.finished(tile, image, done.incrementAndGet(), tiles);
-        } catch (RuntimeException | StackOverflowError e) {
-            stopped = true;
-            failure.compareAndSet(null, new IllegalStateException("rendering failed at pixel " + x + ", " + y + ": " + e, e));
+        } catch (Throwable thrown) {
+            fail(thrown, x, y);
         }
     }
 

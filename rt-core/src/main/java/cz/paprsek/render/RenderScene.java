@@ -59,7 +59,12 @@ public final class RenderScene {
         this.buildSeconds = (System.nanoTime() - begin) / 1e9;
     }
 
-    /** Prepares a scene. */
+    /**
+     * Prepares a scene.
+     *
+     * @throws CancellationException if the calling thread is interrupted before the scene is ready; it stays interrupted
+     * @throws IllegalStateException if there is too little memory, saying how much would do
+     */
     public static RenderScene of(Scene scene) {
         return of(scene, RenderMonitor.NONE);
     }
@@ -67,17 +72,27 @@ public final class RenderScene {
     /**
      * Prepares a scene unless the monitor cancels.
      *
-     * @throws CancellationException if the monitor cancels before the scene is ready
+     * @throws CancellationException if the monitor cancels or the calling thread is interrupted before the scene is ready
+     * @throws IllegalStateException if the monitor throws anything, or there is too little memory: with what was thrown as its cause
      */
     public static RenderScene of(Scene scene, RenderMonitor monitor) {
-        return new RenderScene(scene, monitor);
+        Preparation preparation = new Preparation(monitor);
+        try {
+            return new RenderScene(scene, preparation);
+        } catch (CancellationException cancelled) {
+            preparation.throwFault();
+            throw cancelled;
+        } catch (OutOfMemoryError exhausted) {
+            throw Memory.exceeded(scene, exhausted);
+        }
     }
 
     /**
      * Prepares a scene that was made from this one by a change. If camera, lights, background or ambient light are all that changed, that
      * takes no time.
      *
-     * @throws CancellationException if the monitor cancels before the scene is ready
+     * @throws CancellationException as {@link #of(Scene, RenderMonitor)}
+     * @throws IllegalStateException as there
      */
     public RenderScene changedTo(Scene changed, RenderMonitor monitor) {
         // The lists of two scenes that share their objects are one list; comparing what is in them would take as long as preparing them.

@@ -11,15 +11,25 @@ import java.util.concurrent.CancellationException;
 public final class Renderer {
     private Renderer() {}
 
-    /** Renders a scene as it asks to be, on all processors. */
+    /**
+     * Renders a scene as it asks to be, on all processors.
+     *
+     * @throws CancellationException if the calling thread is interrupted before the picture is complete; it stays interrupted
+     * @throws IllegalStateException if there is too little memory, saying how much would do, or the program has a fault
+     */
     public static Image render(Scene scene) {
-        return render(RenderScene.of(scene), RenderOptions.of(scene), RenderMonitor.NONE).image();
+        RenderResult result = render(RenderScene.of(scene), RenderOptions.of(scene), RenderMonitor.NONE);
+        if (result.outcome() == Outcome.CANCELLED) {
+            throw new CancellationException("the thread that renders was interrupted");
+        }
+        return result.image();
     }
 
     /**
-     * Renders a prepared scene. Returns early, with what is done, when the monitor cancels or the calling thread is interrupted.
+     * Renders a prepared scene. Returns early, with what is done, when the monitor cancels or the calling thread is interrupted, which it stays.
      *
-     * @throws IllegalStateException naming the pixel, if the monitor throws or the program has a fault
+     * @throws IllegalStateException if any method of the monitor throws anything, there is too little memory, or the program has a fault: with
+     *     what was thrown as its cause, and naming the pixel or how much memory would do
      */
     public static RenderResult render(RenderScene scene, RenderOptions options, RenderMonitor monitor) {
         Eye eye = new Eye(scene.scene().camera(), options.settings().width(), options.settings().height());
@@ -29,16 +39,9 @@ public final class Renderer {
     /** Renders a prepared scene as an eye sees it. */
     static RenderResult render(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor) {
         long begin = System.nanoTime();
-        RenderJob job = new RenderJob(scene, options, eye, monitor);
-        List<Thread> workers = new ArrayList<>();
-        for (int i = 0; i < Math.min(options.threads(), job.tiles()); i++) {
-            Thread worker = new Thread(job::work, "paprsek-render-" + i);
-            worker.setDaemon(true);
-            workers.add(worker);
-            worker.start();
-        }
+        RenderJob job = job(scene, options, eye, monitor);
         boolean interrupted = false;
-        for (Thread worker : workers) {
+        for (Thread worker : startWorkers(Math.min(options.threads(), job.tiles()), job)) {
             interrupted |= !joined(worker, job);
         }
         if (interrupted) {
@@ -49,7 +52,11 @@ public final class Renderer {
         return new RenderResult(job.image(), stats, job.isComplete() ? Outcome.DONE : Outcome.CANCELLED);
     }
 
-    /** Prepares and renders a scene; a cancelled preparation gives a black picture. */
+    /**
+     * Prepares and renders a scene; a preparation that is cancelled or interrupted gives a black picture.
+     *
+     * @throws IllegalStateException as {@link #render(RenderScene, RenderOptions, RenderMonitor)}
+     */
     public static RenderResult render(Scene scene, RenderOptions options, RenderMonitor monitor) {
         try {
             return render(RenderScene.of(scene, monitor), options, monitor);
@@ -57,6 +64,30 @@ public final class Renderer {
             Image black = new Image(options.region().width(), options.region().height());
             return new RenderResult(black, RenderStats.NONE, Outcome.CANCELLED);
         }
+    }
+
+    private static RenderJob job(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor) {
+        try {
+            return new RenderJob(scene, options, eye, monitor);
+        } catch (OutOfMemoryError exhausted) {
+            throw Memory.exceeded(scene.scene(), options, exhausted);
+        }
+    }
+
+    /** Those that could be started; if one could not, the job has failed and the others end soon. */
+    private static List<Thread> startWorkers(int count, RenderJob job) {
+        List<Thread> workers = new ArrayList<>();
+        try {
+            for (int i = 0; i < count; i++) {
+                Thread worker = new Thread(job::work, "paprsek-render-" + i);
+                worker.setDaemon(true);
+                worker.start();
+                workers.add(worker);
+            }
+        } catch (OutOfMemoryError noThread) {
+            job.fail(noThread, RenderJob.NOWHERE, RenderJob.NOWHERE);
+        }
+        return workers;
     }
 
     /** Waits for a worker to end; false if the wait was interrupted, which cancels the job. */

@@ -44,6 +44,7 @@ public final class SceneFiles {
      * As {@link #read(Path)}, telling how far it is: a million objects take a second or two.
      *
      * @throws java.util.concurrent.CancellationException if the monitor cancels
+     * @throws IllegalStateException if the monitor throws anything, with that as its cause
      */
     public static Scene read(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
         return only(readAll(file, monitor), file.toString());
@@ -77,6 +78,7 @@ public final class SceneFiles {
      * As {@link #readAll(Path)}, telling how far it is.
      *
      * @throws java.util.concurrent.CancellationException if the monitor cancels
+     * @throws IllegalStateException if the monitor throws anything, with that as its cause
      */
     public static List<Scene> readAll(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
         checkReadable(file);

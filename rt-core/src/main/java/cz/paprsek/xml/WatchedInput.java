@@ -18,13 +18,24 @@ final class WatchedInput extends CountingInput {
         total = Files.size(file);
     }
 
-    /** @throws CancellationException if the monitor wishes */
+    /**
+     * @throws CancellationException if the monitor wishes
+     * @throws IllegalStateException if the monitor throws anything, with that as its cause: it must not be taken for a fault of the file
+     */
     @Override
     void counted(int read) {
-        if (monitor.cancelled()) {
+        bytes += read;
+        boolean cancelled;
+        try {
+            cancelled = monitor.cancelled();
+            if (!cancelled) {
+                monitor.read(bytes, total);
+            }
+        } catch (Throwable thrown) {
+            throw new IllegalStateException("the monitor of a reading failed: " + thrown, thrown);
+        }
+        if (cancelled) {
             throw new CancellationException("reading was cancelled");
         }
-        bytes += read;
-        monitor.read(bytes, total);
     }
 }

@@ -9,6 +9,7 @@ import cz.paprsek.material.Rgb;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.net.URISyntaxException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -17,8 +18,10 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
+import java.util.Objects;
 import java.util.Random;
 import javax.imageio.ImageIO;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -193,6 +196,91 @@ class ImageFilesTest {
         Files.write(file, concat("Pf\n1 2\n1.0\n".getBytes(StandardCharsets.US_ASCII), big.putFloat(2.5f).putFloat(-1).array()));
         assertThat(ImageFiles.read(file).green(0, 0)).as("the top row comes last").isEqualTo(-1);
         assertThat(ImageFiles.read(file).blue(0, 1)).isEqualTo(2.5f);
+    }
+
+    @Test
+    void sixteenBitMapsOfOthersAreSrgbLikeTheirPng() throws Exception {
+        // One picture; the second was written by ImageMagick 6.9 from the first.
+        StoredImage png = ImageFiles.readStored(resource("srgb16.png"));
+        StoredImage map = ImageFiles.readStored(resource("srgb16.ppm"));
+        ImageComparison comparison = ImageComparison.of(png, map, 0);
+        assertThat(comparison.unit()).isEqualTo(ImageComparison.Unit.LINEAR);
+        assertThat(comparison.largest()).isZero();
+    }
+
+    private static Path resource(String name) throws URISyntaxException {
+        return Path.of(Objects.requireNonNull(ImageFilesTest.class.getResource(name), name).toURI());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "a.ppm   | P6\\n1 1\\n                                                         | false",
+        "a.ppm   | P6\\n# linear light\\n1 1\\n                                         | true",
+        "a.ppm   | P6\\n# made by hand\\n#linear light\\n#\\n1 1\\n                       | true",
+        "a.ppm   | P6\\n# not linear light\\n1 1\\n                                     | false",
+        "a.ppm16 | P6\\n1 1\\n                                                         | true",
+        "a.ppm   | P6\\n# Software: POV-Ray 3.7.0.10.unofficial\\n# Compiler: g++\\n1 1\\n | true",
+        "a.ppm   | P6\\n#Render Date: 2026-11-27 21:17:54Z\\n#Compiler: g++\\n1 1\\n       | false",
+    })
+    void aSixteenBitMapIsLinearIfItSaysSo(String name, String head, boolean isLinear, @TempDir Path folder) throws IOException {
+        Path file = Files.write(folder.resolve(name), concat(head.replace("\\n", "\n") + "65535\n", 0x80, 0, 0x40, 0, 0, 0));
+        Image read = ImageFiles.read(file);
+        double half = 0x8000 / 65_535.0;
+        assertThat((double) read.red(0, 0)).isCloseTo(isLinear ? half : Rgb.linear(255 * half), within(1e-7));
+    }
+
+    @Test
+    void ofPovRaysEightBitsNothingIsAssumedAndOfOursTheCommentCounts(@TempDir Path folder) throws IOException {
+        Path file = Files.write(folder.resolve("a.ppm"), concat("P6\n# Software: POV-Ray 3.7\n1 1\n255\n", 188, 0, 0));
+        assertThat((double) ImageFiles.read(file).red(0, 0)).isCloseTo(Rgb.linear(188), within(1e-7));
+        // A converter that halves the bits keeps comment and values.
+        Files.write(file, concat("P6\n# linear light\n1 1\n255\n", 188, 0, 0));
+        assertThat((double) ImageFiles.read(file).red(0, 0)).isCloseTo(188 / 255.0, within(1e-7));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"x.gif", "x.PNGG", "x.", "a.png.exr", "x.xml"})
+    void anEndingThatIsNoFormatIsRefusedWithThoseThereAre(String name, @TempDir Path folder) {
+        Path file = folder.resolve(name);
+        assertThatThrownBy(() -> ImageFiles.write(sample(), file)).isInstanceOf(IllegalArgumentException.class)
+                .hasMessage(file + ": there is no picture format \"" + name.substring(name.lastIndexOf('.') + 1)
+                        + "\" here; the ending should be one of png, jpg, bmp, tif, ppm, pgm, pfm, txt, lum, ppm16");
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"picture", ".png", "folder.xml/picture"})
+    void withoutAnEndingItIsPng(String name, @TempDir Path folder) throws IOException {
+        Path file = folder.resolve(name);
+        Files.createDirectories(file.getParent());
+        ImageFiles.write(sample(), file);
+        assertThat(Files.readAllBytes(file)).startsWith(0x89, 'P', 'N', 'G');
+    }
+
+    @ParameterizedTest
+    @CsvSource({"-1, 0", "3, 0", "0, -1", "0, 2", "3, -1", "2147483647, 2147483647", "-2147483648, 1", "1431655766, 0"})
+    void aPixelThatIsNotThereIsRefusedWhereverItIsNamed(int x, int y) {
+        Image image = sample();
+        List<ThrowingCallable> calls = List.of(() -> image.red(x, y), () -> image.green(x, y), () -> image.blue(x, y), () -> image.argb(x, y),
+                () -> image.set(x, y, 1, 1, 1));
+        for (ThrowingCallable call : calls) {
+            assertThatThrownBy(call).isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("pixel " + x + "," + y + " must lie inside the picture of 3 × 2 pixels");
+        }
+        assertThat(image.toArgb()).isEqualTo(sample().toArgb());
+    }
+
+    @Test
+    void aWriteThatIsInterruptedLeavesTheOldFileWhole(@TempDir Path folder) throws IOException {
+        Path old = Files.writeString(folder.resolve("a.png"), "old");
+        Thread.currentThread().interrupt();
+        try {
+            assertThatThrownBy(() -> ImageFiles.write(sample(), old)).isInstanceOf(IOException.class).hasMessageContaining(old.toString());
+        } finally {
+            assertThat(Thread.interrupted()).isTrue();
+        }
+        assertThat(old).hasContent("old");
+        assertThat(folder.toFile().list()).containsExactly("a.png");
     }
 
     @ParameterizedTest

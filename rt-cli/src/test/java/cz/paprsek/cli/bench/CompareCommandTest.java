@@ -43,6 +43,14 @@ class CompareCommandTest {
     }
 
     @Test
+    void sixteenBitsAreLinearWhereTheFileSaysSoAndSrgbElsewhere() {
+        assertThat(Run.cli("compare", rendered("a.pfm"), rendered("b.ppm", "--format", "ppm16")).code()).isZero();
+        Path others = Path.of("../rt-core/src/test/resources/cz/paprsek/image");
+        Run run = Run.cli("compare", others.resolve("srgb16.png"), others.resolve("srgb16.ppm"), "--tolerance", "0");
+        assertThat(run.code()).as(run.out()).isZero();
+    }
+
+    @Test
     void differentPicturesAreToldByTheExitCodeAndShown() throws IOException {
         Image changed = ImageFiles.read(rendered("a.png"));
         changed.set(3, 2, 1, 0, 1);
