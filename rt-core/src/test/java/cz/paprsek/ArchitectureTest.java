@@ -2,6 +2,8 @@ package cz.paprsek;
 
 import static com.tngtech.archunit.core.domain.JavaCall.Predicates.target;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.equivalentTo;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackages;
 import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameMatching;
 import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
@@ -21,6 +23,7 @@ class ArchitectureTest {
     static final ArchRule ROOMS = Architectures.layeredArchitecture().consideringOnlyDependenciesInLayers()
             .layer("io").definedBy("cz.paprsek.io")
             .layer("math").definedBy("cz.paprsek.math")
+            .layer("tree").definedBy("cz.paprsek.tree")
             .layer("material").definedBy("cz.paprsek.material")
             .layer("shape").definedBy("cz.paprsek.shape")
             .layer("scene").definedBy("cz.paprsek.scene")
@@ -32,6 +35,7 @@ class ArchitectureTest {
             .layer("xml").definedBy("cz.paprsek.xml")
             .layer("pov").definedBy("cz.paprsek.pov")
             .whereLayer("io").mayOnlyBeAccessedByLayers("query", "image", "explain", "xml", "pov")
+            .whereLayer("tree").mayOnlyBeAccessedByLayers("shape", "render")
             .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "query", "image", "render", "explain", "drawing", "xml", "pov")
             .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "drawing", "xml", "pov")
             .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "drawing", "xml", "pov")
@@ -48,6 +52,10 @@ class ArchitectureTest {
             .should().dependOnClassesThat().resideInAnyPackage("cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.io");
 
     @ArchTest
+    static final ArchRule TREE_SEES_ONLY_MATH = noClasses().that().resideInAPackage("cz.paprsek.tree")
+            .should().dependOnClassesThat(resideInAPackage("cz.paprsek..").and(resideOutsideOfPackages("cz.paprsek.tree", "cz.paprsek.math")));
+
+    @ArchTest
     static final ArchRule NO_CYCLES = slices().matching("cz.paprsek.(*)..").should().beFreeOfCycles();
 
     @ArchTest
@@ -60,7 +68,7 @@ class ArchitectureTest {
 
     @ArchTest
     static final ArchRule FILES_ONLY_AT_THE_BORDER = noClasses().that()
-            .resideInAnyPackage("cz.paprsek.math", "cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.query", "cz.paprsek.render")
+            .resideInAnyPackage("cz.paprsek.math", "cz.paprsek.tree", "cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.query", "cz.paprsek.render")
             .should().dependOnClassesThat().resideInAnyPackage("java.nio..");
 
     @ArchTest

@@ -18,7 +18,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** The hierarchy over a cloud of spheres: one box, the search for the nearest hit and for any, all by random rays, and preparing the scene. */
+/** The hierarchy over a cloud of spheres: the search for the nearest hit and for any, all by random rays, and preparing the scene. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @Fork(value = 1, jvmArgs = "-Xmx6g")
@@ -30,32 +30,22 @@ public class TreeBenchmark {
 
     private final Spans spans = new Spans();
     private final Rays rays = new Rays(spans);
-    private final Probe probe = new Probe();
-    private final double[] box = {-0.5, -0.4, -0.3, 0.3, 0.4, 0.5};
     private Scene scene;
-    private Bvh bvh;
-    private Bvh.Stack stack;
+    private Bodies bodies;
+    private Bodies.Finder finder;
 
     @Setup
     public void prepare() {
         scene = StandardScenes.cloud(spheres);
-        bvh = build().bvh();
-        stack = bvh.newStack();
-    }
-
-    @Benchmark
-    @OutputTimeUnit(TimeUnit.NANOSECONDS)
-    public int box() {
-        Ray ray = rays.next();
-        probe.set(ray);
-        return probe.enter(box, 0);
+        bodies = build().bodies();
+        finder = bodies.newFinder();
     }
 
     @Benchmark
     @OutputTimeUnit(TimeUnit.NANOSECONDS)
     public double nearest() {
         Ray ray = rays.next();
-        bvh.nearest(ray, bvh.whole(), stack);
+        bodies.nearest(ray, bodies.whole(), finder);
         return ray.max;
     }
 
@@ -63,7 +53,7 @@ public class TreeBenchmark {
     @OutputTimeUnit(TimeUnit.NANOSECONDS)
     public boolean any() {
         spans.release(0);
-        return bvh.occluder(rays.next(), bvh.whole(), stack, spans) != null;
+        return bodies.occluder(rays.next(), bodies.whole(), finder, spans) != null;
     }
 
     @Benchmark

@@ -4,6 +4,7 @@ import cz.paprsek.math.Angles;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.shape.Ray;
+import cz.paprsek.tree.Bundle;
 
 /**
  * A camera ready to make rays for pictures of one size. Through the point (x, y) of the picture, in pixels from its top left corner, goes

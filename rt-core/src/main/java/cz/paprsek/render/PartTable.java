@@ -15,11 +15,13 @@ import cz.paprsek.shape.Surface;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 
 /** The primitives of a scene, numbered as they are placed: for each its geometry, its finish and the object it belongs to. */
 final class PartTable {
     private final Map<String, Material> materials;
+    private final BooleanSupplier stop;
     private final Map<Material, Finish> shared = new HashMap<>();
     private final Finish standard = new Finish(Material.DEFAULT, Paint.of(Material.DEFAULT.pattern(), Affine.IDENTITY));
     private Material lastMaterial = Material.DEFAULT;
@@ -29,7 +31,8 @@ final class PartTable {
     private int[] objects;
     private int size;
 
-    PartTable(Scene scene) {
+    PartTable(Scene scene, BooleanSupplier stop) {
+        this.stop = stop;
         int expected = Math.max(16, scene.objects().size());
         materials = scene.materials();
         parts = new Part[expected];
@@ -127,6 +130,11 @@ final class PartTable {
         @Override
         public Parts within(Operand operand, Affine toWorld) {
             return new Scope(object, own(operand.material(), toWorld, finish));
+        }
+
+        @Override
+        public boolean isCancelled() {
+            return stop.getAsBoolean();
         }
     }
 }

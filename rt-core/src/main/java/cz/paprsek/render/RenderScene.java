@@ -11,6 +11,7 @@ import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Spans;
 import cz.paprsek.shape.Surface;
 import cz.paprsek.shape.Volume;
+import cz.paprsek.tree.TreeBuilder;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -23,7 +24,7 @@ public final class RenderScene {
     /** The placed shape of each object, and whether no light gets through it. */
     private final Surface[] surfaces;
     private final boolean[] opaque;
-    private final Bvh bvh;
+    private final Bodies bodies;
     private final Lamp[] lamps;
     private final int[] aroundCamera;
     private final double buildSeconds;
@@ -31,18 +32,18 @@ public final class RenderScene {
     private RenderScene(Scene scene, RenderMonitor monitor) {
         long begin = System.nanoTime();
         this.scene = scene;
-        this.parts = new PartTable(scene);
+        this.parts = new PartTable(scene, monitor::cancelled);
         this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
         this.surfaces = new Surface[scene.objects().size()];
         this.opaque = new boolean[surfaces.length];
         for (int i = 0; i < surfaces.length; i++) {
-            Bvh.stopIfAsked(i, monitor);
+            TreeBuilder.stopIfAsked(i, monitor::cancelled);
             int first = parts.size();
             surfaces[i] = parts.place(i, scene.objects().get(i));
             opaque[i] = isOpaque(first, parts.size());
         }
         this.aroundCamera = mediaAround(scene.camera().position());
-        this.bvh = Bvh.of(surfaces, opaque, monitor);
+        this.bodies = Bodies.of(surfaces, opaque, monitor::cancelled);
         this.buildSeconds = (System.nanoTime() - begin) / 1e9;
     }
 
@@ -53,7 +54,7 @@ public final class RenderScene {
         this.parts = other.parts;
         this.surfaces = other.surfaces;
         this.opaque = other.opaque;
-        this.bvh = other.bvh;
+        this.bodies = other.bodies;
         this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
         this.aroundCamera = mediaAround(scene.camera().position());
         this.buildSeconds = (System.nanoTime() - begin) / 1e9;
@@ -149,8 +150,8 @@ public final class RenderScene {
         return parts;
     }
 
-    Bvh bvh() {
-        return bvh;
+    Bodies bodies() {
+        return bodies;
     }
 
     Lamp[] lamps() {

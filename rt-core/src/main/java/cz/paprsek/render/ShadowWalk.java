@@ -13,16 +13,16 @@ import java.util.function.IntFunction;
 /** Finds what stands between a point and a light, in order. */
 final class ShadowWalk {
     private final PartTable parts;
-    private final Bvh bvh;
-    private final Bvh.Stack stack;
+    private final Bodies bodies;
+    private final Bodies.Finder finder;
     private final Spans spans = new Spans();
     private final Ray ray = new Ray(spans);
     private final IntFunction<SurfacePath> path;
 
     ShadowWalk(RenderScene scene, IntFunction<SurfacePath> path) {
         this.parts = scene.parts();
-        this.bvh = scene.bvh();
-        this.stack = bvh.newStack();
+        this.bodies = scene.bodies();
+        this.finder = bodies.newFinder();
         this.path = path;
     }
 
@@ -31,7 +31,7 @@ final class ShadowWalk {
         double end = distance - Ray.OFFSET * size;
         ray.start(point.x(), point.y(), point.z(), direction.x(), direction.y(), direction.z(), size, end);
         spans.release(0);
-        return bvh.occluder(ray, bvh.whole(), stack, spans) == null ? transparent() : untilOpaque(end);
+        return bodies.occluder(ray, bodies.whole(), finder, spans) == null ? transparent() : untilOpaque(end);
     }
 
     private List<Obstacle> transparent() {
@@ -50,7 +50,7 @@ final class ShadowWalk {
         while (!isOpaque) {
             ray.part = -1;
             ray.max = end;
-            bvh.nearest(ray, bvh.whole(), stack);
+            bodies.nearest(ray, bodies.whole(), finder);
             if (ray.part < 0) {
                 break;
             }

@@ -4,6 +4,8 @@ import cz.paprsek.shape.Hit;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
 import cz.paprsek.shape.Surface;
+import cz.paprsek.tree.Bundle;
+import cz.paprsek.tree.Entries;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -24,10 +26,10 @@ class Tracer extends Witness {
     private final RenderMonitor monitor;
     private final Spans spans = new Spans();
     private final Ray shadow = new Ray(spans);
-    private final Bvh bvh;
+    private final Bodies bodies;
     private final PartTable parts;
     private final Lamp[] lamps;
-    private final Bvh.Stack stack;
+    private final Bodies.Finder finder;
     private final Level[] levels;
     /** Where the samples lie along each side of a pixel, 0–1. */
     private final double[] samples;
@@ -52,13 +54,13 @@ class Tracer extends Witness {
     Tracer(RenderScene scene, int maxDepth, int samplesPerSide, RenderMonitor monitor) {
         this.scene = scene;
         this.monitor = monitor;
-        this.bvh = scene.bvh();
+        this.bodies = scene.bodies();
         this.parts = scene.parts();
         this.lamps = scene.lamps();
-        this.stack = bvh.newStack();
+        this.finder = bodies.newFinder();
         this.lastOccluder = new Surface[maxDepth * lamps.length];
         this.towardsLamp = Stream.generate(() -> new Entries(MOST_FROM_LAMP)).limit(lamps.length).toArray(Entries[]::new);
-        this.anywhere = Stream.generate(bvh::whole).limit(lamps.length).toArray(Entries[]::new);
+        this.anywhere = Stream.generate(bodies::whole).limit(lamps.length).toArray(Entries[]::new);
         this.samples = IntStream.range(0, samplesPerSide).mapToDouble(i -> (i + 0.5) / samplesPerSide).toArray();
         this.levels = new Level[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
@@ -81,7 +83,7 @@ class Tracer extends Witness {
         int rays = width * height * samples.length * samples.length;
         Level[] first = levels(rays);
         eye.bundle(bundle, x, y, width, height);
-        bvh.enter(bundle, entries);
+        bodies.enter(bundle, entries);
         int i = 0;
         for (int row = y; row < y + height; row++) {
             for (int column = x; column < x + width; column++) {
@@ -97,7 +99,7 @@ class Tracer extends Witness {
         primary += rays;
         for (int light = 0; light < lamps.length; light++) {
             gather(lamps[light], first, rays);
-            bvh.enter(bundle, towardsLamp[light]);
+            bodies.enter(bundle, towardsLamp[light]);
         }
         for (i = 0; i < rays; i++) {
             shade(first[i], 0, towardsLamp);
@@ -147,7 +149,7 @@ class Tracer extends Witness {
 
     /** Finds what the ray of {@link #alone} hits. */
     final void findAlone() {
-        find(levels[0], bvh.whole());
+        find(levels[0], bodies.whole());
     }
 
     final void traceAlone() {
@@ -164,13 +166,13 @@ class Tracer extends Witness {
             level.light(0, 0, 0);
             return;
         }
-        find(level, bvh.whole());
+        find(level, bodies.whole());
         shade(level, depth, anywhere);
     }
 
-    /** Nodes of the hierarchy visited so far, those of bundles not counted. */
+    /** Nodes of the tree visited so far, leaves included, those of bundles not. */
     final long nodeVisits() {
-        return stack.visits;
+        return finder.visits();
     }
 
     /** Rays of all kinds traced so far. */
@@ -178,14 +180,9 @@ class Tracer extends Witness {
         return primary + reflected + refracted + shadows;
     }
 
-    /** Nodes of the tree visited so far, leaves included. */
-    long visits() {
-        return stack.visits;
-    }
-
     /** Finds what the level's ray hits, and where. */
     private void find(Level level, Entries among) {
-        bvh.nearest(level.ray, among, stack);
+        bodies.nearest(level.ray, among, finder);
         if (level.ray.part >= 0) {
             hits++;
             locate(level.ray, level.hit);
@@ -261,7 +258,7 @@ class Tracer extends Witness {
         }
         double visibility = 1;
         shadows++;
-        if (!bvh.isClear(between)) {
+        if (!bodies.isClear(between)) {
             shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.OFFSET * size);
             visibility = visibility(depth * lamps.length + light, between);
         }
@@ -284,7 +281,7 @@ class Tracer extends Witness {
             return 0;
         }
         int mark = spans.size();
-        Surface occluder = bvh.occluder(shadow, between, stack, spans);
+        Surface occluder = bodies.occluder(shadow, between, finder, spans);
         double product = occluder == null ? product(mark) : 0;
         spans.release(mark);
         if (occluder != last) {

@@ -4,10 +4,12 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.tree.TreeBuilder;
 import java.util.Arrays;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import java.util.Locale;
+import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A solid made of solids by a set operation, nested to any depth. Operands stand in the space of the operation.
@@ -93,11 +95,12 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
     public Volume place(Affine toWorld, Parts parts) {
         Volume[] placed = new Volume[operands.size()];
         for (int i = 0; i < placed.length; i++) {
+            TreeBuilder.stopIfAsked(i, parts::isCancelled);
             Operand operand = operands.get(i);
             Affine operandToWorld = toWorld.after(operand.placement().toParent());
             placed[i] = operand.solid().place(operandToWorld, parts.within(operand, operandToWorld));
         }
-        return placed.length == 1 ? placed[0] : new Placed(operation, placed);
+        return placed.length == 1 ? placed[0] : new Placed(operation, placed, parts::isCancelled);
     }
 
     private static Operand[] operands(Solid[] solids) {
@@ -115,16 +118,17 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
         private final Bounds bounds;
         private final double cost;
         /** Finds the operands that matter, if there are many, and one that is not met does not. */
-        private final @Nullable OperandTree tree;
+        private final @Nullable Operands tree;
 
-        Placed(Operation operation, Volume[] operands) {
+        Placed(Operation operation, Volume[] operands, BooleanSupplier stop) {
             this.operation = operation;
             this.operands = operands;
             this.boxes = Arrays.stream(operands).map(operand -> operand.bounds().padded()).toArray(Bounds[]::new);
             this.bounds = Arrays.stream(operands).map(Surface::bounds).reduce(operation::bounds).orElseThrow();
-            this.tree = operands.length > MANY && operation != Operation.INTERSECTION ? new OperandTree(boxes) : null;
             // To meet each operand, and to combine what it pushes.
-            this.cost = Arrays.stream(operands).mapToDouble(operand -> operand.cost() + 3).sum();
+            double[] costs = Arrays.stream(operands).mapToDouble(operand -> operand.cost() + 3).toArray();
+            this.cost = Arrays.stream(costs).sum();
+            this.tree = operands.length > MANY && operation != Operation.INTERSECTION ? new Operands(boxes, costs, stop) : null;
         }
 
         @Override
@@ -158,7 +162,7 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
         }
 
         /** In the order of the operands all the same: of surfaces in one place, the first one's is seen. */
-        private void spansOfMany(OperandTree among, Ray ray, Spans out) {
+        private void spansOfMany(Operands among, Ray ray, Spans out) {
             int left = out.size();
             if (operation == Operation.DIFFERENCE) {
                 operands[0].spans(ray, out);

@@ -10,4 +10,9 @@ public interface Parts {
 
     /** Where the parts of an operand are to be registered. */
     Parts within(Operand operand, Affine toWorld);
+
+    /** Whether to give up; asked while many operands are placed. */
+    default boolean isCancelled() {
+        return false;
+    }
 }

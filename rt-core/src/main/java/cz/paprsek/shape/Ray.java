@@ -1,6 +1,7 @@
 package cz.paprsek.shape;
 
 import cz.paprsek.math.Bounds;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A ray in world space and what it has hit so far. Scratch: the one mutable object of the hot path, owned by one worker.
@@ -43,6 +44,7 @@ public final class Ray {
     final Line local = new Line();
     /** The operands, of all operations being evaluated, that the ray meets. */
     final IntStack met = new IntStack();
+    Operands.@Nullable Finder finder;
     final double[] breaks = new double[3];
     final Spans spans;
 

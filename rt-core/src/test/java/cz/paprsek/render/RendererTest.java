@@ -79,10 +79,10 @@ class RendererTest {
         for (long seed = 1; seed <= 8; seed++) {
             Scene scene = Scenes.random(seed, 300);
             RenderScene ready = RenderScene.of(scene);
-            PartTable table = new PartTable(scene);
+            PartTable table = new PartTable(scene, () -> false);
             Surface[] all = new Surface[scene.objects().size()];
             Arrays.setAll(all, i -> table.place(i, scene.objects().get(i)));
-            Bvh.Stack stack = ready.bvh().newStack();
+            Bodies.Finder finder = ready.bodies().newFinder();
             Spans spans = new Spans();
             for (int i = 0; i < 4000; i++) {
                 double[] n = random.doubles(6, -5, 5).toArray();
@@ -91,7 +91,7 @@ class RendererTest {
                 fast.start(n[0], n[1], n[2] + (i % 3), n[3] / length, n[4] / length, n[5] / length);
                 Ray slow = new Ray(spans);
                 slow.start(n[0], n[1], n[2] + (i % 3), n[3] / length, n[4] / length, n[5] / length);
-                ready.bvh().nearest(fast, ready.bvh().whole(), stack);
+                ready.bodies().nearest(fast, ready.bodies().whole(), finder);
                 for (Surface surface : all) {
                     surface.nearest(slow);
                 }
@@ -102,7 +102,7 @@ class RendererTest {
                 for (int k = 0; k < all.length; k++) {
                     blocked |= isOpaque(table, k) && all[k].occludes(fast);
                 }
-                assertThat(ready.bvh().occluder(fast, ready.bvh().whole(), stack, spans) != null).isEqualTo(blocked);
+                assertThat(ready.bodies().occluder(fast, ready.bodies().whole(), finder, spans) != null).isEqualTo(blocked);
                 spans.release(0);
             }
         }

@@ -36,9 +36,9 @@ class WorkTest {
                 tracer.trace(eye, x, y, 8, 8);
             }
         }
-        String found = tracer.reflected + ", " + tracer.shadows + ", " + tracer.visits();
+        String found = tracer.reflected + ", " + tracer.shadows + ", " + tracer.nodeVisits();
         assertThat(tracer.reflected).as(found).isEqualTo(reflected);
         assertThat(tracer.shadows).as(found).isEqualTo(shadows);
-        assertThat(tracer.visits()).as(found).isCloseTo(visits, within(visits / 100));
+        assertThat(tracer.nodeVisits()).as(found).isCloseTo(visits, within(visits / 100));
     }
 }

@@ -1,7 +1,9 @@
-package cz.paprsek.render;
+package cz.paprsek.tree;
 
 import cz.paprsek.math.Bounds;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.RecursiveAction;
+import java.util.function.BooleanSupplier;
 
 /**
  * Builds the tree by the surface area heuristic: {@value #BINS} bins on each axis, all three in one pass, small records moved in place.
@@ -10,7 +12,7 @@ import java.util.concurrent.RecursiveAction;
  *
  * @source Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007
  */
-final class BvhBuilder {
+public final class TreeBuilder {
     /** The most bins; few records get one each. */
     private static final int BINS = 16;
     private static final int FORK = 4096;
@@ -20,22 +22,32 @@ final class BvhBuilder {
     /** Below this depth a split always halves, which bounds the depth of the tree whatever the scene. */
     private static final int STEEP = 48;
 
+    /** How many records are dealt with between two questions whether to stop. */
+    private static final int BATCH = 1024;
+
     /** The boxes of the records, six numbers each, and what each record is; both are permuted together. */
     private final double[] box;
     private final int[] record;
     /** By what a record is: the cost of testing it. */
     private final float[] cost;
-    private final RenderMonitor monitor;
+    private final BooleanSupplier stop;
     private final double nodeCost;
-    final double[] boxes;
-    final int[] child;
-    private int root;
+    private final double[] boxes;
+    private final int[] child;
 
-    BvhBuilder(double[] box, int[] record, float[] cost, RenderMonitor monitor) {
-        this.box = box;
-        this.record = record;
+    /**
+     * Boxes and items are permuted together, into the order of the leaves.
+     *
+     * @param boxes a finite box for each item: its minimum x y z, its maximum x y z
+     * @param items numbers, each its own
+     * @param cost by an item's number: about how long it takes to meet a line, in units of what a sphere takes
+     * @param stop whether to give up; asked now and then, by several threads
+     */
+    public TreeBuilder(double[] boxes, int[] items, float[] cost, BooleanSupplier stop) {
+        this.box = boxes;
+        this.record = items;
         this.cost = cost;
-        this.monitor = monitor;
+        this.stop = stop;
         // The larger the tree, the farther from the processor lie its nodes.
         this.nodeCost = Math.max(NEAR_NODE_COST, FAR_NODE_COST * StrictMath.cbrt(record.length / 1e6));
         int inner = Math.max(0, record.length - 1);
@@ -43,27 +55,39 @@ final class BvhBuilder {
         this.child = new int[2 * inner];
     }
 
-    /** Writes a box into the array of records. */
-    static void put(double[] box, int i, Bounds bounds) {
-        box[6 * i] = bounds.minX();
-        box[6 * i + 1] = bounds.minY();
-        box[6 * i + 2] = bounds.minZ();
-        box[6 * i + 3] = bounds.maxX();
-        box[6 * i + 4] = bounds.maxY();
-        box[6 * i + 5] = bounds.maxZ();
+    /** Writes a box into an array of boxes. */
+    public static void put(double[] boxes, int i, Bounds bounds) {
+        boxes[6 * i] = bounds.minX();
+        boxes[6 * i + 1] = bounds.minY();
+        boxes[6 * i + 2] = bounds.minZ();
+        boxes[6 * i + 3] = bounds.maxX();
+        boxes[6 * i + 4] = bounds.maxY();
+        boxes[6 * i + 5] = bounds.maxZ();
     }
 
-    /** Permutes the records, at least one, into the order of the leaves and fills the nodes; returns the depth of the tree. */
-    int build() {
+    /**
+     * To be called with every number of a count while something is prepared: once in a while, asks whether to stop.
+     *
+     * @throws CancellationException if so
+     */
+    public static void stopIfAsked(int i, BooleanSupplier stop) {
+        if (i % BATCH == 0 && stop.getAsBoolean()) {
+            throw new CancellationException("the preparation of the scene was cancelled");
+        }
+    }
+
+    /**
+     * Builds the tree.
+     *
+     * @throws CancellationException if it was to stop
+     */
+    public Tree build() {
+        if (record.length == 0) {
+            return new BinaryTree(boxes, child, 0, 0);
+        }
         Subtree whole = new Subtree(0, record.length, 0, 0);
         whole.invoke();
-        root = whole.name;
-        return whole.depth;
-    }
-
-    /** The root as {@link Bvh} names children. */
-    int root() {
-        return root;
+        return new BinaryTree(boxes, child, whole.name, whole.depth);
     }
 
     /** One task: the records from {@code from} to {@code to} become a subtree with nodes from {@code base} on. */
@@ -74,7 +98,7 @@ final class BvhBuilder {
         private final int to;
         private final int base;
         private final int level;
-        /** The subtree's name as a child, and its depth in nodes. */
+        /** The subtree's name as a child, and how many nodes lie below one another in it. */
         int name;
         int depth;
 
@@ -96,7 +120,7 @@ final class BvhBuilder {
             int count = end - start;
             int middle = count == 1 ? start : split(start, end, at, bins);
             if (middle == start) {
-                return ~(start * Bvh.LEAF + count - 1);
+                return Tree.leaf(start, count, cost(start, end));
             }
             putBox(start, middle, 12 * node);
             putBox(middle, end, 12 * node + 6);
@@ -125,7 +149,7 @@ final class BvhBuilder {
     private int split(int start, int end, int depth, Bins bins) {
         int count = end - start;
         if (depth < STEEP && bins.find(box, start, end, count)) {
-            if (count <= Bvh.LEAF && (count - bins.bestCost) * meanCost(start, end) <= nodeCost) {
+            if (count <= Tree.LEAF && (count - bins.bestCost) * (cost(start, end) / count) <= nodeCost) {
                 return start;
             }
             int middle = partition(start, end, bins);
@@ -133,22 +157,22 @@ final class BvhBuilder {
                 return middle;
             }
         }
-        return count <= Bvh.LEAF ? start : start + count / 2;
+        return count <= Tree.LEAF ? start : start + count / 2;
     }
 
-    private double meanCost(int start, int end) {
+    private double cost(int start, int end) {
         double sum = 0;
         for (int i = start; i < end; i++) {
             sum += cost[record[i]];
         }
-        return sum / (end - start);
+        return sum;
     }
 
     private int partition(int start, int end, Bins bins) {
         int a = start;
         int b = end - 1;
         while (a <= b) {
-            Bvh.stopIfAsked(b - a, monitor);
+            stopIfAsked(b - a, stop);
             if (bins.bin(box, a, bins.bestAxis) < bins.bestBin) {
                 a++;
             } else {
@@ -200,7 +224,7 @@ final class BvhBuilder {
         boolean find(double[] records, int start, int end, int total) {
             reset(records, start, end);
             for (int i = start; i < end; i++) {
-                Bvh.stopIfAsked(i, monitor);
+                stopIfAsked(i, stop);
                 for (int axis = 0; axis < 3; axis++) {
                     int bin = axis * BINS + bin(records, i, axis);
                     count[bin]++;

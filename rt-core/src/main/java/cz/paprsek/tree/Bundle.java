@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.tree;
 
 /**
  * Scratch of one worker: all lines o + t·d from one point o, with d anywhere between two corners, up to t = 1 or without end. Tells by interval
@@ -6,7 +6,7 @@ package cz.paprsek.render;
  *
  * @source Boulos et al., Geometric and Arithmetic Culling Methods for Entire Ray Packets, 2006
  */
-final class Bundle {
+public final class Bundle {
     private double ox;
     private double oy;
     private double oz;
@@ -21,7 +21,7 @@ final class Bundle {
     private double far;
 
     /** Starts an empty bundle from a point; its lines have no end. */
-    void start(double x, double y, double z) {
+    public void start(double x, double y, double z) {
         ox = x;
         oy = y;
         oz = z;
@@ -35,7 +35,7 @@ final class Bundle {
     }
 
     /** Widens the bundle to hold a direction. */
-    void add(double dx, double dy, double dz) {
+    public void add(double dx, double dy, double dz) {
         // Not Math.min: a comparison that mostly goes one way costs next to nothing, and this is done for every hit and light.
         if (dx < lowX) {
             lowX = dx;
@@ -58,7 +58,7 @@ final class Bundle {
     }
 
     /** Cuts all lines at t = {@code atMost}. */
-    void end(double atMost) {
+    public void end(double atMost) {
         end = atMost;
     }
 

@@ -1,20 +1,20 @@
-package cz.paprsek.render;
+package cz.paprsek.tree;
 
-/** Scratch of one worker: the subtrees of a hierarchy in which a search starts, the nearest first. */
-final class Entries {
+/** Scratch of one worker: the subtrees of a tree in which a search starts, the nearest first. */
+public final class Entries {
     /** In place of a box: the subtree is searched without asking. */
     static final int ANYWHERE = -1;
 
     final int[] node;
-    /** Where the box of each subtree starts in the hierarchy's array. */
+    /** Where the box of each subtree starts in the tree's array. */
     final int[] box;
-    /** Up to where no ray meets anything in the subtree, as rays measure. */
+    /** Up to which t no line meets anything in the subtree. */
     final double[] near;
     int size;
     private int boxes;
 
     /** @param most how many subtrees are kept apart at most */
-    Entries(int most) {
+    public Entries(int most) {
         // One more: a subtree that is opened gives way only after its halves have been added.
         node = new int[most + 1];
         box = new int[most + 1];
@@ -25,9 +25,17 @@ final class Entries {
         return size == node.length - 1;
     }
 
-    void clear() {
+    /** Whether a search of these subtrees can find nothing at all. */
+    public boolean isEmpty() {
+        return size == 0;
+    }
+
+    void startWith(Entries others) {
         size = 0;
         boxes = 0;
+        for (int i = 0; i < others.size; i++) {
+            add(others.node[i], others.box[i], others.near[i]);
+        }
     }
 
     /** Whether there is anything else than leaves that are searched without asking. */

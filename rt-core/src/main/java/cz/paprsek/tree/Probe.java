@@ -1,17 +1,15 @@
-package cz.paprsek.render;
-
-import cz.paprsek.shape.Ray;
+package cz.paprsek.tree;
 
 /**
- * Scratch of one worker: a ray as the hierarchy asks about boxes.
+ * Scratch of one worker: a line as the tree asks about boxes.
  *
  * <p>Values of t are compared as the upper halves of doubles, taken as integers: the JVM makes two instructions of the maximum of
  * integers, but eleven, three of them slow, of that of doubles. For numbers not below 0 the order is the same, only coarser, which a
- * + 1 on the far side makes up for. A t below 0 becomes a negative integer, of wrong order among its kind, but below where every ray
+ * + 1 on the far side makes up for. A t below 0 becomes a negative integer, of wrong order among its kind, but below where every line
  * starts, which is all that matters.
  */
 final class Probe {
-    /** The answer of {@link #enter} when the ray does not meet the box: beyond every t. */
+    /** The answer of {@link #enter} when the line does not meet the box: beyond every t. */
     static final int MISS = Integer.MAX_VALUE;
 
     private double ox;
@@ -22,7 +20,7 @@ final class Probe {
     private double rz;
     private int begin;
     private int end;
-    /** Which of a box's six numbers are the planes that the ray crosses first and last. */
+    /** Which of a box's six numbers are the planes that the line crosses first and last. */
     private int firstX;
     private int firstY;
     private int firstZ;
@@ -30,16 +28,15 @@ final class Probe {
     private int lastY;
     private int lastZ;
 
-    void set(Ray ray) {
-        ray.needReciprocals();
-        ox = ray.ox;
-        oy = ray.oy;
-        oz = ray.oz;
-        rx = ray.rx;
-        ry = ray.ry;
-        rz = ray.rz;
-        begin = order(ray.min);
-        end = order(ray.max);
+    void set(double originX, double originY, double originZ, double reciprocalX, double reciprocalY, double reciprocalZ, double min, double max) {
+        ox = originX;
+        oy = originY;
+        oz = originZ;
+        rx = reciprocalX;
+        ry = reciprocalY;
+        rz = reciprocalZ;
+        begin = order(min);
+        end = order(max);
         firstX = rx < 0 ? 3 : 0;
         firstY = ry < 0 ? 4 : 1;
         firstZ = rz < 0 ? 5 : 2;
@@ -48,7 +45,7 @@ final class Probe {
         lastZ = 7 - firstZ;
     }
 
-    /** Takes note that the ray has become shorter. */
+    /** Takes note that the line has become shorter. */
     void end(double max) {
         end = order(max);
     }
@@ -58,7 +55,7 @@ final class Probe {
         return near <= end;
     }
 
-    /** Where the ray enters the box whose six numbers start at b; {@link #MISS} if it does not between its min and max. */
+    /** Where the line enters the box whose six numbers start at b; {@link #MISS} if it does not between its min and max. */
     int enter(double[] boxes, int b) {
         int near = Math.max(
                 Math.max(order((boxes[b + firstX] - ox) * rx), order((boxes[b + firstY] - oy) * ry)),

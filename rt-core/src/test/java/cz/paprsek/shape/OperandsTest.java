@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class OperandTreeTest {
+class OperandsTest {
     @ParameterizedTest
     @CsvSource({"UNION, 9", "UNION, 16", "UNION, 67", "DIFFERENCE, 9", "DIFFERENCE, 33", "DIFFERENCE, 100", "INTERSECTION, 12"})
     void manyOperandsGiveWhatOneAfterTheOtherGives(Operation operation, int count) {
@@ -50,13 +50,13 @@ class OperandTreeTest {
         Bounds[] boxes = IntStream.range(0, count).mapToObj(i -> i % 7 == 3 ? Bounds.ALL
                 : Bounds.around(new Vec3(random.nextDouble() * 4 - 2, random.nextDouble() * 4 - 2, random.nextDouble() * 4 - 2),
                         Vec3.ONE.times(0.3 * random.nextDouble()))).toArray(Bounds[]::new);
-        OperandTree tree = new OperandTree(boxes);
+        Operands operands = new Operands(boxes, new double[count], () -> false);
         IntStack met = new IntStack();
         for (int i = 0; i < 2000; i++) {
             Ray ray = ray(random.doubles(6, -3, 3).toArray(), new Spans());
             met.push(-7);
             int mark = met.size();
-            tree.meet(ray, met);
+            operands.meet(ray, met);
             assertThat(IntStream.range(mark, met.size()).map(met::get).toArray())
                     .containsExactly(IntStream.range(0, count).filter(k -> !boxes[k].isFinite() || ray.meets(boxes[k])).toArray());
             met.release(0);

@@ -1,0 +1,162 @@
+package cz.paprsek.render;
+
+import cz.paprsek.math.Bounds;
+import cz.paprsek.shape.Ray;
+import cz.paprsek.shape.Spans;
+import cz.paprsek.shape.Surface;
+import cz.paprsek.tree.Bundle;
+import cz.paprsek.tree.Entries;
+import cz.paprsek.tree.Search;
+import cz.paprsek.tree.Tree;
+import cz.paprsek.tree.TreeBuilder;
+import java.util.Arrays;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+
+/** The bodies of a scene in a tree. Those without end stand apart and are met by every ray. */
+final class Bodies {
+    /** In the order of the tree's leaves. */
+    private final Surface[] surfaces;
+    private final boolean[] opaque;
+    private final Surface[] endless;
+    private final boolean[] endlessOpaque;
+    private final Tree tree;
+
+    private Bodies(Surface[] all, boolean[] allOpaque, int[] finite, int[] infinite, Tree tree) {
+        this.surfaces = pick(all, finite);
+        this.opaque = pick(allOpaque, finite);
+        this.endless = pick(all, infinite);
+        this.endlessOpaque = pick(allOpaque, infinite);
+        this.tree = tree;
+    }
+
+    /** Builds the tree; empty surfaces are left out. */
+    static Bodies of(Surface[] surfaces, boolean[] opaque, BooleanSupplier stop) {
+        Bounds[] bounds = new Bounds[surfaces.length];
+        IntStream.range(0, bounds.length).parallel().forEach(i -> {
+            TreeBuilder.stopIfAsked(i, stop);
+            bounds[i] = surfaces[i].bounds().padded();
+        });
+        int[] infinite = IntStream.range(0, bounds.length).filter(i -> !bounds[i].isFinite()).toArray();
+        int[] finite = IntStream.range(0, bounds.length).filter(i -> bounds[i].isFinite() && !bounds[i].isEmpty()).toArray();
+        double[] box = new double[6 * finite.length];
+        float[] cost = new float[surfaces.length];
+        IntStream.range(0, finite.length).parallel().forEach(i -> {
+            TreeBuilder.stopIfAsked(i, stop);
+            TreeBuilder.put(box, i, bounds[finite[i]]);
+            cost[finite[i]] = (float) surfaces[finite[i]].cost();
+        });
+        // Building puts the numbers of the finite ones into the order of the leaves.
+        Tree tree = new TreeBuilder(box, finite, cost, stop).build();
+        return new Bodies(surfaces, opaque, finite, infinite, tree);
+    }
+
+    /** Where a search starts that knows nothing of its ray. */
+    Entries whole() {
+        return tree.whole();
+    }
+
+    /** Finds the subtrees that hold whatever the rays of a bundle can meet. */
+    void enter(Bundle bundle, Entries entries) {
+        tree.enter(bundle, entries);
+    }
+
+    /** Whether a search of these subtrees can find nothing at all. */
+    boolean isClear(Entries entries) {
+        return entries.isEmpty() && endless.length == 0;
+    }
+
+    /** The scratch that one worker needs to look for bodies. */
+    Finder newFinder() {
+        return new Finder(surfaces, opaque);
+    }
+
+    /** Finds the ray's nearest hit in the given subtrees. */
+    void nearest(Ray ray, Entries entries, Finder finder) {
+        for (Surface surface : endless) {
+            surface.nearest(ray);
+        }
+        tree.nearest(finder, ray, entries, ray.max);
+    }
+
+    /**
+     * Looks in the given subtrees for what stands between the ray's min and max.
+     *
+     * @param through receives the boundaries of transparent bodies; incomplete if the answer is not null
+     * @return the first opaque body found, or null
+     */
+    @Nullable Surface occluder(Ray ray, Entries entries, Finder finder, Spans through) {
+        for (int i = 0; i < endless.length; i++) {
+            if (blocks(endless[i], endlessOpaque[i], ray, through)) {
+                return endless[i];
+            }
+        }
+        finder.pushTo(through);
+        return tree.any(finder, ray, entries) ? surfaces[finder.occluder] : null;
+    }
+
+    private static boolean blocks(Surface surface, boolean isOpaque, Ray ray, Spans through) {
+        if (isOpaque) {
+            return surface.occludes(ray);
+        }
+        surface.crossings(ray, through);
+        return false;
+    }
+
+    /** What is done at the leaves: scratch of one worker. */
+    static final class Finder extends Search<Ray> {
+        private final Surface[] surfaces;
+        private final boolean[] opaque;
+        private Spans through = new Spans();
+        private int occluder;
+
+        private Finder(Surface[] surfaces, boolean[] opaque) {
+            this.surfaces = surfaces;
+            this.opaque = opaque;
+        }
+
+        private void pushTo(Spans spans) {
+            if (through != spans) {
+                through = spans;
+            }
+        }
+
+        @Override
+        protected void aim(Ray ray) {
+            ray.needReciprocals();
+            along(ray.ox, ray.oy, ray.oz, ray.rx, ray.ry, ray.rz, ray.min, ray.max);
+        }
+
+        @Override
+        protected double meet(Ray ray, int first, int end) {
+            for (int i = end - 1; i >= first; i--) {
+                surfaces[i].nearest(ray);
+            }
+            return ray.max;
+        }
+
+        @Override
+        protected boolean stopsAt(Ray ray, int first, int end) {
+            for (int i = end - 1; i >= first; i--) {
+                if (blocks(surfaces[i], opaque[i], ray, through)) {
+                    occluder = i;
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+
+    private static Surface[] pick(Surface[] from, int[] which) {
+        return Arrays.stream(which).mapToObj(i -> from[i]).toArray(Surface[]::new);
+    }
+
+    private static boolean[] pick(boolean[] from, int[] which) {
+        boolean[] picked = new boolean[which.length];
+        for (int i = 0; i < which.length; i++) {
+            picked[i] = from[which[i]];
+        }
+        return picked;
+    }
+}

@@ -1,0 +1,45 @@
+package cz.paprsek.tree;
+
+/**
+ * Scratch of one worker: a line o + t·d as trees ask about boxes, the nodes still to be visited, and what is done at the leaves.
+ *
+ * @param <R> the ray that searches: only who looks at the leaves knows it. It is handed through rather than kept, because writing a
+ *         reference for every ray costs more than it seems: the collector wants to know.
+ */
+public abstract class Search<R> {
+    final Probe probe = new Probe();
+    int[] node = {};
+    int[] near = {};
+    long visits;
+
+    /** Called before the first box is asked about, and not at all if there is none: tells the line by {@link #along}. */
+    protected abstract void aim(R ray);
+
+    /**
+     * Meets the items of a leaf, those at the places from {@code first} to {@code end} − 1.
+     *
+     * @return where the line ends now
+     */
+    protected abstract double meet(R ray, int first, int end);
+
+    /** Asks the items of a leaf; true ends the search. */
+    protected abstract boolean stopsAt(R ray, int first, int end);
+
+    /** The number of tree nodes visited so far, leaves included. */
+    public final long visits() {
+        return visits;
+    }
+
+    /** Sets the line: its origin, its reciprocal direction, which must be finite, and between which t it counts. */
+    protected final void along(double ox, double oy, double oz, double rx, double ry, double rz, double min, double max) {
+        probe.set(ox, oy, oz, rx, ry, rz, min, max);
+    }
+
+    /** Makes room for a tree. */
+    final void reserve(int depth) {
+        if (node.length < depth) {
+            node = new int[depth];
+            near = new int[depth];
+        }
+    }
+}

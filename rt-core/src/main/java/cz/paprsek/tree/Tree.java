@@ -1,0 +1,59 @@
+package cz.paprsek.tree;
+
+/**
+ * A hierarchy of boxes over items, which stand in the order of its leaves: a leaf is a run of at most {@value #LEAF} neighbours.
+ * Immutable; any number of workers may search it at once, each with a {@link Search} of its own.
+ */
+public abstract class Tree {
+    /** The most items in one leaf. */
+    static final int LEAF = 8;
+    /** The cost up to which all items of a leaf are met rather than first its box asked. */
+    private static final double QUICK = 4;
+
+    /** How many nodes lie from the root to the farthest leaf, both counted; 0 if there is nothing in the tree. */
+    final int depth;
+    private final Entries whole = new Entries(1);
+
+    Tree(int root, int depth) {
+        this.depth = depth;
+        if (depth > 0) {
+            whole.add(root, Entries.ANYWHERE, 0);
+        }
+    }
+
+    /** Where a search starts that knows nothing of its line. */
+    public final Entries whole() {
+        return whole;
+    }
+
+    /** Finds the subtrees that hold whatever the lines of a bundle can meet. */
+    public abstract void enter(Bundle bundle, Entries entries);
+
+    /**
+     * Meets the leaves in the given subtrees whose boxes the line enters before its end, the nearest first as far as boxes tell.
+     *
+     * @param end where the line ends; each leaf that is met may lower it
+     */
+    public abstract <R> void nearest(Search<R> search, R ray, Entries entries, double end);
+
+    /** Asks the leaves in the given subtrees whose boxes the line meets, in any order, until one {@linkplain Search#stopsAt ends the search}. */
+    public abstract <R> boolean any(Search<R> search, R ray, Entries entries);
+
+    /** The name of a leaf: the complement of its first place, its count − 1 and whether it is {@linkplain #isQuick quick}, bit by bit. */
+    static int leaf(int first, int count, double cost) {
+        return ~(first * (2 * LEAF) + 2 * (count - 1) + (cost <= QUICK ? 1 : 0));
+    }
+
+    static int first(int leaf) {
+        return ~leaf / (2 * LEAF);
+    }
+
+    static int end(int leaf) {
+        return first(leaf) + ~leaf / 2 % LEAF + 1;
+    }
+
+    /** Whether a subtree is a leaf that takes less time than a test of its box for every line would, if the line is likely to meet it. */
+    static boolean isQuick(int subtree) {
+        return subtree < 0 && (~subtree & 1) != 0;
+    }
+}
