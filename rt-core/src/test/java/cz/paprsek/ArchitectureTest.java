@@ -28,7 +28,7 @@ class ArchitectureTest {
             .layer("shape").definedBy("cz.paprsek.shape")
             .layer("scene").definedBy("cz.paprsek.scene")
             .layer("query").definedBy("cz.paprsek.query")
-            .layer("image").definedBy("cz.paprsek.image")
+            .layer("image").definedBy("cz.paprsek.image..")
             .layer("render").definedBy("cz.paprsek.render")
             .layer("explain").definedBy("cz.paprsek.render.explain")
             .layer("drawing").definedBy("cz.paprsek.drawing")

@@ -1,6 +1,7 @@
 package cz.paprsek.image;
 
 import cz.paprsek.image.StoredImage.Precision;
+import cz.paprsek.io.BinaryInput;
 import cz.paprsek.material.Rgb;
 import java.awt.image.BufferedImage;
 import java.awt.image.IndexColorModel;
@@ -8,25 +9,25 @@ import java.awt.image.Raster;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.Iterator;
-import java.util.function.DoubleUnaryOperator;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
-import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
-import org.w3c.dom.Element;
-import org.w3c.dom.NodeList;
 
-/** Reads the formats that the Java platform reads, PNG above all. Samples are sRGB unless a PNG says otherwise; opacity is ignored. */
+/** Reads the formats that are left to the Java platform: JPEG, BMP, TIFF, GIF. Samples are sRGB; opacity is ignored. */
 final class BitmapReader {
-    private static final String PNG = "javax_imageio_png_1.0";
-    /** What a PNG's gAMA chunk holds for 1, and for the 1/2.2 that stands for sRGB. */
-    private static final double UNIT = 100_000;
-    private static final double SRGB = 45_455;
-
     private BitmapReader() {}
 
-    static StoredImage read(byte[] file) throws IOException {
+    static StoredImage read(BinaryInput input) throws IOException {
+        byte[] start = input.peek(4);
+        if (!isKnown(start)) {
+            throw new IOException("this is not a picture of a kind that can be read");
+        }
+        byte[] file = input.rest();
+        if (JpegHead.canRead(start)) {
+            JpegHead.check(file);
+        }
+        // A stream that caches in memory: ImageIO's own may open files in the temporary folder.
         try (ImageInputStream stream = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
             Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
             if (!readers.hasNext()) {
@@ -41,14 +42,28 @@ final class BitmapReader {
             }
         } catch (RuntimeException broken) {
             // The platform's readers are written for good files; of damaged ones they throw what they stumble over.
-            throw new IOException("the picture is damaged: " + broken.getMessage(), broken);
+            throw new IOException("the picture is damaged: " + PlainSentence.of(broken), broken);
+        } catch (IOException refused) {
+            throw new IOException(PlainSentence.of(refused), refused);
         }
+    }
+
+    /** Whether a file begins like JPEG, BMP, TIFF or GIF: others, though endless, need not be read to the end. */
+    private static boolean isKnown(byte[] start) {
+        if (start.length < 4) {
+            return false;
+        }
+        int two = (start[0] & 0xFF) << 8 | start[1] & 0xFF;
+        return two == 0xFFD8 || two == ('B' << 8 | 'M') || two == ('I' << 8 | 'I') || two == ('M' << 8 | 'M') || two == ('G' << 8 | 'I');
     }
 
     private static StoredImage read(ImageReader reader) throws IOException {
         // Before the pixels are unpacked: a few bytes may claim a picture that no memory holds.
-        Image image = new Image(reader.getWidth(0), reader.getHeight(0));
+        Image image = ReadLimits.blank(reader.getWidth(0), reader.getHeight(0));
         BufferedImage pixels = reader.read(0);
+        if (pixels.getWidth() != image.width() || pixels.getHeight() != image.height()) {
+            throw new IOException("the picture is damaged: it is of two sizes");
+        }
         if (pixels.getColorModel() instanceof IndexColorModel) {
             return new StoredImage(indexed(pixels, image), Precision.EIGHT_BIT, false);
         }
@@ -57,7 +72,7 @@ final class BitmapReader {
         if (bits != 8 && bits != 16) {
             throw new IOException("the picture has " + bits + " bits per channel; 8 and 16 can be read");
         }
-        double[] light = light(bits, reader.getImageMetadata(0));
+        double[] light = light(bits);
         boolean isGrey = raster.getNumBands() < 3;
         int green = isGrey ? 0 : 1;
         int blue = isGrey ? 0 : 2;
@@ -80,26 +95,11 @@ final class BitmapReader {
     }
 
     /** The light that each sample stands for. */
-    private static double[] light(int bits, IIOMetadata metadata) {
+    private static double[] light(int bits) {
         double[] light = new double[1 << bits];
-        DoubleUnaryOperator decoding = decoding(metadata);
         for (int i = 0; i < light.length; i++) {
-            light[i] = decoding.applyAsDouble(i / (double) (light.length - 1));
+            light[i] = Rgb.linear(i * 255.0 / (light.length - 1));
         }
         return light;
-    }
-
-    /** @source PNG Specification (Third Edition), 11.3.2.2 gAMA */
-    private static DoubleUnaryOperator decoding(IIOMetadata metadata) {
-        if (PNG.equals(metadata.getNativeMetadataFormatName()) && metadata.getAsTree(PNG) instanceof Element root) {
-            NodeList gammas = root.getElementsByTagName("gAMA");
-            if (root.getElementsByTagName("sRGB").getLength() == 0 && gammas.item(0) instanceof Element chunk) {
-                double gamma = Double.parseDouble(chunk.getAttribute("value"));
-                if (gamma > 0 && gamma != SRGB) {
-                    return sample -> StrictMath.pow(sample, UNIT / gamma);
-                }
-            }
-        }
-        return sample -> Rgb.linear(255 * sample);
     }
 }

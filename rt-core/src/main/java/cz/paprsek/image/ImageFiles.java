@@ -1,8 +1,11 @@
 package cz.paprsek.image;
 
+import cz.paprsek.image.png.PngReader;
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.io.BinaryInput;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
@@ -40,7 +43,8 @@ public final class ImageFiles {
         Objects.requireNonNull(image, "image");
         Objects.requireNonNull(out, "out");
         switch (format) {
-            case PNG, JPG, BMP, TIF -> Bitmaps.write(image, out, format);
+            case PNG -> Png.write(image, 8, out);
+            case JPG, BMP, TIF -> Bitmaps.write(image, out, format);
             case PPM -> Netpbm.ppm(image, out);
             case PPM16 -> Netpbm.ppm16(image, out);
             case PGM -> Netpbm.pgm(image, out);
@@ -64,18 +68,28 @@ public final class ImageFiles {
      * @throws IOException naming the file and what is wrong with it
      */
     public static StoredImage readStored(Path file) throws IOException {
-        byte[] bytes = Files.readAllBytes(file);
-        try {
-            ImageFormat ending = ImageFormat.ofFile(file.toString()).orElse(ImageFormat.PNG);
-            if (ending == ImageFormat.TXT) {
-                return BrightnessReader.encoded(bytes);
-            }
-            if (ending == ImageFormat.RAW) {
-                return BrightnessReader.linear(bytes);
-            }
-            return NetpbmReader.canRead(bytes) ? NetpbmReader.read(bytes, ending == ImageFormat.PPM16) : BitmapReader.read(bytes);
+        try (BinaryInput input = new BinaryInput(Files.newInputStream(file), Files.isRegularFile(file) ? Files.size(file) : Long.MAX_VALUE, ReadLimits.bytes())) {
+            return read(input, ImageFormat.ofFile(file.toString()).orElse(ImageFormat.PNG));
+        } catch (FileSystemException e) {
+            throw e;
         } catch (IOException | IllegalArgumentException unreadable) {
             throw new IOException(file + ": " + unreadable.getMessage(), unreadable);
+        } catch (OutOfMemoryError tooLarge) {
+            throw new IOException(file + ": not enough memory for this picture; give Java more with -Xmx", tooLarge);
         }
+    }
+
+    private static StoredImage read(BinaryInput input, ImageFormat ending) throws IOException {
+        byte[] start = input.peek(16);
+        if (ending == ImageFormat.TXT) {
+            return BrightnessReader.encoded(input.rest());
+        }
+        if (ending == ImageFormat.RAW) {
+            return BrightnessReader.linear(input.rest());
+        }
+        if (PngReader.canRead(start)) {
+            return Png.read(input);
+        }
+        return NetpbmReader.canRead(start) ? NetpbmReader.read(input, ending == ImageFormat.PPM16) : BitmapReader.read(input);
     }
 }

@@ -1,10 +1,11 @@
 package cz.paprsek.image;
 
 import cz.paprsek.image.StoredImage.Precision;
+import cz.paprsek.io.BinaryInput;
+import cz.paprsek.io.PlainText;
 import cz.paprsek.material.Rgb;
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /**
@@ -16,23 +17,24 @@ import java.nio.charset.StandardCharsets;
  */
 final class NetpbmReader {
     private static final String POV_RAY = " Software: POV-Ray";
+    private static final int LONGEST_COMMENT = 100_000;
 
-    private final ByteBuffer bytes;
+    private final BinaryInput input;
     private boolean isLinear;
     private boolean isByPovRay;
 
-    private NetpbmReader(byte[] file, boolean isLinear) {
-        bytes = ByteBuffer.wrap(file);
+    private NetpbmReader(BinaryInput input, boolean isLinear) {
+        this.input = input;
         this.isLinear = isLinear;
     }
 
-    static boolean canRead(byte[] file) {
-        return file.length > 2 && file[0] == 'P' && "56Ff".indexOf(file[1]) >= 0 && file[2] <= ' ';
+    static boolean canRead(byte[] start) {
+        return start.length > 2 && start[0] == 'P' && "56Ff".indexOf(start[1]) >= 0 && start[2] <= ' ';
     }
 
     /** @param isLinear whether it is linear light for certain, whatever the head says */
-    static StoredImage read(byte[] file, boolean isLinear) throws IOException {
-        return new NetpbmReader(file, isLinear).read();
+    static StoredImage read(BinaryInput input, boolean isLinear) throws IOException {
+        return new NetpbmReader(input, isLinear).read();
     }
 
     private StoredImage read() throws IOException {
@@ -40,19 +42,17 @@ final class NetpbmReader {
         int width = whole("width", 1 << 16);
         int height = whole("height", 1 << 16);
         boolean isGrey = magic.equals("P5") || magic.equals("Pf");
-        long values = (long) width * height * (isGrey ? 1 : 3);
-        if (magic.startsWith("P5") || magic.startsWith("P6")) {
+        if (magic.equals("P5") || magic.equals("P6")) {
             int last = whole("largest value", 65_535);
-            int size = last < 256 ? 1 : 2;
-            checkLength(values * size);
-            double[] light = light(last, isLinear || (isByPovRay && size == 2));
-            Image image = fill(width, height, isGrey, false, () -> light[Math.min(last, size == 1 ? bytes.get() & 0xFF : bytes.getShort() & 0xFFFF)]);
-            return new StoredImage(image, size == 1 ? Precision.EIGHT_BIT : Precision.SIXTEEN_BIT, isGrey);
+            double[] light = light(last, isLinear || (isByPovRay && last > 255));
+            Image image = last < 256
+                    ? fill(width, height, isGrey, false, 1, row -> light[Math.min(last, row.get() & 0xFF)])
+                    : fill(width, height, isGrey, false, 2, row -> light[Math.min(last, row.getShort() & 0xFFFF)]);
+            return new StoredImage(image, last < 256 ? Precision.EIGHT_BIT : Precision.SIXTEEN_BIT, isGrey);
         }
-        double scale = number(word());
-        bytes.order(scale < 0 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
-        checkLength(values * 4);
-        return new StoredImage(fill(width, height, isGrey, true, () -> bytes.getFloat()), Precision.FLOAT, isGrey);
+        boolean isLittle = number(word()) < 0;
+        Image image = fill(width, height, isGrey, true, 4, row -> isLittle ? Float.intBitsToFloat(Integer.reverseBytes(row.getInt())) : row.getFloat());
+        return new StoredImage(image, Precision.FLOAT, isGrey);
     }
 
     private static double[] light(int last, boolean isLinear) {
@@ -64,31 +64,30 @@ final class NetpbmReader {
     }
 
     private interface Value {
-        double next();
+        double next(ByteBuffer row);
     }
 
-    private static Image fill(int width, int height, boolean isGrey, boolean fromBelow, Value value) {
-        Image image = new Image(width, height);
-        for (int row = 0; row < height; row++) {
+    private Image fill(int width, int height, boolean isGrey, boolean fromBelow, int bytes, Value value) throws IOException {
+        int length = width * bytes * (isGrey ? 1 : 3);
+        input.require("a picture of " + width + " × " + height + " pixels", input.position() + (long) length * height);
+        Image image = ReadLimits.blank(width, height);
+        byte[] row = new byte[length];
+        for (int i = 0; i < height; i++) {
+            input.fill(row, 0, length);
+            ByteBuffer values = ByteBuffer.wrap(row);
             for (int x = 0; x < width; x++) {
-                double red = value.next();
-                double green = isGrey ? red : value.next();
-                double blue = isGrey ? red : value.next();
-                image.set(x, fromBelow ? height - 1 - row : row, red, green, blue);
+                double red = value.next(values);
+                double green = isGrey ? red : value.next(values);
+                double blue = isGrey ? red : value.next(values);
+                image.set(x, fromBelow ? height - 1 - i : i, red, green, blue);
             }
         }
         return image;
     }
 
-    private void checkLength(long expected) throws IOException {
-        if (bytes.remaining() < expected) {
-            throw new IOException("the picture is cut off: it should have " + expected + " bytes after its head, but has " + bytes.remaining());
-        }
-    }
-
     private int whole(String what, int most) throws IOException {
         double value = number(word());
-        if (value < 1 || value > most || value != Math.rint(value)) {
+        if (!(value >= 1 && value <= most && value == Math.rint(value))) {
             throw new IOException("the picture's " + what + " must be a whole number from 1 to " + most);
         }
         return (int) value;
@@ -98,33 +97,24 @@ final class NetpbmReader {
         try {
             return Double.parseDouble(word);
         } catch (NumberFormatException e) {
-            throw new IOException("the picture's head should have a number where it has \"" + word + "\"", e);
+            throw new IOException("the picture's head should have a number where it has \"" + PlainText.of(word, 32) + "\"", e);
         }
     }
 
     /** The next word of the head, and the one blank after it; comments run from # to the end of the line. */
     private String word() throws IOException {
         StringBuilder word = new StringBuilder();
-        while (bytes.hasRemaining() && word.length() < 32) {
-            int c = bytes.get();
+        while (word.length() < 32) {
+            int c = input.u8();
             if (c == '#' && word.length() == 0) {
-                heed(restOfLine());
+                heed(input.textUpTo('\n', LONGEST_COMMENT));
             } else if (c > ' ') {
                 word.append(new String(new byte[] {(byte) c}, StandardCharsets.ISO_8859_1));
             } else if (word.length() > 0) {
                 return word.toString();
             }
         }
-        throw new IOException("the picture's head is cut off");
-    }
-
-    private String restOfLine() {
-        int start = bytes.position();
-        int end = start;
-        while (bytes.hasRemaining() && bytes.get() != '\n') {
-            end++;
-        }
-        return new String(bytes.array(), start, end - start, StandardCharsets.ISO_8859_1);
+        throw new IOException("the picture's head should have a number where it has \"" + PlainText.of(word.toString(), 32) + "…\"");
     }
 
     private void heed(String comment) {

@@ -285,11 +285,11 @@ class ImageFilesTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "a.ppm | P6 2 2 255 abc         | the picture is cut off: it should have 12 bytes after its head, but has 3",
+        "a.ppm | P6 2 2 255 abc         | a picture of 2 × 2 pixels does not fit into a file of 14 bytes: it is cut off or damaged",
         "a.ppm | P6 2 x 255 abc         | should have a number where it has \"x\"",
         "a.ppm | P6 2 0 255 abc         | the picture's height must be a whole number from 1 to 65536",
         "a.ppm | P6 65536 65536 255 abc | cut off",
-        "a.ppm | P6 65                  | the picture's head is cut off",
+        "a.ppm | P6 65                  | the file is cut off after 5 bytes",
         "a.png | hello                  | not a picture of a kind that can be read",
         "a.png | ''                     | not a picture of a kind that can be read",
         "a.txt | 1 2 x                  | row 1 should have numbers 0-255, but has \"x\"",

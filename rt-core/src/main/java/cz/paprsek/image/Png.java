@@ -1,0 +1,93 @@
+package cz.paprsek.image;
+
+import cz.paprsek.image.StoredImage.Precision;
+import cz.paprsek.image.png.PngHead;
+import cz.paprsek.image.png.PngReader;
+import cz.paprsek.image.png.PngWriter;
+import cz.paprsek.io.BinaryInput;
+import cz.paprsek.material.Rgb;
+import java.io.IOException;
+import java.io.OutputStream;
+
+/** Pictures as PNG: sRGB-encoded, unless a file that is read says otherwise. */
+final class Png {
+    private static final int RGB = 2;
+    /** What a file's gamma is for 1, and for the 1/2.2 that stands for sRGB. */
+    private static final double UNIT = 100_000;
+    private static final long SRGB = 45_455;
+
+    private Png() {}
+
+    /** @param bits 8 or 16 per channel */
+    static void write(Image image, int bits, OutputStream out) throws IOException {
+        PngWriter.write(new PngHead(image.width(), image.height(), bits, RGB), bits == 8 ? new Rows8(image) : new Rows16(image), out);
+    }
+
+    static StoredImage read(BinaryInput input) throws IOException {
+        PngReader reader = PngReader.of(input);
+        Image image = ReadLimits.blank(reader.head().width(), reader.head().height());
+        double[] light = light(reader.last(), reader.gamma());
+        reader.read((y, x, step, count, rgb) -> {
+            for (int i = 0; i < count; i++) {
+                image.set(x + i * step, y, light[rgb[3 * i]], light[rgb[3 * i + 1]], light[rgb[3 * i + 2]]);
+            }
+        });
+        return new StoredImage(image, reader.last() > 255 ? Precision.SIXTEEN_BIT : Precision.EIGHT_BIT, reader.isGrey());
+    }
+
+    /**
+     * The light that each sample stands for.
+     *
+     * @source PNG Specification (Third Edition), 11.3.2.2 gAMA
+     */
+    private static double[] light(int last, long gamma) {
+        double[] light = new double[last + 1];
+        for (int i = 0; i <= last; i++) {
+            double sample = i / (double) last;
+            light[i] = gamma <= 0 || gamma == SRGB ? Rgb.linear(255 * sample) : StrictMath.pow(sample, UNIT / gamma);
+        }
+        return light;
+    }
+
+    // Not lambdas: pictures are written at the end of many a short process, which would pay for making them.
+    private record Rows8(Image image) implements PngWriter.Rows {
+        @Override
+        public void copy(int y, byte[] into, int at) {
+            int i = at;
+            float red = 0;
+            float green = 0;
+            float blue = 0;
+            int encoded = 0;
+            for (int x = 0; x < image.width(); x++) {
+                // Neighbours are often alike.
+                if (image.red(x, y) != red || image.green(x, y) != green || image.blue(x, y) != blue) {
+                    red = image.red(x, y);
+                    green = image.green(x, y);
+                    blue = image.blue(x, y);
+                    encoded = image.argb(x, y);
+                }
+                into[i++] = (byte) (encoded >> 16);
+                into[i++] = (byte) (encoded >> 8);
+                into[i++] = (byte) encoded;
+            }
+        }
+    }
+
+    private record Rows16(Image image) implements PngWriter.Rows {
+        @Override
+        public void copy(int y, byte[] into, int at) {
+            int i = at;
+            for (int x = 0; x < image.width(); x++) {
+                i = put(Srgb16.encode(image.red(x, y)), into, i);
+                i = put(Srgb16.encode(image.green(x, y)), into, i);
+                i = put(Srgb16.encode(image.blue(x, y)), into, i);
+            }
+        }
+
+        private static int put(int value, byte[] into, int at) {
+            into[at] = (byte) (value >> 8);
+            into[at + 1] = (byte) value;
+            return at + 2;
+        }
+    }
+}

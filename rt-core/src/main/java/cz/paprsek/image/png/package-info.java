@@ -1,0 +1,2 @@
+/** PNG files as bytes and samples; knows nothing of light. */
+package cz.paprsek.image.png;
