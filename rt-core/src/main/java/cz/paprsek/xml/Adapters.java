@@ -61,6 +61,12 @@ final class Adapters {
 
     static final class Color extends Reading<Rgb> {
         @Override
+        public Rgb unmarshal(String text) {
+            String word = text.strip();
+            return ColorWords.isWord(word) ? ColorWords.of(word) : super.unmarshal(text);
+        }
+
+        @Override
         Rgb of(double[] n) {
             expect(n, 3);
             return new Rgb(n[0], n[1], n[2]);

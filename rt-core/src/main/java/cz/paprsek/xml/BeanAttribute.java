@@ -46,7 +46,9 @@ final class BeanAttribute {
      * @throws IllegalArgumentException if it has the wrong form
      */
     void read(Object bean, Markup markup) throws IllegalAccessException {
-        if (adapter != null) {
+        if (adapter instanceof Adapters.Color color && markup.isWord()) {
+            field.set(bean, color.unmarshal(markup.value()));
+        } else if (adapter != null) {
             field.set(bean, adapter.of(Arrays.copyOf(numbers, markup.numbers(numbers))));
         } else if (field.getType() == double.class) {
             if (markup.numbers(numbers) != 1) {

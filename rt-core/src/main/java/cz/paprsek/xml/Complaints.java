@@ -4,7 +4,6 @@ import cz.paprsek.io.PlainText;
 import cz.paprsek.scene.Similar;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.StringTokenizer;
 import java.util.TreeSet;
@@ -124,7 +123,7 @@ final class Complaints {
             return "<" + parent + "> holds no elements, but here is <" + element + ">";
         }
         String known = grammar.allElements().contains(element) ? " here" : "";
-        return "<" + parent + "> has no element <" + element + ">" + known + Similar.suggestion(element, allowed.keySet());
+        return "<" + parent + "> has no element <" + element + ">" + known + Wording.suggestion(element, allowed.keySet());
     }
 
     private void unknownAttributes(String element, String type, Attributes found, int line, int column) {
@@ -136,7 +135,7 @@ final class Complaints {
         for (int i = 0; i < found.getLength(); i++) {
             String name = found.getQName(i);
             if (!known.containsKey(name) && !found.getURI(i).equals(XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI)) {
-                problems.add(line, column, "<" + element + "> has no attribute \"" + name + "\"" + Similar.suggestion(name, free));
+                problems.add(line, column, "<" + element + "> has no attribute \"" + name + "\"" + Wording.suggestion(name, free));
             } else if (found.getURI(i).equals(XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI) && !found.getLocalName(i).endsWith("chemaLocation")) {
                 problems.add(line, column, "<" + element + "> must not have xsi:type or xsi:nil; remove them");
             }
@@ -148,8 +147,7 @@ final class Complaints {
         Set<String> misspelt = new TreeSet<>();
         for (int i = 0; i < found.getLength(); i++) {
             if (!grammar.attributes(type).containsKey(found.getQName(i))) {
-                Optional<String> meant = Similar.nearest(found.getQName(i), grammar.attributes(type).keySet());
-                meant.ifPresent(misspelt::add);
+                Wording.meant(found.getQName(i), grammar.attributes(type).keySet()).ifPresent(misspelt::add);
             }
         }
         for (String name : grammar.required(type)) {
@@ -166,10 +164,13 @@ final class Complaints {
         int start = message.lastIndexOf(before) + before.length();
         String name = message.substring(start, Math.max(start, message.indexOf('\'', start)));
         String value = String.valueOf(found.getValue(name));
-        String expected = grammar.expected(grammar.attributes(type).getOrDefault(name, ""));
+        String typeOfValue = grammar.attributes(type).getOrDefault(name, "");
+        String expected = grammar.expected(typeOfValue);
+        String quoted = "\"" + PlainText.of(value, LONGEST_QUOTE) + "\"";
         problems.add(line, column, element + " " + name + " must be " + expected + ", but "
-                + (isWrongCount(expected, value) ? "has " + new StringTokenizer(value).countTokens() + ": " : "is ")
-                + "\"" + PlainText.of(value, LONGEST_QUOTE) + "\"");
+                + LookAlikes.in(value).filter(anything -> !typeOfValue.equals("name")).map(odd -> "has " + odd + ": " + quoted).orElseGet(() ->
+                        isWrongCount(expected, value) ? "has " + new StringTokenizer(value).countTokens() + ": " + quoted : "is " + quoted)
+                + (typeOfValue.equals("color") ? Similar.suggestion(value.strip(), ColorWords.names()) : ""));
     }
 
     /** Whether there are numbers, but too few or too many. */

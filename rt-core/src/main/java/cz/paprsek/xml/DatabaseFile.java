@@ -1,8 +1,8 @@
 package cz.paprsek.xml;
 
 import cz.paprsek.io.FileLock;
-import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.xml.SceneFiles.Contents;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -12,7 +12,6 @@ import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
-import java.util.List;
 import java.util.function.UnaryOperator;
 
 /**
@@ -42,14 +41,16 @@ public final class DatabaseFile {
     public static DatabaseFile open(Path path) throws SceneFileException, IOException {
         SceneFiles.checkReadable(path);
         MessageDigest digest = newDigest();
-        List<Scene> scenes = SceneReader.read(() -> {
-            digest.reset();
-            return new DigestInputStream(Files.newInputStream(path), digest);
-        }, path.toString());
-        if (!SceneFiles.isDatabase(path)) {
-            throw new IOException(path + ": this is a scene, not a database; it can be added to one");
+        try (Source source = Source.of(path)) {
+            Contents contents = SceneReader.read(source, input -> {
+                digest.reset();
+                return new DigestInputStream(input, digest);
+            }, path.toString());
+            if (!contents.isDatabase()) {
+                throw new IOException(path + ": this is a scene, not a database; it can be added to one");
+            }
+            return new DatabaseFile(path, SceneDatabase.of(contents.scenes()), digest.digest());
         }
-        return new DatabaseFile(path, SceneDatabase.of(scenes), digest.digest());
     }
 
     /** A database that is to be a new file; there is none yet. */
@@ -66,6 +67,7 @@ public final class DatabaseFile {
      */
     @SuppressWarnings("try") // The lock is held, not used.
     public static DatabaseFile update(Path path, UnaryOperator<SceneDatabase> change) throws SceneFileException, IOException {
+        requireFile(path);
         try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
             DatabaseFile file = open(path);
             SceneDatabase changed = change.apply(file.database);
@@ -92,12 +94,20 @@ public final class DatabaseFile {
      */
     @SuppressWarnings("try")
     public DatabaseFile save(SceneDatabase changed) throws SceneFileException, IOException {
+        requireFile(path);
         try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
             if (Arrays.equals(digest(path), digest)) {
                 return write(changed);
             }
             DatabaseFile theirs = Files.exists(path) ? open(path) : create(path);
             return theirs.write(together(changed, theirs.database));
+        }
+    }
+
+    /** A pipe gives once what it has, and keeps nothing. */
+    private static void requireFile(Path path) throws IOException {
+        if (Files.exists(path) && !Files.isDirectory(path) && !Files.isRegularFile(path)) {
+            throw new IOException(path + ": a database that is to be changed must be a file, not a pipe or a device");
         }
     }
 

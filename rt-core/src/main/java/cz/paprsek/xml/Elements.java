@@ -145,16 +145,23 @@ final class Elements extends DefaultHandler2 implements Locator {
     @Override
     public void characters(char[] text, int start, int length) throws SAXException {
         complainOfText(text, start, start + length);
-        textLength += length;
-        if (textLength > LONGEST_TEXT && path.get(path.size() - 1).equals("description")) {
+        if (isText()) {
+            next.characters(text, start, length);
+            textLength += length;
+        }
+        if (textLength > LONGEST_TEXT) {
             problems.add(lines[path.size()], columns[path.size()], "a description must not be longer than " + SceneWriter.LONGEST_DESCRIPTION
                     + " characters, but this has more than " + LONGEST_TEXT);
             throw new Problems.Stop();
         }
-        next.characters(text, start, length);
         advance();
         // The parser has already taken the < that ends the text.
         nextColumn = Math.max(1, nextColumn - 1);
+    }
+
+    /** Whether the element at hand holds text. What stands between the elements of others is not handed on: the binding would keep all of it. */
+    private boolean isText() {
+        return path.get(path.size() - 1).equals("description");
     }
 
     /** Told here and not by the validator, which would tell the place of the end of the element. */
@@ -167,7 +174,7 @@ final class Elements extends DefaultHandler2 implements Locator {
             column = text[at] == '\n' ? 1 : column + 1;
             at++;
         }
-        if (at < end && !isTextTold && !path.get(path.size() - 1).equals("description")) {
+        if (at < end && !isTextTold && !isText()) {
             isTextTold = true;
             complaints().addText(path, String.valueOf(text, at, Math.min(end - at, 60)).strip(), line, column);
         }

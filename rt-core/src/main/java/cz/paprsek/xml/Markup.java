@@ -15,7 +15,7 @@ final class Markup {
     private static final int BUFFER = 1 << 18;
     /** The longest value, and what is looked at at once, in bytes: a tag, comment or text that is cut by the end of the buffer is too long. */
     private static final int LONGEST = 1 << 16;
-    private static final String DECLARATION = "<\\?xml version=(['\"])1\\.0\\1( encoding=(['\"])[uU][tT][fF]-8\\3)?\\s*\\?>";
+    private static final String DECLARATION = "<\\?xml version=(['\"])1\\.0\\1( encoding=(['\"])[uU][tT][fF]-8\\3)?( standalone=(['\"])(yes|no)\\5)?\\s*\\?>";
 
     private final InputStream input;
     private final DecimalReader decimals = new DecimalReader();
@@ -32,13 +32,14 @@ final class Markup {
     private boolean isPlain;
     private boolean isEmpty;
 
-    /** Begins to read after the XML declaration, if there is one. */
+    /** Begins to read after the mark of UTF-8 and the XML declaration, if there are any. */
     Markup(InputStream input) throws IOException {
         this.input = input;
         fill();
+        at = buffer[0] == (byte) 0xEF && buffer[1] == (byte) 0xBB && buffer[2] == (byte) 0xBF ? 3 : 0;
         if (startsWith("<?xml ")) {
             int close = indexOf('>') + 1;
-            usual(new String(buffer, 0, close, StandardCharsets.ISO_8859_1).matches(DECLARATION));
+            usual(new String(buffer, at, close - at, StandardCharsets.ISO_8859_1).matches(DECLARATION));
             at = close;
         }
     }
@@ -127,6 +128,15 @@ final class Markup {
             buffer[i] = buffer[i] == '\n' || buffer[i] == '\t' ? (byte) ' ' : buffer[i];
         }
         return text(valueFrom, valueTo);
+    }
+
+    /** Whether the value of the attribute at hand starts as a word does, not a number. */
+    boolean isWord() {
+        int from = valueFrom;
+        while (from < valueTo && isBlank(buffer[from])) {
+            from++;
+        }
+        return from < valueTo && (isOfName(buffer[from]) || buffer[from] == '#') && buffer[from] != '-';
     }
 
     /** Reads the value of the attribute at hand as numbers; how many there are, at most as many as there is room for. */

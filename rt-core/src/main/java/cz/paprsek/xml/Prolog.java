@@ -2,8 +2,10 @@ package cz.paprsek.xml;
 
 import java.io.BufferedInputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -18,10 +20,20 @@ final class Prolog {
     private static final Pattern ENCODING = Pattern.compile("^<\\?xml[^>]{0,200}?\\sencoding\\s*=\\s*[\"']([^\"'<>]{1,60})[\"']");
 
     private final String text;
+    /** What the bytes are found to be; empty if they may be anything with a byte for each character of ASCII, or are none. */
+    private final String found;
+    private final boolean isMarked;
     private final int rootAt;
 
+    /** Of what is a text already. */
     Prolog(String start) {
-        text = start.startsWith("\uFEFF") ? start.substring(1) : start;
+        this(start, "");
+    }
+
+    private Prolog(String start, String found) {
+        this.found = found;
+        isMarked = start.startsWith("\uFEFF");
+        text = isMarked ? start.substring(1) : start;
         int at = 0;
         int before;
         do {
@@ -39,15 +51,20 @@ final class Prolog {
         input.mark(LONGEST);
         byte[] start = input.readNBytes(LONGEST);
         input.reset();
-        return new Prolog(new String(start, charset(start)));
+        Charset charset = charset(start);
+        return new Prolog(new String(start, charset), charset == StandardCharsets.UTF_8 ? "" : charset.name().substring(0, "UTF-16".length()));
     }
 
     private static Charset charset(byte[] start) {
-        int first = start.length < 2 ? 0 : ((start[0] & 0xff) << 8) | (start[1] & 0xff);
-        return switch (first) {
-            case 0xfeff, 0x003c -> StandardCharsets.UTF_16BE;
-            case 0xfffe, 0x3c00 -> StandardCharsets.UTF_16LE;
-            default -> StandardCharsets.UTF_8;
+        ByteBuffer bytes = ByteBuffer.wrap(Arrays.copyOf(start, 4));
+        return switch (bytes.getInt(0)) {
+            case 0x0000feff, 0x0000003c -> Charset.forName("UTF-32BE");
+            case 0xfffe0000, 0x3c000000 -> Charset.forName("UTF-32LE");
+            default -> switch (bytes.getShort(0) & 0xffff) {
+                case 0xfeff, 0x003c -> StandardCharsets.UTF_16BE;
+                case 0xfffe, 0x3c00 -> StandardCharsets.UTF_16LE;
+                default -> StandardCharsets.UTF_8;
+            };
         };
     }
 
@@ -73,20 +90,37 @@ final class Prolog {
         return text.substring(0, Math.min(text.length(), 1000)).indexOf('\0') >= 0;
     }
 
-    /** Whether the file claims to have two bytes for each character, but was found to have one. */
+    /** Whether the file claims to have more bytes or fewer for each character than were found. */
     boolean isMisdeclared() {
-        return text.startsWith("<?xml") && encoding().toUpperCase(Locale.ROOT).startsWith("UTF-16");
+        String claimed = encoding();
+        return found.isEmpty() ? text.startsWith("<?xml") && isWide(claimed)
+                : found.equals("UTF-32") || (claimed.isEmpty() ? !isMarked : !isWide(claimed));
+    }
+
+    private static boolean isWide(String encoding) {
+        return encoding.toUpperCase(Locale.ROOT).matches("UTF-?(16|32).*|.*UCS-?[24].*");
     }
 
     /** The sentence for a file whose bytes are no text in the encoding that it claims. */
     String wrongEncoding() {
-        return isBinary() ? "this is a binary file, not a scene file"
-                : "this is not text in the encoding " + encoding() + ", which the file claims to have; save it as UTF-8";
+        if (isBinary()) {
+            return "this is a binary file, not a scene file";
+        }
+        String claimed = encoding();
+        if (found.equals("UTF-32")) {
+            return "this is text in UTF-32, which cannot be read here; save it as UTF-8";
+        }
+        if (!found.isEmpty() && !isWide(claimed)) {
+            return "this is text in " + found + ", but " + (claimed.isEmpty() ? "the mark that says so is missing at its start"
+                    : "the file claims to be " + claimed) + "; save it as UTF-8";
+        }
+        return claimed.isEmpty() ? "this is not text in UTF-8, and the file names no other encoding; save it as UTF-8"
+                : "this is not text in the encoding " + claimed + ", which the file claims to have; save it as UTF-8";
     }
 
-    /** UTF-8 if the file claims none. */
+    /** Empty if the file claims none. */
     private String encoding() {
         Matcher matcher = ENCODING.matcher(text.substring(0, Math.min(text.length(), 400)));
-        return matcher.find() ? matcher.group(1) : "UTF-8";
+        return matcher.find() ? matcher.group(1) : "";
     }
 }

@@ -1,6 +1,7 @@
 package cz.paprsek.xml;
 
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles.Contents;
 import cz.paprsek.scene.SceneObject;
 import java.io.IOException;
 import java.io.InputStream;
@@ -26,10 +27,10 @@ final class QuickReader {
         this.markup = markup;
     }
 
-    /** The scenes of a file; empty if it must be read thoroughly. */
-    static Optional<List<Scene>> read(InputStream input) throws IOException {
+    /** What is in a file; empty if it must be read thoroughly. */
+    static Optional<Contents> read(InputStream input) throws IOException {
         try {
-            return Optional.of(new QuickReader(new Markup(input)).scenes());
+            return Optional.of(new QuickReader(new Markup(input)).contents());
         } catch (IllegalArgumentException unusual) {
             return Optional.empty();
         } catch (ReflectiveOperationException e) {
@@ -37,7 +38,7 @@ final class QuickReader {
         }
     }
 
-    private List<Scene> scenes() throws IOException, ReflectiveOperationException {
+    private Contents contents() throws IOException, ReflectiveOperationException {
         BeanType databases = BeanType.of(DatabaseBean.class);
         usual(markup.nextTag());
         boolean isDatabase = markup.isNamed(DATABASE);
@@ -50,7 +51,7 @@ final class QuickReader {
             keep(scene);
         }
         markup.end();
-        return scenes;
+        return new Contents(scenes, isDatabase);
     }
 
     private void attributes(Object bean, BeanType type, boolean isRoot) throws IllegalAccessException {

@@ -31,6 +31,24 @@ public final class SceneFiles {
     private SceneFiles() {}
 
     /**
+     * What a file has in it.
+     *
+     * @param scenes one, or those of a database
+     * @param isDatabase whether it is a {@code <database>}, which may be one of a single scene
+     */
+    public record Contents(List<Scene> scenes, boolean isDatabase) {
+        public Contents {
+            scenes = List.copyOf(scenes);
+        }
+
+        /** As a database: a scene on its own is one of one, under that name if it has none of its own. */
+        public SceneDatabase database(String nameIfNone) {
+            boolean isNameless = scenes.size() == 1 && scenes.get(0).name().isEmpty();
+            return SceneDatabase.of(isNameless ? List.of(scenes.get(0).withName(nameIfNone)) : scenes);
+        }
+    }
+
+    /**
      * Reads a file with one scene.
      *
      * @throws SceneFileException if it is not a valid scene, with every problem found
@@ -47,7 +65,7 @@ public final class SceneFiles {
      * @throws IllegalStateException if the monitor throws anything, with that as its cause
      */
     public static Scene read(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
-        return only(readAll(file, monitor), file.toString());
+        return only(contents(file, monitor), file.toString());
     }
 
     /** As {@link #read(Path)}, from a stream, which is not closed; the name is used in messages only. */
@@ -81,8 +99,24 @@ public final class SceneFiles {
      * @throws IllegalStateException if the monitor throws anything, with that as its cause
      */
     public static List<Scene> readAll(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
+        return contents(file, monitor).scenes();
+    }
+
+    /**
+     * Reads whatever is in a file, which is opened once: the way for pipes.
+     *
+     * @throws SceneFileException if it is not valid, with every problem found
+     * @throws IOException if it cannot be read
+     * @throws java.util.concurrent.CancellationException if the monitor cancels
+     */
+    public static Contents contents(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
         checkReadable(file);
         return SceneReader.read(file, monitor);
+    }
+
+    /** As {@link #contents(Path, ReadMonitor)}, from a stream, which is not closed; the name is used in messages only. */
+    public static Contents contents(InputStream input, String fileName) throws SceneFileException, IOException {
+        return SceneReader.read(input, fileName);
     }
 
     /**
@@ -92,12 +126,10 @@ public final class SceneFiles {
      * @throws IOException if it cannot be read
      */
     public static SceneDatabase readDatabase(Path file) throws SceneFileException, IOException {
-        List<Scene> scenes = readAll(file);
-        boolean isNameless = scenes.size() == 1 && scenes.get(0).name().isEmpty();
-        return SceneDatabase.of(isNameless ? List.of(scenes.get(0).withName(nameOf(file))) : scenes);
+        return contents(file, ReadMonitor.NONE).database(nameOf(file));
     }
 
-    /** Whether a file says of itself that it is a database; no more than its beginning is read. */
+    /** Whether a file says of itself that it is a database; no more than its beginning is read, which of a pipe would be lost: see {@link #contents}. */
     public static boolean isDatabase(Path file) throws IOException {
         checkReadable(file);
         return RootElement.is("database", file);
@@ -142,7 +174,7 @@ public final class SceneFiles {
     /** A database with a test scene and examples of everything that scenes may have. */
     public static SceneDatabase examples() {
         try (InputStream input = Objects.requireNonNull(SceneFiles.class.getResourceAsStream("database.xml"), "database.xml is missing")) {
-            return SceneDatabase.of(SceneReader.read(input, "examples"));
+            return SceneDatabase.of(SceneReader.read(input, "examples").scenes());
         } catch (IOException | SceneFileException e) {
             throw new IllegalStateException("the examples in the program's own jar cannot be read", e);
         }
@@ -185,7 +217,8 @@ public final class SceneFiles {
         }
     }
 
-    private static Scene only(List<Scene> scenes, String file) throws SceneFileException {
+    private static Scene only(Contents contents, String file) throws SceneFileException {
+        List<Scene> scenes = contents.scenes();
         if (scenes.size() != 1) {
             throw new SceneFileException(List.of(new Problem(file, 1, 1,
                     "this is a database of " + scenes.size() + " scenes, but one scene was expected")));

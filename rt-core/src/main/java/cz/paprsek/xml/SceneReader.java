@@ -1,6 +1,7 @@
 package cz.paprsek.xml;
 
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles.Contents;
 import jakarta.xml.bind.JAXBContext;
 import jakarta.xml.bind.JAXBException;
 import jakarta.xml.bind.Unmarshaller;
@@ -9,10 +10,8 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.io.SequenceInputStream;
 import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -32,74 +31,66 @@ import org.xml.sax.SAXException;
  * made, each of which may still refuse: that takes six times as long, and tells every problem.
  */
 final class SceneReader {
-    /** How much of a stream is kept, in case that it must be read once more. */
-    private static final int MOST_KEPT = 1 << 25;
-
     private SceneReader() {}
 
-    static List<Scene> read(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
-        if (Files.isRegularFile(file)) {
-            return read(() -> new WatchedInput(file, monitor), file.toString());
-        }
-        try (InputStream input = new WatchedInput(file, monitor)) {
-            return read(input, file.toString());
+    /** What a source is heard by on its way to a reader; asked for each reader anew. */
+    interface Listening {
+        InputStream to(InputStream input) throws IOException;
+    }
+
+    static Contents read(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
+        try (Source source = Source.of(file)) {
+            long size = source.size();
+            return read(source, input -> new WatchedInput(input, size, monitor), file.toString());
         }
     }
 
-    /** What can be read more than once, each time from its beginning. */
-    interface Opening {
-        InputStream open() throws IOException;
+    static Contents read(InputStream input, String file) throws SceneFileException, IOException {
+        return read(Source.of(input), heard -> heard, file);
     }
 
-    /** The last stream that was opened is read to its end. */
-    static List<Scene> read(Opening opening, String file) throws SceneFileException, IOException {
-        try (InputStream input = new LimitedInput(opening.open(), file, SceneFiles.LARGEST)) {
-            Optional<List<Scene>> scenes = QuickReader.read(input);
-            if (scenes.isPresent()) {
-                input.transferTo(OutputStream.nullOutputStream());
-                return scenes.get();
-            }
+    /** The stream that was listened to last is read to its end. */
+    static Contents read(Source source, Listening listening, String file) throws SceneFileException, IOException {
+        InputStream first = new LimitedInput(listening.to(source.fromStart()), file, SceneFiles.LARGEST);
+        Optional<Contents> contents = QuickReader.read(first);
+        if (contents.isPresent()) {
+            first.transferTo(OutputStream.nullOutputStream());
+            return contents.get();
         }
-        try (InputStream input = new LimitedInput(opening.open(), file, SceneFiles.LARGEST)) {
-            List<Scene> scenes = thoroughly(input, file);
-            input.transferTo(OutputStream.nullOutputStream());
-            return scenes;
-        }
-    }
-
-    static List<Scene> read(InputStream input, String file) throws SceneFileException, IOException {
-        InputStream limited = new LimitedInput(input, file, SceneFiles.LARGEST);
-        byte[] start = limited.readNBytes(MOST_KEPT);
-        Optional<List<Scene>> scenes = start.length == MOST_KEPT ? Optional.empty() : QuickReader.read(new ByteArrayInputStream(start));
-        return scenes.isPresent() ? scenes.get()
-                : thoroughly(new SequenceInputStream(new ByteArrayInputStream(start), limited), file);
+        InputStream second = new LimitedInput(listening.to(source.fromStart()), file, SceneFiles.LARGEST);
+        Contents found = thoroughly(second, file);
+        second.transferTo(OutputStream.nullOutputStream());
+        return found;
     }
 
     /** As above; what the text says of its encoding does not matter, since it is a text already. */
-    static List<Scene> read(String text, String file) throws SceneFileException, IOException {
+    static Contents read(String given, String file) throws SceneFileException, IOException {
+        String text = given.startsWith("\uFEFF") ? given.substring(1) : given;
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         // Halves of characters, which no bytes stand for, are told apart from question marks.
-        Optional<List<Scene>> scenes = new String(bytes, StandardCharsets.UTF_8).equals(text)
+        Optional<Contents> contents = new String(bytes, StandardCharsets.UTF_8).equals(text)
                 ? QuickReader.read(new ByteArrayInputStream(bytes)) : Optional.empty();
-        return scenes.isPresent() ? scenes.get() : read(new InputSource(new StringReader(text)), () -> {}, new Prolog(text), file);
+        return contents.isPresent() ? contents.get() : read(new InputSource(new StringReader(text)), () -> {}, new Prolog(text), file);
     }
 
     /** Without the quick reader. */
-    static List<Scene> thoroughly(InputStream input, String file) throws SceneFileException, IOException {
+    static Contents thoroughly(InputStream input, String file) throws SceneFileException, IOException {
         BufferedInputStream buffered = new BufferedInputStream(input);
         Prolog prolog = Prolog.of(buffered);
         PieceInput pieces = new PieceInput(buffered);
         return read(new InputSource(pieces), pieces::found, prolog, file);
     }
 
-    private static List<Scene> read(InputSource input, Runnable found, Prolog prolog, String file) throws SceneFileException, IOException {
+    private static Contents read(InputSource input, Runnable found, Prolog prolog, String file) throws SceneFileException, IOException {
         Problems problems = new Problems(file);
         List<Scene> scenes = new ArrayList<>();
+        boolean isDatabase = false;
         try {
             Object root = bind(input, found, prolog, problems);
             List<SceneBean> beans = root instanceof DatabaseBean database ? database.scenes
                     : root instanceof SceneBean scene ? List.of(scene) : List.of();
             if (root instanceof DatabaseBean database) {
+                isDatabase = true;
                 beans.forEach(scene -> database.checkName(scene, problems));
             }
             for (SceneBean bean : beans) {
@@ -112,7 +103,7 @@ final class SceneReader {
             // What there is to tell stands in the problems.
         }
         problems.throwIfAny();
-        return scenes;
+        return new Contents(scenes, isDatabase);
     }
 
     /** The bean of the root element; null if that is wrong. */

@@ -1,21 +1,19 @@
 package cz.paprsek.xml;
 
-import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 
-/** A file as a stream that tells how much of it has been read. */
+/** A stream that tells how much of it has been read. */
 final class WatchedInput extends CountingInput {
     private final long total;
     private final ReadMonitor monitor;
     private long bytes;
 
-    WatchedInput(Path file, ReadMonitor monitor) throws IOException {
-        super(Files.newInputStream(file));
+    /** @param total how many bytes there are; 0 if that is not known */
+    WatchedInput(InputStream input, long total, ReadMonitor monitor) {
+        super(input);
+        this.total = total;
         this.monitor = monitor;
-        total = Files.size(file);
     }
 
     /**

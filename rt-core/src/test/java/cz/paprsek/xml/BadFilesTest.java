@@ -2,7 +2,6 @@ package cz.paprsek.xml;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
-import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import java.io.ByteArrayInputStream;
@@ -94,10 +93,12 @@ class BadFilesTest {
                 in("<sphere radius='1' position='1 2 1e999'/>", "3:1: sphere position must be three finite numbers, x y z, but is \"1 2 1e999\""),
                 in("<sphere radius='1' scale='1 2'/>", "3:1: sphere scale must be one finite number or three, none of them 0, but has 2: \"1 2\""),
                 in("<rectangle min='0 0 0' max='1 1'/>", "3:1: rectangle min must be two finite numbers, x y, but has 3: \"0 0 0\""),
-                in("<background color='red'/>", "3:1: background color must be three numbers from 0 to 255, red green blue, but is \"red\""),
+                in("<background color='rde'/>", "3:1: background color must be three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb, but is \"rde\"; did you mean \"red\"?"),
+                in("<background color='Red'/>\n<ambient color='#ff00'/>", "3:1: background color must be three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb, but is \"Red\"; did you mean \"red\"?",
+                        "4:1: ambient color must be three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb, but is \"#ff00\""),
                 in("<spher/><spher/>\n<spher/>", "3:1: <scene> has no element <spher>; did you mean \"sphere\"?",
                         "3:9: <scene> has no element <spher>; did you mean \"sphere\"?", "4:1: <scene> has no element <spher>; did you mean \"sphere\"?"),
-                in("<light position='0 0 0'/>", "3:1: <scene> has no element <light>; did you mean \"point-light\"?"),
+                in("<light position='0 0 0'/>", "3:1: <scene> has no element <light>; the word here is \"point-light\""),
                 in("<x:sphere xmlns:x='urn:x' radius='1'/>",
                         "3:1: <scene> must hold elements of the namespace urn:paprsek:scene:1 only, but here is <sphere> of \"urn:x\""),
                 in("<xi:include xmlns:xi='http://www.w3.org/2001/XInclude' href='/etc/passwd'/>",
@@ -169,7 +170,7 @@ class BadFilesTest {
                         "3:1: a checkerboard lies on a rectangle or a disc only; give this shape a checker"),
                 in("<material name='m' color='1 2 3'><checker size='1'/></material>",
                         "3:1: a material has either a color or a pattern, not both; remove one of them"),
-                in("<material name='m' color='1 2 256'/>", "3:1: material color must be three numbers from 0 to 255, red green blue, but is \"1 2 256\""),
+                in("<material name='m' color='1 2 256'/>", "3:1: material color must be three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb, but is \"1 2 256\""),
                 in("<render width='99999999999'/>", "3:1: render width must be a whole number from 1 to 32768, but is \"99999999999\""),
                 in("<render hight='3'/>\n<sphere radius='0'/>", "3:1: <render> has no attribute \"hight\"; did you mean \"height\"?",
                         "4:1: sphere radius must be a finite number above 0, but is \"0\""),
@@ -188,13 +189,13 @@ class BadFilesTest {
 
     @ParameterizedTest
     @MethodSource("files")
-    void eachMistakeGetsItsLine(String xml, List<String> expected) {
+    void eachMistakeGetsItsLine(String xml, List<String> expected) throws IOException {
         assertThat(problems(xml)).containsExactlyElementsOf(expected);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"de", "ja", "zh-CN", "cs"})
-    void theLanguageOfTheMachineDoesNotMatter(String language) {
+    void theLanguageOfTheMachineDoesNotMatter(String language) throws IOException {
         Locale before = Locale.getDefault();
         try {
             Locale.setDefault(Locale.forLanguageTag(language));
@@ -210,10 +211,11 @@ class BadFilesTest {
     }
 
     @Test
-    void aFileCutAnywhereIsRefusedInOneLine() {
+    void aFileCutAnywhereIsRefusedInOneLine() throws IOException {
         String whole = scene("<difference name='a'>\n<sphere radius='1'/><block min='0 0 0' max='1 1 1'/></difference>\n");
         for (int end = 0; end < whole.length(); end++) {
-            assertThat(problems(whole.substring(0, end))).as(whole.substring(0, end)).hasSizeBetween(1, 2);
+            WayIn way = WayIn.values()[end % WayIn.values().length];
+            assertThat(way.outcome(whole.substring(0, end).getBytes(StandardCharsets.UTF_8)).problems()).as(whole.substring(0, end)).hasSizeBetween(1, 2);
         }
     }
 
@@ -224,13 +226,11 @@ class BadFilesTest {
     }
 
     @Test
-    void bytesThatAreNoTextAreRefused() {
+    void bytesThatAreNoTextAreRefused() throws IOException {
         byte[] latin = scene("<sphere radius='1' name='é'/>").getBytes(StandardCharsets.ISO_8859_1);
         byte[] unknown = "<?xml version='1.0' encoding='klingon'?><scene/>".getBytes(StandardCharsets.UTF_8);
         for (byte[] bytes : List.of(latin, unknown, new byte[] {-1, -40, 3, 9})) {
-            SceneFileException refused = catchThrowableOfType(SceneFileException.class,
-                    () -> SceneFiles.read(new ByteArrayInputStream(bytes), "x"));
-            assertThat(refused.problems()).hasSize(1);
+            assertThat(lines(bytes)).hasSize(1);
         }
     }
 
@@ -239,7 +239,7 @@ class BadFilesTest {
         String text = scene("<sphere radius='1' name='é'/>");
         for (String name : List.of("UTF-8", "UTF-16", "ISO-8859-1", "windows-1250")) {
             String declared = "<?xml version='1.0' encoding='" + name + "'?>" + text;
-            assertThat(SceneFiles.read(new ByteArrayInputStream(declared.getBytes(name)), "x")).as(name).isEqualTo(SceneFiles.parse(text));
+            assertThat(WayIn.all(declared.getBytes(name)).scene()).as(name).isEqualTo(WayIn.all(text).scene());
             assertThat(SceneFiles.parse(declared)).as("a text is a text already").isEqualTo(SceneFiles.parse(text));
         }
         assertThat(lines("<?xml version='1.0' encoding='UTF-16'?>\n<scene/>".getBytes(StandardCharsets.UTF_8)))
@@ -250,7 +250,7 @@ class BadFilesTest {
 
     /** Also where one element starts after the place that an error in another led the reader to. */
     @Test
-    void everyElementIsFoundWhereItStarts() {
+    void everyElementIsFoundWhereItStarts() throws IOException {
         StringBuilder file = new StringBuilder();
         List<String> expected = new ArrayList<>();
         Random random = new Random(1);
@@ -270,7 +270,8 @@ class BadFilesTest {
         "<block min='1 1 1' max='0 0 0'/>", "<union/>", "<sphere radius='1' a='1' b='2'/>"})
     void ofAHundredThousandMistakesTheFirstHundredAreTold(String mistake) {
         assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
-            List<String> problems = problems(scene(mistake.repeat(100_000)));
+            WayIn way = WayIn.values()[mistake.length() % WayIn.values().length];
+            List<String> problems = way.outcome(scene(mistake.repeat(100_000)).getBytes(StandardCharsets.UTF_8)).problems();
             assertThat(problems).hasSize(Problems.MOST + 1);
             assertThat(problems.get(Problems.MOST)).endsWith(": there are more problems than these 100; mend these first");
         });
@@ -280,7 +281,7 @@ class BadFilesTest {
     void nothingThatAFileRefersToIsFetched() throws Exception {
         String hints = "<scene xmlns='urn:paprsek:scene:1' " + XSI + " xsi:schemaLocation='urn:paprsek:scene:1 http://127.0.0.1:9/x.xsd urn:y file:///y.xsd'"
                 + " xsi:noNamespaceSchemaLocation='http://127.0.0.1:9/z.xsd'><camera position='0 1 5' direction='0 0 -1'/>";
-        assertThat(SceneFiles.parse(hints + "</scene>")).isEqualTo(SceneFiles.parse(scene("")));
+        assertThat(WayIn.all(hints + "</scene>").scene()).isEqualTo(WayIn.all(scene("")).scene());
         assertThat(problems(hints + "<a xmlns='urn:y'/></scene>")).hasSize(1);
     }
 
@@ -306,7 +307,9 @@ class BadFilesTest {
             }
             int from = Math.min(good.length, at + random.nextInt(3));
             bad.write(good, from, good.length - from);
-            assertThat(lines(bad.toByteArray())).allSatisfy(line -> assertThat(line).matches("x:[1-9][0-9]*:[1-9][0-9]*: [^\\p{Cc}]+")
+            WayIn way = WayIn.values()[i % WayIn.values().length];
+            byte[] file = bad.toByteArray();
+            assertThat((way.takes(file) ? way : WayIn.STREAM).outcome(file).problems()).allSatisfy(line -> assertThat(line).matches("[1-9][0-9]*:[1-9][0-9]*: [^\\p{Cc}]+")
                     .doesNotContain("cvc-", "JAXP", "xerces", "null"));
         }
     }
@@ -319,19 +322,14 @@ class BadFilesTest {
                 .withMessage(folder + ": this is a directory, not a scene file");
     }
 
-    private static List<String> problems(String xml) {
-        SceneFileException refused = catchThrowableOfType(SceneFileException.class, () -> SceneFiles.parse(xml));
-        assertThat(refused).as("refused").isNotNull();
-        return refused.problems().stream().map(problem -> problem.toString().replaceFirst("^text:", "")).toList();
+    private static List<String> problems(String xml) throws IOException {
+        List<String> problems = WayIn.all(xml).problems();
+        assertThat(problems).as("refused").isNotEmpty();
+        return problems;
     }
 
     /** The problems of a file; none if it is good. */
     private static List<String> lines(byte[] file) throws IOException {
-        try {
-            SceneFiles.read(new ByteArrayInputStream(file), "x");
-            return List.of();
-        } catch (SceneFileException refused) {
-            return refused.problems().stream().map(Problem::toString).toList();
-        }
+        return WayIn.all(file).problems().stream().map(line -> "x:" + line).toList();
     }
 }

@@ -41,11 +41,15 @@ class DamagedFilesTest {
             byte[] bad = damage.apply(good, random);
             long begin = System.nanoTime();
             try {
-                SceneReader.read(new ByteArrayInputStream(bad), "x");
+                if (seed % 50 < WayIn.values().length && WayIn.values()[seed % 50].takes(bad)) {
+                    WayIn.values()[seed % 50].readAlone(bad);
+                } else {
+                    SceneReader.read(new ByteArrayInputStream(bad), "x");
+                }
             } catch (SceneFileException e) {
                 refused.incrementAndGet();
                 assertThat(e.problems()).as("%s, seed %d", damage, seed).isNotEmpty().allSatisfy(problem -> assertThat(problem.toString())
-                        .matches("x:[1-9][0-9]*:[1-9][0-9]*: [^\\p{Cc}\\p{Cf}]+").doesNotContain("cvc-", "JAXP", "xerces", "null"));
+                        .matches("[^:]*:[1-9][0-9]*:[1-9][0-9]*: [^\\p{Cc}\\p{Cf}]+").doesNotContain("cvc-", "JAXP", "xerces", "null"));
             } catch (IOException | RuntimeException | StackOverflowError | OutOfMemoryError e) {
                 throw new AssertionError(damage + ", seed " + seed + ": " + e, e);
             }

@@ -3,10 +3,12 @@ package cz.paprsek.xml;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.io.SequenceInputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -51,6 +53,28 @@ class HostileFilesTest {
         assertTimeoutPreemptively(Duration.ofSeconds(20), () ->
                 assertThat(problems(new SequenceInputStream(Collections.enumeration(List.of(stream(start), new Repeated(again)))))).hasSizeBetween(1, 2)
                         .first().asString().contains(sentence));
+    }
+
+    /** Nor is it waited for: whoever writes is hung up on. */
+    @Test
+    void aPipeWithoutEndIsRefused(@TempDir Path folder) throws Exception {
+        Path pipe = folder.resolve("x");
+        assumeTrue(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0);
+        for (String endless : List.of("<!--", "<sphere radius='", "\uFEFF")) {
+            Thread writer = new Thread(() -> {
+                try (OutputStream output = Files.newOutputStream(pipe)) {
+                    output.write((HEAD + endless).getBytes(StandardCharsets.UTF_8));
+                    new Repeated("1").transferTo(output);
+                } catch (IOException hungUp) {
+                    // As it should be.
+                }
+            });
+            writer.start();
+            SceneFileException refused = catchThrowableOfType(SceneFileException.class, () -> SceneFiles.read(pipe));
+            assertThat(refused.problems()).isNotEmpty();
+            writer.join(20_000);
+            assertThat(writer.isAlive()).isFalse();
+        }
     }
 
     static Stream<Arguments> references() {

@@ -3,6 +3,7 @@ package cz.paprsek.xml;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles.Contents;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -39,11 +40,12 @@ class QuickReaderTest {
 
     @ParameterizedTest
     @ValueSource(strings = {
-        "<sphere radius='1'></sphere>", "<sphere radius='1'>\n</sphere >", "<sphere\n\tradius = '1'/>", "<sphere\n\tradius='1'\r\n/>", "<!-- Koule č. 1 -->",
+        "<sphere radius='1'></sphere>", "<point-light position='0 0 0'>\n  <!-- a -->\t</point-light>", "<sphere radius='1'>\n</sphere >", "<sphere\n\tradius = '1'/>", "<sphere\n\tradius='1'\r\n/>", "<!-- Koule č. 1 -->",
         "<!---->", "<!--->-->", "<!-- - -->", "<description/>", "<description>a &lt; b &#233; &#xE9;\n &amp; č</description>", "<description></description>",
         "<sphere radius=' 1\n'/>", "<sphere radius='1' position='1\n2\t3'/>", "<sphere name='a&apos;b' radius='1'/>", "<sphere name='a\nb' radius='1'/>",
-        "<sphere radius='1'><material/></sphere>", "<union><material/><sphere radius='1'/></union>", "<render/>", "<sphere radius='1e0' scale='2'/>"})
+        "<background color='red'/>", "<background color=' #Ff8000\n'/>", "<background color='#f80'/>", "<sphere radius='1'><material/></sphere>", "<union><material/><sphere radius='1'/></union>", "<render/>", "<sphere radius='1e0' scale='2'/>"})
     void commonWaysOfWritingAreRead(String content) throws Exception {
+        WayIn.all(scene(content)).scene();
         assertThat(check(bytes(scene(content)))).isPresent();
     }
 
@@ -64,13 +66,15 @@ class QuickReaderTest {
         "<description>&#0;</description>", "<description>&#xD800;</description>", "<description>&#;</description>", "<description>a\rb\r\nc</description>",
         "<description>&#13;&#9;</description>", "<description x='1'/>", "<description>a</description><description>b</description>",
         "<material name='a'><checker size='1'/><checkerboard columns='1' rows='1'/></material>", "<material name='a' color='1 2 3'><checker size='1'/></material>",
-        "<render width='0'/>", "<render width=' 5 '/>", "<render width='+5'/>", "<render width='٥'/>", "<render width='99999999999'/>", "<render samples='17'/>",
+        "<background color='Red'/>", "<background color='redd'/>", "<background color='#ff'/>", "<background color='# f f'/>", "<background color='#١٢٣'/>",
+        "<background color='red green'/>", "<background color='&#114;ed'/>", "<background color='INF 0 0'/>", "<background color='0 0 red'/>", "<render width='0'/>", "<render width=' 5 '/>", "<render width='+5'/>", "<render width='٥'/>", "<render width='99999999999'/>", "<render samples='17'/>",
         "<render max-depth='251'/>", "<background/>", "<background color='0 0 256'/>", "<ambient color='-1 0 0'/>", "<point-light/>",
         "<point-light position='0 0 0' intensity='-1'/>", "<point-light position='0 0 0' intensity='1e999'/>", "<point-light position='0 0 0' color='1 2'/>",
         "<rectangle min='0 0' max='1 1e999'/>", "<rectangle min='-1e999 0' max='1 1'/>", "<rectangle min='0 0 0' max='1 1 1'/>", "<disc radius='1'><sphere/></disc>",
         "<union><disc radius='1'/></union>", "<cone radius='1' height='1' top-radius='-1'/>", "<cone radius='0' height='1'/>", "<torus major-radius='1' minor-radius='2'/>",
         "<ellipsoid semi-axes='1 0 1'/>", "<block min='0 0 0' max='1 1 0'/>", "<scene/>", "<database/>", "<sphere/>", "<block max='1 1 1'/>", "<plane x=''/>"})
     void bothReadersAgree(String content) throws Exception {
+        WayIn.all(scene(content));
         check(bytes(scene(content)));
     }
 
@@ -89,8 +93,12 @@ class QuickReaderTest {
         " <?xml version='1.0'?><scene xmlns='urn:paprsek:scene:1'>" + CAMERA + "</scene>", "<?xml version='1.1'?><scene xmlns='urn:paprsek:scene:1'>" + CAMERA + "</scene>",
         "<?xml encoding='UTF-8'?><scene xmlns='urn:paprsek:scene:1'>" + CAMERA + "</scene>", "<?xml version='1.0\"?><scene xmlns='urn:paprsek:scene:1'>" + CAMERA + "</scene>",
         "<?xml version='1.0' encoding='ISO-8859-1'?><scene name='é' xmlns='urn:paprsek:scene:1'>" + CAMERA + "</scene>",
+        "<?xml version='1.0' standalone='yes'?><scene xmlns='urn:paprsek:scene:1'>" + CAMERA + "</scene>",
+        "<?xml version='1.0' encoding='UTF-8' standalone=\"no\" ?><scene xmlns='urn:paprsek:scene:1'>" + CAMERA + "</scene>",
+        "<?xml version='1.0' standalone='maybe'?><scene xmlns='urn:paprsek:scene:1'>" + CAMERA + "</scene>", "\ufeff", "\ufeff\ufeff<scene/>",
         "\ufeff<scene xmlns='urn:paprsek:scene:1'>" + CAMERA + "</scene>"})
     void bothReadersAgreeOnWholeFiles(String file) throws Exception {
+        WayIn.all(file);
         check(bytes(file));
     }
 
@@ -146,7 +154,7 @@ class QuickReaderTest {
 
     /** What the quick reader makes of a file, having seen that the thorough one makes the same. */
     private static Optional<List<Scene>> check(byte[] file) throws IOException {
-        Optional<List<Scene>> quick = QuickReader.read(new ByteArrayInputStream(file));
+        Optional<Contents> quick = QuickReader.read(new ByteArrayInputStream(file));
         if (quick.isPresent()) {
             try {
                 assertThat(SceneReader.thoroughly(new ByteArrayInputStream(file), "x")).as(new String(file, StandardCharsets.UTF_8)).isEqualTo(quick.get());
@@ -154,7 +162,7 @@ class QuickReaderTest {
                 throw new AssertionError("read, though " + refused.problems() + "\n" + new String(file, StandardCharsets.UTF_8), refused);
             }
         }
-        return quick;
+        return quick.map(Contents::scenes);
     }
 
     private static String scene(String content) {
