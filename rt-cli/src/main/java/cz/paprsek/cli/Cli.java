@@ -10,28 +10,33 @@ import cz.paprsek.cli.input.PixelPlace;
 import cz.paprsek.cli.input.Region;
 import cz.paprsek.cli.input.Share;
 import cz.paprsek.cli.input.Size;
+import cz.paprsek.cli.input.Words;
 import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Failures;
+import cz.paprsek.cli.process.Memory;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.render.RenderMode;
 import cz.paprsek.render.Tile;
-import cz.paprsek.scene.Similar;
-import java.util.ArrayList;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import picocli.AutoComplete;
-import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.UnmatchedArgumentException;
+import picocli.CommandLine;
 
 /** The commands put together: what there is, and how a mistake is answered. */
 final class Cli {
     /** Of all commands, in the order of the help. */
     private static final List<String> NAMES = List.of(
             "render", "validate", "info", "explain", "convert", "bench", "compare", "crosscheck", "db", "schema", "generate-completion", "help");
+
+    /** As wide as every terminal is. */
+    private static final int WIDTH = 80;
 
     private static final List<String> NEEDING_ALL = List.of("generate-completion", "help");
 
@@ -46,10 +51,22 @@ final class Cli {
     /** Runs the command that the arguments say; returns its {@linkplain ExitCode exit code}. */
     int run(String... args) {
         boolean isOneEnough = args.length > 0 && NAMES.contains(args[0]) && !NEEDING_ALL.contains(args[0]);
-        int code = commandLine(isOneEnough ? List.of(args[0]) : NAMES).execute(args);
+        int code = run(commandLine(isOneEnough ? List.of(args[0]) : NAMES), args);
         terminal.out().flush();
+        // A command that has failed has told why.
+        Optional<IOException> lost = terminal.bytes().lost().filter(failure -> code != ExitCode.FAILED);
+        lost.ifPresent(failure -> terminal.message(Failures.sentence("standard output", failure) + "; results are lost"));
         terminal.err().flush();
-        return code;
+        return lost.isPresent() && code == ExitCode.DONE ? ExitCode.FAILED : code;
+    }
+
+    private int run(CommandLine commands, String... args) {
+        try {
+            return commands.execute(args);
+        } catch (OutOfMemoryError e) {
+            terminal.message("paprsek: " + Memory.sentence("", 0));
+            return ExitCode.FAILED;
+        }
     }
 
     /** With the commands of these names: picocli takes longer to look at all of them than a small picture takes to render. */
@@ -62,10 +79,15 @@ final class Cli {
         root.registerConverter(Tile.class, Region::parse);
         root.registerConverter(ImageFormat.class, Formats::parse);
         root.registerConverter(Share.class, Share::parse);
+        root.registerConverter(Path.class, Words::file);
+        root.registerConverter(Integer.class, Words::wholeNumber);
+        root.registerConverter(int.class, Words::wholeNumber);
+        root.registerConverter(Double.class, Words::number);
+        root.registerConverter(double.class, Words::number);
         root.setOut(terminal.out());
         root.setErr(terminal.err());
-        root.setUsageHelpWidth(100);
-        root.setParameterExceptionHandler((mistake, given) -> wrongUsage(mistake.getCommandLine(), sentence(mistake)));
+        root.setUsageHelpWidth(WIDTH);
+        root.setParameterExceptionHandler((mistake, given) -> wrongUsage(mistake.getCommandLine(), Mistakes.sentence(mistake)));
         root.setExecutionExceptionHandler(this::failed);
         root.getCommandSpec().addOption(
                 OptionSpec.builder("-V", "--version").versionHelp(true).description("Prints the version and exits.").build());
@@ -105,30 +127,14 @@ final class Cli {
         if (failure instanceof WrongUsage) {
             return wrongUsage(command, String.valueOf(failure.getMessage()));
         }
-        terminal.message("rt-cli: this is a fault of the program, please report it:");
+        terminal.message("paprsek: this is a fault of the program, please report it:");
         failure.printStackTrace(terminal.err());
         return ExitCode.FAILED;
     }
 
     private int wrongUsage(CommandLine command, String sentence) {
-        terminal.message("rt-cli: " + sentence);
+        terminal.message("paprsek: " + sentence);
         terminal.message("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
         return ExitCode.WRONG_USAGE;
-    }
-
-    private static String sentence(ParameterException mistake) {
-        if (mistake instanceof UnmatchedArgumentException unmatched && !unmatched.getUnmatched().isEmpty()) {
-            CommandSpec spec = mistake.getCommandLine().getCommandSpec();
-            String word = unmatched.getUnmatched().get(0);
-            List<String> known = new ArrayList<>(spec.subcommands().keySet());
-            boolean isOption = word.startsWith("-");
-            if (isOption) {
-                known = new ArrayList<>(spec.optionsMap().keySet());
-                word = word.split("=", 2)[0];
-            }
-            return (isOption ? "unknown option \"" : known.isEmpty() ? "unexpected \"" : "there is no command \"") + word + "\""
-                    + Similar.suggestion(word, known);
-        }
-        return String.valueOf(mistake.getMessage()).replace("\n", " ");
     }
 }

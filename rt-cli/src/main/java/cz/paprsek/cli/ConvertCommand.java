@@ -29,7 +29,7 @@ import picocli.CommandLine.Parameters;
             ".pov is for POV-Ray 3.7, which computes the same picture from it. What it cannot show exactly is told in a warning.",
             ".xml is our own, in standard order and layout, for tidying up a file written by hand."
         },
-        footer = {"", "Examples:", "  rt-cli convert showcase.xml showcase.pov", "  rt-cli convert mine.xml tidy.xml"})
+        footer = {"", "Examples:", "  paprsek convert showcase.xml showcase.pov", "  paprsek convert mine.xml tidy.xml"})
 final class ConvertCommand implements Callable<Integer> {
     private static final List<String> ENDINGS = List.of("pov", "xml");
 

@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.PixelPlace;
 import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.input.Wishes;
@@ -42,11 +43,11 @@ import picocli.CommandLine.Parameters;
         footer = {
             "",
             "Examples:",
-            "  rt-cli explain scenes/glass.xml 250,300              a pixel on the glass ball",
-            "  rt-cli explain scenes/glass.xml 83,100 --size 320x180 | less",
-            "  rt-cli explain scenes/glass.xml 250,300 --svg rays.svg",
-            "  rt-cli explain scenes/glass.xml 250,300 --json       the tree for a script, numbers in full",
-            "  rt-cli explain scenes/database.xml 400,300 --scene Gears"
+            "  paprsek explain scenes/glass.xml 250,300              a pixel on the glass ball",
+            "  paprsek explain scenes/glass.xml 83,100 --size 320x180 | less",
+            "  paprsek explain scenes/glass.xml 250,300 --svg rays.svg",
+            "  paprsek explain scenes/glass.xml 250,300 --json       the tree for a script, numbers in full",
+            "  paprsek explain scenes/database.xml 400,300 --scene Gears"
         })
 final class ExplainCommand implements Callable<Integer> {
     private static final double SMALLEST_SHARE = 0.01;
@@ -116,6 +117,7 @@ final class ExplainCommand implements Callable<Integer> {
     }
 
     private Scene scene() throws SceneFileException, IOException {
+        Foreign.refuse(file);
         List<Scene> scenes = SceneFiles.readAll(file);
         if (name.isEmpty() && scenes.size() == 1) {
             return scenes.get(0);

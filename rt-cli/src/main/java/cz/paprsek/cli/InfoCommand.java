@@ -6,6 +6,7 @@ import cz.paprsek.cli.describe.SummaryAsText;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Interruption;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.scene.Scene;
@@ -20,7 +21,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "info",
         description = "Says what is in scene files and databases: picture, camera, lights, materials, objects by kind, and the space they take.",
-        footer = {"", "Examples:", "  rt-cli info showcase.xml", "  rt-cli info 'scenes/*.xml' --json"})
+        footer = {"", "Examples:", "  paprsek info showcase.xml", "  paprsek info 'scenes/*.xml' --json"})
 final class InfoCommand implements Callable<Integer> {
     private final Terminal terminal;
     private final Stop stop;
@@ -39,11 +40,14 @@ final class InfoCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        if (json) {
+            stop.oweLastWords();
+        }
         int worst = ExitCode.DONE;
         for (Path file : SceneArguments.files(scenes)) {
             SceneReading reading = SceneReading.of(file);
             if (stop.requested()) {
-                return ExitCode.INTERRUPTED;
+                return Interruption.told(terminal, json);
             }
             reading.sentences().forEach(terminal::message);
             for (int i = 0; i < reading.scenes().size(); i++) {

@@ -1,12 +1,14 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.cli.db.DbAction;
+import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.Formats;
 import cz.paprsek.cli.input.Modes;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneSource;
 import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.input.Wishes;
+import cz.paprsek.cli.input.Words;
 import cz.paprsek.cli.output.Progress;
 import cz.paprsek.cli.output.RenderBatch;
 import cz.paprsek.cli.output.Report;
@@ -22,6 +24,7 @@ import cz.paprsek.query.SceneTables;
 import cz.paprsek.render.RenderMode;
 import cz.paprsek.render.Tile;
 import cz.paprsek.scene.Scene;
+import java.nio.file.Files;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -39,13 +42,13 @@ import picocli.CommandLine.Parameters;
         footer = {
             "",
             "Examples:",
-            "  rt-cli render showcase.xml                     to showcase.png in the working directory",
-            "  rt-cli render showcase.xml -o a.jpg --size 1920x1080 --samples 3",
-            "  rt-cli render 'scenes/*.xml' -o 'out/{name}-small.png' --size 320x180",
-            "  rt-cli render database.xml --where 'exists(torus)' -o pictures/",
-            "  rt-cli render a.xml --format ppm16 -o -        16-bit linear light to standard output",
-            "  rt-cli render a.xml --mode nodes -o cost.png    where the time goes: nodes visited per pixel",
-            "  rt-cli render a.xml b.xml --json --quiet       one JSON object a line, nothing else"
+            "  paprsek render showcase.xml                     to showcase.png in the working directory",
+            "  paprsek render showcase.xml -o a.jpg --size 1920x1080 --samples 3",
+            "  paprsek render 'scenes/*.xml' -o 'out/{name}-small.png' --size 320x180",
+            "  paprsek render database.xml --where 'exists(torus)' -o pictures/",
+            "  paprsek render a.xml --format ppm16 -o -        16-bit linear light to standard output",
+            "  paprsek render a.xml --mode nodes -o cost.png    where the time goes: nodes visited per pixel",
+            "  paprsek render a.xml b.xml --json --quiet       one JSON object a line, nothing else"
         })
 final class RenderCommand implements Callable<Integer> {
     private final Terminal terminal;
@@ -55,12 +58,13 @@ final class RenderCommand implements Callable<Integer> {
             description = "Scene files. Patterns with * ? [] {} and ** are expanded, also when quoted.")
     private List<String> scenes;
 
-    @Option(names = "--where", paramLabel = "FILTER", description = "Only scenes that match; 'rt-cli db --help' explains filters.")
+    @Option(names = "--where", paramLabel = "FILTER", description = "Only scenes that match; 'paprsek db --help' explains filters.")
     private Optional<String> where;
 
     @Option(names = {"-o", "--output"}, paramLabel = "FILE|DIR|PATTERN", description = {
         "A file, for one scene; its ending says the format. A directory (which exists or ends in /), or a pattern in which {name} "
-                + "stands for the scene's file name, or in a database its own; their directories are made. - is standard output.",
+                + "stands for the scene's file name, or in a database its own, and {dir} for the directory the scene is in. Directories "
+                + "are made. - is standard output.",
         "Default: {name}.png in the working directory."})
     private Optional<String> output;
 
@@ -88,7 +92,8 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(names = "--mode", paramLabel = "MODE", defaultValue = "shaded", completionCandidates = Modes.class, description = {
         "What the picture shows: ${COMPLETION-CANDIDATES}.",
-        "rays and nodes are counts per pixel, on a scale of colours that is drawn below the picture."})
+        "rays and nodes are counts per pixel, on a scale of colours that is drawn below the picture. In pfm, txt and lum these and depth "
+                + "are numbers: counts, and distances in scene units, 0 where nothing is seen."})
     private RenderMode mode;
 
     @Option(names = "--light", paramLabel = "LIGHT", description = "Lights only this light: its name, or its number from 1.")
@@ -125,6 +130,9 @@ final class RenderCommand implements Callable<Integer> {
         if (resume && output.equals(Optional.of("-"))) {
             throw new WrongUsage("--resume needs a file for the picture, to keep the tiles beside it");
         }
+        if (json) {
+            stop.oweLastWords();
+        }
         Wishes wishes = new Wishes(size, maxDepth, samples, region, threads);
         List<Target> targets = new Targets(output, format, raw).of(sources());
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
@@ -133,11 +141,20 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private List<SceneSource> sources() {
+        if (output.isEmpty()) {
+            scenes.stream().filter(RenderCommand::isMeantAsPicture).findFirst().ifPresent(word -> {
+                throw new WrongUsage("is " + word + " meant as the output? say -o " + word);
+            });
+        }
         Optional<Filter<Scene>> filter = where.map(text -> DbAction.filter("--where", Optional.of(text), SceneTables.SCENE));
         List<SceneSource> sources = SceneSource.all(SceneArguments.files(scenes), filter);
         if (sources.isEmpty()) {
             throw new WrongUsage("no scene " + where.map(text -> "matches " + text).orElse("is in " + String.join(", ", scenes)));
         }
         return sources;
+    }
+
+    private static boolean isMeantAsPicture(String word) {
+        return ImageFormat.ofFile(word).isPresent() && (Foreign.kind(Words.path(word)).isPresent() || !Files.exists(Words.path(word)));
     }
 }

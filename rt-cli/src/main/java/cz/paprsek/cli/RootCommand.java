@@ -9,18 +9,18 @@ import picocli.CommandLine.Spec;
 
 /** The program called without a command: says what there is. */
 @Command(
-        name = "rt-cli",
+        name = "paprsek",
         versionProvider = RootCommand.Version.class,
         description = "Paprsek: renders scene files to pictures by ray tracing.",
         synopsisSubcommandLabel = "COMMAND",
         footer = {
             "",
             "Examples:",
-            "  rt-cli render scenes/showcase.xml -o showcase.png",
-            "  rt-cli render 'scenes/*.xml' -o pictures/ --size 640x360",
-            "  rt-cli validate my.xml",
+            "  paprsek render scenes/showcase.xml -o showcase.png",
+            "  paprsek render 'scenes/*.xml' -o pictures/ --size 640x360",
+            "  paprsek validate my.xml",
             "",
-            "'rt-cli COMMAND --help' explains a command."
+            "'paprsek COMMAND --help' explains a command."
         })
 final class RootCommand implements Runnable {
     @Spec

@@ -18,7 +18,7 @@ import picocli.CommandLine.Option;
 @Command(
         name = "schema",
         description = "Prints the XML schema (XSD) of scene files, for editors that complete and check XML.",
-        footer = {"", "Example:", "  rt-cli schema -o scene.xsd"})
+        footer = {"", "Example:", "  paprsek schema -o scene.xsd"})
 final class SchemaCommand implements Callable<Integer> {
     private final Terminal terminal;
     private final Stop stop;

@@ -24,13 +24,35 @@ class MistakesTest {
         "render a.xml --threads 0             | threads must be a whole number from 1 to 1024, but is 0",
         "render a.xml --samples 17            | render samples must be a whole number from 1 to 16, but is 17",
         "render a.xml --max-depth 251         | render max-depth must be a whole number from 1 to 250, but is 251",
-        "render a.xml --threads many          | 'many' is not an int",
+        "render a.xml --threads many          | expected a whole number, but found 'many'; without --threads, all processors are used",
+        "render a.xml --threads auto          | without --threads, all processors are used",
+        "render a.xml --samples 2.5           | '--samples': expected a whole number, but found '2.5'",
+        "render a.xml --samples 99999999999   | 99999999999 is too large",
+        "compare a.png b.png --tolerance none | expected a number, but found 'none'",
+        "render a.xml -s 3x3                  | unknown option \"-s\"; did you mean \"--size\"?",
+        "render a.xml -t4                     | unknown option \"-t4\"; did you mean \"--threads\"?",
+        "render a.xml -size 3x3               | unknown option \"-size\"; did you mean \"--size\"?",
+        "render a.xml -O b.png                | unknown option \"-O\"; did you mean \"-o\"?",
+        "render -dash.xml                     | unknown option \"-dash.xml\"; if it is a file, say ./-dash.xml",
+        "render a.xml -dash.xml               | unknown option \"-dash.xml\"; if it is a file, say ./-dash.xml",
+        "render a.xml b.png                   | is b.png meant as the output? say -o b.png",
+        "render a.xml -o {nme}.png            | there is no {nme}; did you mean \"{name}\"?",
+        "--size 3x3 render a.xml              | unknown option \"--size\"; it belongs behind a command: bench, crosscheck, explain, render",
+        "a.xml                                | there is no command \"a.xml\"; to render it, say paprsek render a.xml",
     })
     void wrongUsageIsExplainedInOneSentence(String line, String sentence) {
         Run run = Run.cli((Object[]) line.trim().split(" "));
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.err()).contains(sentence).contains("--help'.").hasLineCount(2);
         assertThat(run.out()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"render", "validate", "info", "convert", "explain", "crosscheck"})
+    void anEmptyNameIsCalledSo(String command) {
+        Run run = Run.cli(command, "", "b.xml");
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err()).contains("an empty name").hasLineCount(2);
     }
 
     @Test
@@ -45,9 +67,9 @@ class MistakesTest {
     void everyCommandExplainsItself(String command) {
         Run run = Run.cli(command, "--help");
         assertThat(run.code()).isZero();
-        assertThat(run.out()).contains("Usage: rt-cli " + command, "Exit codes:", "Example", "-h, --help").doesNotContain("\u00d7");
+        assertThat(run.out()).contains("Usage: paprsek " + command, "Exit codes:", "Example", "-h, --help").doesNotContain("\u00d7");
         assertThat(Run.cli("help", command).out()).isEqualTo(run.out());
-        assertThat(run.out().lines()).allMatch(line -> line.length() <= 100);
+        assertThat(run.out().lines()).allMatch(line -> line.length() <= 80);
     }
 
     @Test

@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.process.Results;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import java.io.ByteArrayOutputStream;
@@ -18,7 +19,7 @@ public record Run(int code, String out, String err, ByteArrayOutputStream writte
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        Terminal terminal = new Terminal(new PrintWriter(out), new PrintWriter(err), bytes, interactive);
+        Terminal terminal = new Terminal(new PrintWriter(out), new PrintWriter(err), new Results(bytes), interactive);
         String[] words = new String[arguments.length];
         for (int i = 0; i < words.length; i++) {
             words[i] = arguments[i].toString();
@@ -32,6 +33,6 @@ public record Run(int code, String out, String err, ByteArrayOutputStream writte
     }
 
     public String text() {
-        return written.toString(StandardCharsets.UTF_8);
+        return written.toString(StandardCharsets.UTF_8).replace("\r\n", "\n");
     }
 }

@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.cli.describe.SceneWarning;
 import cz.paprsek.cli.describe.SceneWarnings;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
@@ -25,7 +26,7 @@ class ValidateCommandTest {
 
     private static List<String> warnings(String content) throws Exception {
         return SceneWarnings.of(SceneFiles.parse("<scene xmlns=\"urn:paprsek:scene:1\"><camera position=\"0 1 5\" direction=\"0 0 -1\"/>"
-                + content + "</scene>"));
+                + content + "</scene>")).stream().map(SceneWarning::message).toList();
     }
 
     static Stream<Arguments> suspiciousScenes() {
@@ -76,7 +77,26 @@ class ValidateCommandTest {
         assertThat(run.err().lines()).hasSizeGreaterThan(1).allMatch(line -> line.startsWith(broken + ":"));
         assertThat(Run.cli("validate", dark).code()).isZero();
         assertThat(Run.cli("validate", dark, "--quiet").out()).isEmpty();
-        assertThat(Run.cli("validate", broken, "--json").out()).contains("\"valid\":false,\"problems\":[{\"line\":2,\"column\":");
+        assertThat(Run.cli("validate", broken, "--json").out()).contains("\"valid\":false,\"problems\":[{\"file\":").contains("\"line\":2,\"column\":");
+    }
+
+    @Test
+    void warningsForProgramsSayWhichSceneAndObject() throws IOException {
+        Path file = Scenes.scene(folder.resolve("dark.xml"), "<material name=\"m\"/><sphere radius=\"1\"/>");
+        assertThat(Run.cli("validate", file, "--json").out()).contains("\"valid\":true",
+                "{\"file\":\"" + file + "\",\"scene\":\"ball\",\"object\":\"\",\"kind\":\"dark\",\"message\":\"there is no light and no ambient light",
+                "\"object\":\"material \\\"m\\\"\",\"kind\":\"unused\"");
+    }
+
+    @Test
+    void whoIsStrictTakesWarningsForProblems() throws IOException {
+        Path dark = Scenes.scene(folder.resolve("dark.xml"), "<sphere radius=\"1\"/>");
+        Run run = Run.cli("validate", dark, "--strict");
+        assertThat(run.code()).isEqualTo(3);
+        assertThat(run.err()).startsWith(dark + ": warning: there is no light").hasLineCount(1);
+        assertThat(run.out()).isEmpty();
+        assertThat(Run.cli("validate", dark, "--strict", "--json").out()).contains("\"valid\":false,\"problems\":[],\"warnings\":[{");
+        assertThat(Run.cli("validate", Scenes.ball(folder.resolve("good.xml")), "--strict").code()).isZero();
     }
 
     @Test

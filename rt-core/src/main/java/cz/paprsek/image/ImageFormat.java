@@ -38,6 +38,19 @@ public enum ImageFormat {
         return extensions[0];
     }
 
+    /** How many bytes a picture of this size takes at least; 0 if that depends on what it shows. */
+    public long leastBytes(int width, int height) {
+        long pixels = (long) width * height;
+        return switch (this) {
+            case PNG, JPG, TIF -> 0;
+            case PGM -> pixels;
+            case TXT, RAW -> 2 * pixels;
+            case BMP, PPM -> 3 * pixels;
+            case PPM16 -> 6 * pixels;
+            case PFM -> 12 * pixels;
+        };
+    }
+
     /** The format with the given name or extension, upper or lower case. */
     public static Optional<ImageFormat> of(String name) {
         String lower = name.toLowerCase(Locale.ROOT);

@@ -5,14 +5,17 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.channels.Channels;
 import java.nio.channels.ClosedByInterruptException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.time.Duration;
 import java.time.Instant;
@@ -25,6 +28,11 @@ import java.util.regex.Pattern;
 public final class AtomicFile {
     private static final String TEMPORARY = ".tmp";
     private static final Duration ABANDONED_AFTER = Duration.ofMinutes(1);
+    /** How many bytes a file's name may have on all systems in use. */
+    private static final int LONGEST_NAME = 255;
+    /** What makes the names of files that are being written different: a dot, a process, a dash, a time, the ending. */
+    private static final int LONGEST_UNIQUE = 1 + 18 + 1 + 16 + TEMPORARY.length();
+    private static final int MOST_LINKS = 40;
 
     private AtomicFile() {}
 
@@ -41,6 +49,70 @@ public final class AtomicFile {
      *     there before is still there
      */
     public static void write(Path file, Content content) throws IOException {
+        attempt(file, target -> {
+            if (Files.exists(target) && !Files.isRegularFile(target)) {
+                fill(target, content, StandardOpenOption.WRITE);
+            } else {
+                replace(target, content);
+            }
+        });
+    }
+
+    /**
+     * Finds out whether a file can be written, by making an empty one beside it and removing that.
+     *
+     * @throws IOException as {@link #write} would
+     */
+    public static void check(Path file) throws IOException {
+        attempt(file, target -> {
+            if (!Files.exists(target)) {
+                checkName(target);
+            }
+            if (!Files.exists(target) || Files.isRegularFile(target)) {
+                Path fresh = fresh(target);
+                Files.createFile(fresh);
+                Files.delete(fresh);
+            }
+        });
+    }
+
+    private static void checkName(Path target) throws IOException {
+        try {
+            Files.readAttributes(target, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
+        } catch (NoSuchFileException none) {
+            // Nothing else is wrong with it.
+        }
+    }
+
+    /** The name of a file that belongs to another and lies beside it: its name with something before and after, cut where that is too long. */
+    public static Path beside(Path file, String before, String after) {
+        return file.resolveSibling(before + cut(file, LONGEST_NAME - before.length() - after.length()) + after);
+    }
+
+    /** A file's name if it is not too long, else its beginning and a mark that tells it from others. */
+    private static String cut(Path file, int mostBytes) {
+        String name = String.valueOf(file.getFileName());
+        if (bytes(name) <= mostBytes) {
+            return name;
+        }
+        String mark = "~" + Integer.toHexString(name.hashCode());
+        String shorter = name;
+        while (bytes(shorter) > mostBytes - mark.length()) {
+            shorter = shorter.substring(0, shorter.offsetByCodePoints(shorter.length(), -1));
+        }
+        return shorter + mark;
+    }
+
+    private static int bytes(String name) {
+        return name.getBytes(StandardCharsets.UTF_8).length;
+    }
+
+    /** What is done to the file that a name leads to. */
+    private interface Attempt {
+        void on(Path target) throws IOException;
+    }
+
+    private static void attempt(Path file, Attempt attempt) throws IOException {
         boolean exists = Files.exists(file);
         if (exists && Files.isDirectory(file)) {
             throw new IOException(file + ": this is a directory, not a file");
@@ -49,13 +121,9 @@ public final class AtomicFile {
             // A move would replace it all the same: it asks the folder's permissions only.
             throw new IOException(file + ": cannot be written, permission denied");
         }
-        if (exists && !Files.isRegularFile(file)) {
-            fill(file, content, StandardOpenOption.WRITE);
-            return;
-        }
         try {
-            // A link is followed: the file it leads to is replaced, not the link.
-            replace(exists ? file.toRealPath() : file.toAbsolutePath(), content);
+            // A link is followed: the file it leads to is replaced or made, not the link.
+            attempt.on(!exists ? end(file) : Files.isRegularFile(file) ? file.toRealPath() : file);
         } catch (NoSuchFileException e) {
             throw new IOException(file + ": cannot be written, there is no such folder", e);
         } catch (AccessDeniedException e) {
@@ -65,10 +133,30 @@ public final class AtomicFile {
         }
     }
 
+    /** Where the links lead that begin at a name and end at a file that is not there yet. */
+    private static Path end(Path file) throws IOException {
+        Path end = file.toAbsolutePath();
+        for (int i = 0; Files.isSymbolicLink(end); i++) {
+            if (i == MOST_LINKS) {
+                throw new IOException(file + ": cannot be written, it is a link that leads to itself");
+            }
+            end = end.resolveSibling(Files.readSymbolicLink(end));
+        }
+        return end;
+    }
+
+    private static Path fresh(Path target) {
+        return target.resolveSibling(stem(target) + ProcessHandle.current().pid() + "-" + Long.toHexString(System.nanoTime()) + TEMPORARY);
+    }
+
+    /** What the names of all files begin with that have not become the target yet. */
+    private static String stem(Path target) {
+        return cut(target, LONGEST_NAME - LONGEST_UNIQUE) + ".";
+    }
+
     private static void replace(Path target, Content content) throws IOException {
         sweep(target);
-        Path fresh = target.resolveSibling(
-                target.getFileName() + "." + ProcessHandle.current().pid() + "-" + Long.toHexString(System.nanoTime()) + TEMPORARY);
+        Path fresh = fresh(target);
         try {
             // Not createTempFile, whose files are readable by their owner alone, whatever the old file was.
             fill(fresh, content, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
@@ -84,7 +172,7 @@ public final class AtomicFile {
 
     /** Removes what processes that are no more have left half-written of a file. */
     private static void sweep(Path target) throws IOException {
-        Pattern left = Pattern.compile(Pattern.quote(target.getFileName() + ".") + "(\\d{1,18})-\\p{XDigit}{1,16}" + Pattern.quote(TEMPORARY));
+        Pattern left = Pattern.compile(Pattern.quote(stem(target)) + "(\\d{1,18})-\\p{XDigit}{1,16}" + Pattern.quote(TEMPORARY));
         List<Path> abandoned = new ArrayList<>();
         try (DirectoryStream<Path> siblings = Files.newDirectoryStream(target.resolveSibling("."), file -> {
             Matcher name = left.matcher(String.valueOf(file.getFileName()));

@@ -41,7 +41,7 @@ public final class FileLock implements AutoCloseable {
      */
     public static FileLock of(Path target, long patienceMillis) throws IOException {
         Path real = Files.exists(target) ? target.toRealPath() : target.toAbsolutePath().normalize();
-        Path file = real.resolveSibling("." + real.getFileName() + ".lock");
+        Path file = AtomicFile.beside(real, ".", ".lock");
         long end = System.nanoTime() + patienceMillis * 1_000_000;
         while (true) {
             FileChannel channel = tryLock(target, file);

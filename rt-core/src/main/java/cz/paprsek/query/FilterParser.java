@@ -100,11 +100,11 @@ final class FilterParser<R> {
     private Predicate<R> comparison(Term<R> left) throws FilterException {
         Token token = tokens.next();
         if (token.is("!=") || token.is("<>")) {
-            return compared(left, Comparison.EQUAL, term()).negate();
+            return compared(left, Comparison.EQUAL, term(left)).negate();
         }
         Comparison comparison = Comparison.of(token).orElse(null);
         if (comparison != null) {
-            return compared(left, comparison, term());
+            return compared(left, comparison, term(left));
         }
         boolean isNegated = token.is("not");
         Token word = isNegated ? tokens.next() : token;
@@ -138,10 +138,20 @@ final class FilterParser<R> {
         tokens.expect("(", "after in");
         List<Term<R>> list = new ArrayList<>();
         do {
-            list.add(term().toMatch(left, Comparison.EQUAL));
+            list.add(term(left).toMatch(left, Comparison.EQUAL));
         } while (tokens.skip(","));
         tokens.expect(")", "or \",\" in the list");
         return row -> left.any(row, x -> list.stream().anyMatch(term -> term.any(row, y -> Comparison.EQUAL.holds(x, y))));
+    }
+
+    /** What is compared with another term. */
+    private Term<R> term(Term<R> other) throws FilterException {
+        Token token = tokens.peek();
+        if (other.type() == Type.TEXT && !other.isFixed() && token.kind() == Kind.WORD && !tokens.second().is("(")
+                && RESERVED.stream().noneMatch(token::is) && table.column(token.text()).isEmpty()) {
+            throw new FilterException(token.position(), other.name() + " is text, and texts need quotes: \"" + token.text() + "\"");
+        }
+        return term();
     }
 
     private Term<R> term() throws FilterException {

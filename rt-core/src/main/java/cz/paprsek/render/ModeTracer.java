@@ -9,17 +9,20 @@ final class ModeTracer extends Tracer {
     private final RenderMode mode;
     private final RenderScene scene;
     private final DepthRange range;
+    private final boolean numbers;
     private final double[] all = new double[3];
     private final double[] arrived = new double[3];
     private double red;
     private double green;
     private double blue;
+    private int seen;
 
-    ModeTracer(RenderScene scene, RenderMode mode, int maxDepth, DepthRange range, RenderMonitor monitor) {
+    ModeTracer(RenderScene scene, RenderMode mode, int maxDepth, DepthRange range, boolean numbers, RenderMonitor monitor) {
         super(scene, mode.scale().isPresent() ? maxDepth : 1, 1, monitor);
         this.mode = mode;
         this.scene = scene;
         this.range = range;
+        this.numbers = numbers;
         for (Lamp lamp : scene.lamps()) {
             all[0] += lamp.red();
             all[1] += lamp.green();
@@ -32,6 +35,7 @@ final class ModeTracer extends Tracer {
         red = 0;
         green = 0;
         blue = 0;
+        seen = 0;
         long rays = rays();
         long nodes = nodeVisits();
         for (int row = 0; row < samples; row++) {
@@ -47,8 +51,13 @@ final class ModeTracer extends Tracer {
         }
         Level result = alone();
         if (mode.scale().isPresent()) {
-            Rgb heat = mode.scale().get().color(mode == RenderMode.RAYS ? rays() - rays : nodeVisits() - nodes);
-            result.light(heat.linearRed(), heat.linearGreen(), heat.linearBlue());
+            long count = mode == RenderMode.RAYS ? rays() - rays : nodeVisits() - nodes;
+            Rgb heat = mode.scale().get().color(count);
+            result.light(numbers ? count : heat.linearRed(), numbers ? count : heat.linearGreen(), numbers ? count : heat.linearBlue());
+        } else if (numbers && mode == RenderMode.DEPTH) {
+            // A distance that is partly of nothing is none.
+            double distance = red / Math.max(1, seen);
+            result.light(distance, distance, distance);
         } else {
             double k = 1.0 / (samples * samples);
             result.light(k * red, k * green, k * blue);
@@ -65,7 +74,10 @@ final class ModeTracer extends Tracer {
         Hit hit = level.hit;
         switch (mode) {
             case NORMALS -> add(encoded(hit.nx), encoded(hit.ny), encoded(hit.nz));
-            case DEPTH -> add(range.brightness(level.ray.max), range.brightness(level.ray.max), range.brightness(level.ray.max));
+            case DEPTH -> {
+                double shown = numbers ? level.ray.max : range.brightness(level.ray.max);
+                add(shown, shown, shown);
+            }
             case OBJECTS -> add(ObjectColors.of(scene.parts().object(level.ray.part)));
             case SHADED, RAYS, NODES, SHADOWS -> {
                 // What these show is known when the pixel is done.
@@ -88,6 +100,7 @@ final class ModeTracer extends Tracer {
     }
 
     private void add(double r, double g, double b) {
+        seen++;
         red += r;
         green += g;
         blue += b;

@@ -1,6 +1,7 @@
 package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
+import java.math.BigInteger;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 
@@ -21,6 +22,7 @@ final class RenderJob implements RenderMonitor {
     private final int block;
     private final int columns;
     private final int tiles;
+    private final int stride;
     private final AtomicInteger next = new AtomicInteger();
     private final AtomicInteger done = new AtomicInteger();
     private volatile boolean stopped;
@@ -42,6 +44,7 @@ final class RenderJob implements RenderMonitor {
         block = Math.max(1, TOGETHER / options.settings().samples());
         columns = (region.width() + SIDE - 1) / SIDE;
         tiles = columns * ((region.height() + SIDE - 1) / SIDE);
+        stride = stride(tiles);
     }
 
     int tiles() {
@@ -82,7 +85,7 @@ final class RenderJob implements RenderMonitor {
             tracer = shading;
             blocks = (x, y, width, height) -> renderBlock(x, y, width, height, shading);
         } else {
-            ModeTracer showing = new ModeTracer(scene, options.mode(), options.settings().maxDepth(), depths, this);
+            ModeTracer showing = new ModeTracer(scene, options.mode(), options.settings().maxDepth(), depths, options.numbers(), this);
             tracer = showing;
             blocks = (x, y, width, height) -> showBlock(x, y, width, height, showing);
         }
@@ -125,7 +128,22 @@ final class RenderJob implements RenderMonitor {
                 total.refracted() + tracer.refracted, total.shadow() + tracer.shadows, total.hits() + tracer.hits, 0, 0);
     }
 
-    private Tile tile(int number) {
+    /**
+     * From one tile to the next: all over the picture and evenly at any time, so that what has been done tells how long the rest takes.
+     *
+     * @source Weyl, multiples of the golden ratio; no tile is met twice, since the number of tiles and the stride have no common divisor
+     */
+    private static int stride(int tiles) {
+        int stride = Math.max(1, (int) (tiles * 0.618033988749895));
+        while (BigInteger.valueOf(stride).gcd(BigInteger.valueOf(tiles)).intValue() != 1) {
+            stride++;
+        }
+        return stride;
+    }
+
+    /** The tile that comes after so many others. */
+    private Tile tile(int turn) {
+        int number = (int) ((long) turn * stride % tiles);
         int x = number % columns * SIDE;
         int y = number / columns * SIDE;
         return new Tile(x, y, Math.min(SIDE, image.width() - x), Math.min(SIDE, image.height() - y));

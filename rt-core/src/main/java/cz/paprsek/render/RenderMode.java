@@ -40,6 +40,11 @@ public enum RenderMode {
         return this == RAYS ? Optional.of(HeatScale.RAYS) : this == NODES ? Optional.of(HeatScale.NODES) : Optional.empty();
     }
 
+    /** Whether what is shown is a number, one for each pixel. */
+    public boolean isNumber() {
+        return this == DEPTH || scale().isPresent();
+    }
+
     /** The name as people type it. */
     @Override
     public String toString() {

@@ -11,8 +11,9 @@ import cz.paprsek.scene.Scene;
  * @param region the part of the picture to compute; the image that results has the region's size
  * @param mode what the picture shows
  * @param threads how many workers, 1–1024; the picture does not depend on it
+ * @param numbers whether depths and counts are to be put in the image as they are, for programs, and not as brightness and colours
  */
-public record RenderOptions(RenderSettings settings, Tile region, RenderMode mode, int threads) {
+public record RenderOptions(RenderSettings settings, Tile region, RenderMode mode, int threads, boolean numbers) {
 
     /** @throws IllegalArgumentException if the region does not lie inside the picture */
     public RenderOptions {
@@ -25,7 +26,7 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
     /** The whole picture, on all processors. */
     public static RenderOptions of(RenderSettings settings) {
         return new RenderOptions(settings, new Tile(0, 0, settings.width(), settings.height()), RenderMode.SHADED,
-                Runtime.getRuntime().availableProcessors());
+                Runtime.getRuntime().availableProcessors(), false);
     }
 
     /** What the scene asks for. */
@@ -34,14 +35,22 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
     }
 
     public RenderOptions withThreads(int count) {
-        return new RenderOptions(settings, region, mode, count);
+        return new RenderOptions(settings, region, mode, count, numbers);
     }
 
     public RenderOptions withRegion(Tile part) {
-        return new RenderOptions(settings, part, mode, threads);
+        return new RenderOptions(settings, part, mode, threads, numbers);
     }
 
     public RenderOptions withMode(RenderMode shown) {
-        return new RenderOptions(settings, region, shown, threads);
+        return new RenderOptions(settings, region, shown, threads, numbers);
+    }
+
+    /**
+     * With {@link RenderMode#DEPTH}, {@link RenderMode#RAYS} and {@link RenderMode#NODES}: distances in scene units, 0 where nothing is seen, and
+     * counts, in all three channels alike.
+     */
+    public RenderOptions withNumbers() {
+        return new RenderOptions(settings, region, mode, threads, true);
     }
 }

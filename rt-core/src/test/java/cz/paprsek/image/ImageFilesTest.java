@@ -9,6 +9,7 @@ import cz.paprsek.material.Rgb;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.net.URISyntaxException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -131,6 +132,25 @@ class ImageFilesTest {
         })).hasMessage("disk full");
         assertThat(old).hasContent("old");
         assertThat(folder.toFile().list()).containsExactly("a.png");
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aFullDiskIsCalledSo(ImageFormat format) {
+        OutputStream full = new OutputStream() {
+            @Override
+            public void write(int value) throws IOException {
+                throw new IOException("No space left on device");
+            }
+        };
+        assertThatThrownBy(() -> ImageFiles.write(sample(), full, format)).isInstanceOf(IOException.class).hasMessage("No space left on device");
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void noPictureIsSmallerThanForetold(ImageFormat format) throws IOException {
+        Image image = sample();
+        assertThat((long) bytes(format).length).isGreaterThanOrEqualTo(format.leastBytes(image.width(), image.height()));
     }
 
     private static byte[] bytes(ImageFormat format) throws IOException {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -135,5 +136,45 @@ class AtomicFileTest {
         AtomicFile.write(pipe, out -> out.write('n'));
         assertThat(Files.isRegularFile(pipe)).isFalse();
         assertThat(read.get()).containsExactly('n');
+    }
+
+    @Test
+    void aNameOf255BytesIsWritten() throws IOException {
+        for (String name : List.of("x".repeat(255), "é".repeat(127) + "x", "x".repeat(230))) {
+            Path file = folder.resolve(name);
+            AtomicFile.check(file);
+            AtomicFile.write(file, out -> out.write(1));
+            assertThat(file).hasBinaryContent(new byte[] {1});
+            assertThat(AtomicFile.beside(file, ".", ".lock").getFileName().toString().getBytes(StandardCharsets.UTF_8)).hasSizeLessThanOrEqualTo(255);
+            Files.delete(file);
+        }
+        assertThat(folder).isEmptyDirectory();
+        assertThat(AtomicFile.beside(folder.resolve("x".repeat(254) + "a"), "", ".resume"))
+                .isNotEqualTo(AtomicFile.beside(folder.resolve("x".repeat(254) + "b"), "", ".resume"));
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void aLinkToNothingMakesTheFileItPointsTo() throws IOException {
+        Path folders = Files.createDirectories(folder.resolve("a/b"));
+        Path link = Files.createSymbolicLink(folder.resolve("link.png"), Path.of("a/second"));
+        Files.createSymbolicLink(folder.resolve("a/second"), Path.of("b/real.png"));
+        AtomicFile.write(link, out -> out.write(1));
+        assertThat(folders.resolve("real.png")).hasBinaryContent(new byte[] {1});
+        assertThat(link).isSymbolicLink();
+        Path circle = Files.createSymbolicLink(folder.resolve("circle"), Path.of("circle"));
+        assertThatThrownBy(() -> AtomicFile.write(circle, out -> out.write(1))).isInstanceOf(IOException.class).hasMessageContaining("leads to itself");
+    }
+
+    @Test
+    void whatCannotBeWrittenIsKnownBeforehandAndNothingIsLeft() throws IOException {
+        assertThatThrownBy(() -> AtomicFile.check(folder)).hasMessageContaining("this is a directory");
+        assertThatThrownBy(() -> AtomicFile.check(folder.resolve("none/x"))).hasMessageContaining("no such folder");
+        assertThatThrownBy(() -> AtomicFile.check(folder.resolve("x".repeat(256)))).isInstanceOf(IOException.class);
+        Path old = Files.writeString(folder.resolve("old"), "old");
+        AtomicFile.check(old);
+        AtomicFile.check(folder.resolve("new"));
+        assertThat(folder.toFile().list()).containsExactly("old");
+        assertThat(old).hasContent("old");
     }
 }

@@ -67,6 +67,23 @@ class RenderModeTest {
         assertThat(middle(render(finer, RenderMode.RAYS))).as("nine of each").isEqualTo(encoded(HeatScale.RAYS.color(18)));
     }
 
+    private static Image numbers(Scene scene, RenderMode mode) {
+        return Renderer.render(RenderScene.of(scene), RenderOptions.of(scene).withMode(mode).withNumbers(), RenderMonitor.NONE).image();
+    }
+
+    @Test
+    void programsGetDistancesAndCountsAsTheyAre() {
+        assertThat(numbers(ball(), RenderMode.DEPTH).red(MIDDLE_X, MIDDLE_Y)).as("from z = 5 to z = 1").isEqualTo(4);
+        assertThat(numbers(Scenes.empty(), RenderMode.DEPTH).red(MIDDLE_X, MIDDLE_Y)).as("nothing").isZero();
+        Scene finer = ball();
+        finer = finer.withSettings(finer.settings().withSamples(3));
+        assertThat(numbers(finer, RenderMode.RAYS).green(MIDDLE_X, MIDDLE_Y)).as("nine to the ball, nine to the light").isEqualTo(18);
+        assertThat(numbers(finer, RenderMode.DEPTH).blue(MIDDLE_X, MIDDLE_Y)).as("the mean of nine").isBetween(4f, 4.05f);
+        assertThat(numbers(ball(), RenderMode.NODES).red(MIDDLE_X, MIDDLE_Y)).isGreaterThanOrEqualTo(1);
+        Image light = render(ball(), RenderMode.SHADED);
+        assertThat(numbers(ball(), RenderMode.SHADED).toArgb()).as("light is light").isEqualTo(light.toArgb());
+    }
+
     @Test
     void manyBodiesTakeMoreNodes() {
         Image few = render(ball(), RenderMode.NODES);

@@ -2,6 +2,8 @@ package cz.paprsek.cli.bench;
 
 import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Interruption;
+import cz.paprsek.cli.process.Memory;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
@@ -26,10 +28,10 @@ import picocli.CommandLine.Option;
         footer = {
             "",
             "Examples:",
-            "  rt-cli bench",
-            "  rt-cli bench --against povray                  in turn with POV-Ray, which must be installed",
-            "  rt-cli bench --scale --rounds 3                how time and memory grow with the scene",
-            "  rt-cli bench --scene few --scene cloud1M --threads 2 --json"
+            "  paprsek bench",
+            "  paprsek bench --against povray                  in turn with POV-Ray, which must be installed",
+            "  paprsek bench --scale --rounds 3                how time and memory grow with the scene",
+            "  paprsek bench --scene few --scene cloud1M --threads 2 --json"
         })
 public final class BenchCommand implements Callable<Integer> {
     private static final int MOST_ROUNDS = 1000;
@@ -70,6 +72,9 @@ public final class BenchCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        if (json) {
+            stop.oweLastWords();
+        }
         requireWithin("--threads", threads, 1024);
         requireWithin("--rounds", rounds, MOST_ROUNDS);
         names.forEach(BenchScenes::check);
@@ -85,12 +90,12 @@ public final class BenchCommand implements Callable<Integer> {
             }
             return ExitCode.DONE;
         } catch (InterruptedIOException stopped) {
-            return ExitCode.INTERRUPTED;
+            return Interruption.told(terminal, json);
         } catch (IOException e) {
-            terminal.message("rt-cli: " + e.getMessage());
+            terminal.message("paprsek: " + e.getMessage());
             return ExitCode.FAILED;
         } catch (OutOfMemoryError e) {
-            terminal.message("rt-cli: not enough memory for this scene; give Java more with -Xmx");
+            terminal.message("paprsek: " + Memory.sentence("the scene", 0));
             return ExitCode.FAILED;
         }
     }

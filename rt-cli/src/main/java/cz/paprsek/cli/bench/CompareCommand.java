@@ -33,8 +33,8 @@ import picocli.CommandLine.Parameters;
         footer = {
             "",
             "Examples:",
-            "  rt-cli compare before.png after.png --heatmap difference.png",
-            "  rt-cli compare ours.pfm povray.png --tolerance 2 --at-most 0.1%%"
+            "  paprsek compare before.png after.png --heatmap difference.png",
+            "  paprsek compare ours.pfm povray.png --tolerance 2 --at-most 0.1%%"
         })
 public final class CompareCommand implements Callable<Integer> {
     private final Terminal terminal;

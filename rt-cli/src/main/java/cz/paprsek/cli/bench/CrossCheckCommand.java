@@ -34,8 +34,8 @@ import picocli.CommandLine.Parameters;
         footer = {
             "",
             "Examples:",
-            "  rt-cli crosscheck rt-core/src/test/resources/crosscheck/*.xml",
-            "  rt-cli crosscheck mine.xml --size 160x90 --heatmaps differences/"
+            "  paprsek crosscheck rt-core/src/test/resources/crosscheck/*.xml",
+            "  paprsek crosscheck mine.xml --size 160x90 --heatmaps differences/"
         })
 public final class CrossCheckCommand implements Callable<Integer> {
     private static final String ROW = "%-30s %9s %9s %8s  %s";

@@ -1,2 +1,2 @@
-/** The commands that measure: how fast, and how far apart two pictures are. The only place that starts another program. */
+/** The commands that measure: how fast, and how far apart two pictures are. */
 package cz.paprsek.cli.bench;

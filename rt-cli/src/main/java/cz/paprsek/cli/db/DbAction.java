@@ -1,5 +1,6 @@
 package cz.paprsek.cli.db;
 
+import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.process.BadScene;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Failures;
@@ -65,6 +66,7 @@ public abstract class DbAction implements Callable<Integer> {
 
     static SceneDatabase read(Path file) {
         try {
+            Foreign.refuse(file);
             return SceneFiles.readDatabase(file);
         } catch (SceneFileException e) {
             throw new BadScene(e.problems().stream().map(Problem::toString).toList());

@@ -25,7 +25,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "add",
         description = "Adds the scenes of files to a database, which is made if there is none. A scene without a name gets that of its file.",
-        footer = {"", "Examples:", "  rt-cli db add my.xml 'scenes/*.xml'", "  rt-cli db add my.xml ring.xml --name \"My ring\" --tag csg --tag gold"})
+        footer = {"", "Examples:", "  paprsek db add my.xml 'scenes/*.xml'", "  paprsek db add my.xml ring.xml --name \"My ring\" --tag csg --tag gold"})
 final class DbAddCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
     private Path file;

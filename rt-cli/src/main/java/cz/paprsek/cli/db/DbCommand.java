@@ -22,13 +22,13 @@ import picocli.CommandLine.Spec;
         footer = {
             "",
             "Examples:",
-            "  rt-cli db init my.xml                              a database with a test scene and examples",
-            "  rt-cli db list my.xml --where 'tag = \"glass\"'",
-            "  rt-cli db show sphere my.xml --where 'radius > 2 and name like \"gl%%\"' --csv",
-            "  rt-cli db find my.xml --where 'transparency > 0.5'",
-            "  rt-cli db add my.xml new.xml --tag draft",
-            "  rt-cli db extract my.xml \"Chess set\" -o chess.xml",
-            "  rt-cli render my.xml --where 'exists(torus)' -o pictures/"
+            "  paprsek db init my.xml                              a database with a test scene and examples",
+            "  paprsek db list my.xml --where 'tag = \"glass\"'",
+            "  paprsek db show sphere my.xml --where 'radius > 2 and name like \"gl%%\"' --csv",
+            "  paprsek db find my.xml --where 'transparency > 0.5'",
+            "  paprsek db add my.xml new.xml --tag draft",
+            "  paprsek db extract my.xml \"Chess set\" -o chess.xml",
+            "  paprsek render my.xml --where 'exists(torus)' -o pictures/"
         })
 public final class DbCommand implements Runnable {
     @Spec

@@ -24,7 +24,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "extract",
         description = "Writes scenes of a database to files of their own. Files that exist are not overwritten.",
-        footer = {"", "Examples:", "  rt-cli db extract my.xml \"Chess set\" -o chess.xml", "  rt-cli db extract my.xml --where 'tag = \"glass\"' -o glass/"})
+        footer = {"", "Examples:", "  paprsek db extract my.xml \"Chess set\" -o chess.xml", "  paprsek db extract my.xml --where 'tag = \"glass\"' -o glass/"})
 final class DbExtractCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
     private Path file;
@@ -32,7 +32,7 @@ final class DbExtractCommand extends DbAction {
     @Parameters(index = "1..*", arity = "0..*", paramLabel = "NAME", description = "Names of scenes.")
     private List<String> names = List.of();
 
-    @Option(names = "--where", paramLabel = "FILTER", description = "All scenes that match; 'rt-cli db --help' explains filters.")
+    @Option(names = "--where", paramLabel = "FILTER", description = "All scenes that match; 'paprsek db --help' explains filters.")
     private Optional<String> where = Optional.empty();
 
     @Option(names = {"-o", "--output"}, paramLabel = "FILE|DIR|PATTERN", description = "A file, for one scene; a directory; or a pattern in which {name} "

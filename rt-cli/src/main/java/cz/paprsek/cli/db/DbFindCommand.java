@@ -27,12 +27,12 @@ import picocli.CommandLine.Parameters;
         name = "find",
         description = "Finds cameras, lights, materials and objects, operands included, in all tables that have the columns of the filter: "
                 + "which table they are in, which scene, and where in the scene.",
-        footer = {"", "Examples:", "  rt-cli db find my.xml --where 'name like \"%%key%%\"'", "  rt-cli db find my.xml --where 'radius > 2'"})
+        footer = {"", "Examples:", "  paprsek db find my.xml --where 'name like \"%%key%%\"'", "  paprsek db find my.xml --where 'radius > 2'"})
 final class DbFindCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
     private Path file;
 
-    @Option(names = "--where", required = true, paramLabel = "FILTER", description = "What to find; 'rt-cli db --help' explains filters.")
+    @Option(names = "--where", required = true, paramLabel = "FILTER", description = "What to find; 'paprsek db --help' explains filters.")
     private String where;
 
     @Option(names = "--scenes", paramLabel = "FILTER", description = "Only in scenes that match.")

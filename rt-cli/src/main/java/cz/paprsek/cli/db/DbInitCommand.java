@@ -16,7 +16,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "init",
         description = "Writes a new database with a test scene and examples of everything that scenes may have.",
-        footer = {"", "Example:", "  rt-cli db init my.xml && rt-cli db list my.xml"})
+        footer = {"", "Example:", "  paprsek db init my.xml && paprsek db list my.xml"})
 final class DbInitCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "DATABASE", description = "The file to write.")
     private Path file;

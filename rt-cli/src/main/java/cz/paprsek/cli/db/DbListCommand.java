@@ -18,15 +18,15 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "list",
         description = "Lists the scenes of a database: name, tags, numbers of objects and lights, description.",
-        footer = {"", "Examples:", "  rt-cli db list my.xml --where 'lights >= 2 and not exists(torus)'", "  rt-cli db list my.xml --sort objects --reverse",
-            "  rt-cli db list my.xml --columns name,width,height --json"})
+        footer = {"", "Examples:", "  paprsek db list my.xml --where 'lights >= 2 and not exists(torus)'", "  paprsek db list my.xml --sort objects --reverse",
+            "  paprsek db list my.xml --columns name,width,height --json"})
 final class DbListCommand extends DbAction {
     private static final List<String> SHOWN = List.of("name", "tag", "objects", "lights", "description");
 
     @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
     private Path file;
 
-    @Option(names = "--where", paramLabel = "FILTER", description = "Only scenes that match; 'rt-cli db --help' explains filters.")
+    @Option(names = "--where", paramLabel = "FILTER", description = "Only scenes that match; 'paprsek db --help' explains filters.")
     private Optional<String> where = Optional.empty();
 
     @Mixin

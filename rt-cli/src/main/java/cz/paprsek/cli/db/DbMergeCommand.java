@@ -19,7 +19,7 @@ import picocli.CommandLine.Parameters;
         name = "merge",
         description = "Takes all scenes of other databases into the first one. Scenes that are the same in both are no clash; different ones of "
                 + "the same name are refused, unless you say which to take.",
-        footer = {"", "Example:", "  rt-cli db merge my.xml theirs.xml --keep"})
+        footer = {"", "Example:", "  paprsek db merge my.xml theirs.xml --keep"})
 final class DbMergeCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "DATABASE", description = "The database that gets the scenes.")
     private Path file;

@@ -16,7 +16,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "remove",
         description = "Removes scenes from a database, by name or by a filter.",
-        footer = {"", "Examples:", "  rt-cli db remove my.xml \"Chess set\"", "  rt-cli db remove my.xml --where 'tag = \"draft\"'"})
+        footer = {"", "Examples:", "  paprsek db remove my.xml \"Chess set\"", "  paprsek db remove my.xml --where 'tag = \"draft\"'"})
 final class DbRemoveCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
     private Path file;
@@ -24,7 +24,7 @@ final class DbRemoveCommand extends DbAction {
     @Parameters(index = "1..*", arity = "0..*", paramLabel = "NAME", description = "Names of scenes.")
     private List<String> names = List.of();
 
-    @Option(names = "--where", paramLabel = "FILTER", description = "All scenes that match; 'rt-cli db --help' explains filters.")
+    @Option(names = "--where", paramLabel = "FILTER", description = "All scenes that match; 'paprsek db --help' explains filters.")
     private Optional<String> where = Optional.empty();
 
     DbRemoveCommand(Terminal terminal, Stop stop) {

@@ -11,7 +11,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "rename",
         description = "Gives a scene of a database another name.",
-        footer = {"", "Example:", "  rt-cli db rename my.xml \"Chess set\" Chess"})
+        footer = {"", "Example:", "  paprsek db rename my.xml \"Chess set\" Chess"})
 final class DbRenameCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
     private Path file;

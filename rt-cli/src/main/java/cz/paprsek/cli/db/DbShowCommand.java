@@ -20,16 +20,16 @@ import picocli.CommandLine.Parameters;
         name = "show",
         description = "Shows a table of a database: scene, camera, light, material, object, or the objects of one kind, such as sphere. Operands of "
                 + "union, difference and intersection are objects too; their path says where they are, and their depth is above 0.",
-        footer = {"", "Examples:", "  rt-cli db show material my.xml --where 'transparency > 0'",
-            "  rt-cli db show sphere my.xml --scenes 'tag = \"glass\"' --columns scene,path,radius,position.y --sort radius"})
+        footer = {"", "Examples:", "  paprsek db show material my.xml --where 'transparency > 0'",
+            "  paprsek db show sphere my.xml --scenes 'tag = \"glass\"' --columns scene,path,radius,position.y --sort radius"})
 final class DbShowCommand extends DbAction {
-    @Parameters(index = "0", paramLabel = "TABLE", description = "The name of a table; 'rt-cli db tables' lists them.")
+    @Parameters(index = "0", paramLabel = "TABLE", description = "The name of a table; 'paprsek db tables' lists them.")
     private String table;
 
     @Parameters(index = "1", paramLabel = "DATABASE", description = "A database file.")
     private Path file;
 
-    @Option(names = "--where", paramLabel = "FILTER", description = "Only rows that match; 'rt-cli db --help' explains filters.")
+    @Option(names = "--where", paramLabel = "FILTER", description = "Only rows that match; 'paprsek db --help' explains filters.")
     private Optional<String> where = Optional.empty();
 
     @Option(names = "--scenes", paramLabel = "FILTER", description = "Only rows of scenes that match.")

@@ -18,7 +18,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "tables",
         description = "Lists the tables that a database is seen as, with the number of their rows and the names of their columns.",
-        footer = {"", "Example:", "  rt-cli db tables my.xml --columns table,rows"})
+        footer = {"", "Example:", "  paprsek db tables my.xml --columns table,rows"})
 final class DbTablesCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
     private Path file;

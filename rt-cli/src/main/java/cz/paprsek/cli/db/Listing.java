@@ -24,7 +24,7 @@ record Listing<R>(List<Column<R>> columns, List<R> rows, int widest) {
     enum Form { ALIGNED, CSV, JSON }
 
     void print(Terminal terminal, Form form) {
-        PrintWriter out = terminal.out();
+        PrintWriter out = form == Form.CSV ? terminal.table() : terminal.out();
         switch (form) {
             case ALIGNED -> aligned(out);
             case CSV -> csv(out);

@@ -23,14 +23,14 @@ public final class SceneWarnings {
     private static final double SLACK = 1e-9;
 
     private final Scene scene;
-    private final List<String> warnings = new ArrayList<>();
+    private final List<SceneWarning> warnings = new ArrayList<>();
 
     private SceneWarnings(Scene scene) {
         this.scene = scene;
     }
 
-    /** All that is suspicious about a scene, a sentence each. */
-    public static List<String> of(Scene scene) {
+    /** All that is suspicious about a scene. */
+    public static List<SceneWarning> of(Scene scene) {
         SceneWarnings check = new SceneWarnings(scene);
         List<SceneParts.Part> parts = SceneParts.of(scene);
         check.light();
@@ -42,12 +42,16 @@ public final class SceneWarnings {
         return check.warnings;
     }
 
+    private void add(String kind, String object, String message) {
+        warnings.add(new SceneWarning(kind, object, message));
+    }
+
     private void light() {
         boolean isLit = scene.lights().stream().anyMatch(light -> light.intensity() > 0 && !light.color().equals(Rgb.BLACK));
         if (scene.objects().isEmpty()) {
-            warnings.add("there are no objects; the picture will be the background alone");
+            add("empty", "", "there are no objects; the picture will be the background alone");
         } else if (!isLit && scene.ambient().equals(Rgb.BLACK)) {
-            warnings.add("there is no light and no ambient light; every surface will be black");
+            add("dark", "", "there is no light and no ambient light; every surface will be black");
         }
     }
 
@@ -62,13 +66,13 @@ public final class SceneWarnings {
             }
         }
         scene.materials().keySet().stream().filter(name -> !used.contains(name))
-                .forEach(name -> warnings.add("material \"" + name + "\" is not used"));
+                .forEach(name -> add("unused", "material \"" + name + "\"", "material \"" + name + "\" is not used"));
     }
 
     private void energy(String what, Material material) {
         double sum = material.diffusion() + material.reflection() + material.transparency();
         if (sum > 1 + SLACK) {
-            warnings.add(what + ": diffusion, reflection and transparency add up to " + Numbers.text(Math.rint(sum * 1e6) / 1e6)
+            add("energy", what, what + ": diffusion, reflection and transparency add up to " + Numbers.text(Math.rint(sum * 1e6) / 1e6)
                     + "; above 1 a surface gives back more light than it gets");
         }
     }
@@ -83,7 +87,7 @@ public final class SceneWarnings {
             if (left.intersection(bounds(operand)).isEmpty()) {
                 String label = operand.solid().kind() + (operand.name().isEmpty() ? " #" + (i + 1) : " \"" + operand.name() + "\"")
                         + " in " + part.label();
-                warnings.add(csg.operation() == Operation.DIFFERENCE
+                add("operand", label, csg.operation() == Operation.DIFFERENCE
                         ? label + " removes nothing: it does not meet the first operand"
                         : label + " does not meet the operands before it; nothing is left of the intersection");
             }
@@ -101,17 +105,17 @@ public final class SceneWarnings {
         boolean isOpaque = made.stream().allMatch(material -> material.transparency() == 0);
         long indices = made.stream().filter(material -> material.transparency() > 0).mapToDouble(Material::refractiveIndex).distinct().count();
         if (indices > 1) {
-            warnings.add(label + " is transparent, but its operands have different refractive indices; one body has one index");
+            add("indices", label, label + " is transparent, but its operands have different refractive indices; one body has one index");
         }
         Surface placed = Solids.place(object.shape(), object.placement());
         if (Solids.holds(placed, scene.camera().position())) {
-            warnings.add("the camera is inside " + label + (isOpaque ? ", which is opaque; it will see nothing else" : ""));
+            add("camera-inside", label, "the camera is inside " + label + (isOpaque ? ", which is opaque; it will see nothing else" : ""));
         }
         for (int i = 0; i < scene.lights().size(); i++) {
             Light light = scene.lights().get(i);
             if (isOpaque && Solids.holds(placed, light.position())) {
-                warnings.add((light.name().isEmpty() ? "light #" + (i + 1) : "light \"" + light.name() + "\"") + " is inside " + label
-                        + ", which is opaque; it lights nothing outside");
+                String lamp = light.name().isEmpty() ? "light #" + (i + 1) : "light \"" + light.name() + "\"";
+                add("light-inside", lamp, lamp + " is inside " + label + ", which is opaque; it lights nothing outside");
             }
         }
     }

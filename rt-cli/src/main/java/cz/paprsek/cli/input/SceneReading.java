@@ -19,6 +19,7 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
 
     public static SceneReading of(Path file) {
         try {
+            Foreign.refuse(file);
             return new SceneReading(file, SceneFiles.readAll(file), List.of());
         } catch (SceneFileException e) {
             return new SceneReading(file, List.of(), e.problems());

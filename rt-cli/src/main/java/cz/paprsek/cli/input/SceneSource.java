@@ -51,7 +51,7 @@ public record SceneSource(Path file, String label, String name, Optional<Scene> 
 
     private static boolean isDatabase(Path file) {
         try {
-            return SceneFiles.isDatabase(file);
+            return Foreign.kind(file).isEmpty() && SceneFiles.isDatabase(file);
         } catch (IOException unreadable) {
             // Whoever reads it will say so.
             return false;
@@ -59,6 +59,10 @@ public record SceneSource(Path file, String label, String name, Optional<Scene> 
     }
 
     public Scene read() throws SceneFileException, IOException {
-        return known.isPresent() ? known.get() : SceneFiles.read(file);
+        if (known.isPresent()) {
+            return known.get();
+        }
+        Foreign.refuse(file);
+        return SceneFiles.read(file);
     }
 }

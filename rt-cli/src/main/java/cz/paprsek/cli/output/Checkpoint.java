@@ -2,6 +2,7 @@ package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.Image;
+import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
 import cz.paprsek.scene.Scene;
@@ -41,7 +42,7 @@ public final class Checkpoint implements AutoCloseable {
 
     /** Where the tiles of a picture are kept. */
     public static Path fileFor(Path picture) {
-        return picture.resolveSibling(picture.getFileName() + ".resume");
+        return AtomicFile.beside(picture, "", ".resume");
     }
 
     /**

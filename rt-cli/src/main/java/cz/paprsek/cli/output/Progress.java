@@ -10,12 +10,12 @@ import cz.paprsek.render.Tile;
 /** Shows how far a render is, and passes on the user's wish to stop. */
 public abstract class Progress implements RenderMonitor, AutoCloseable {
     private final Stop stop;
-    private final long total;
-    private long pixels;
+    private final Pace pace;
+    private final long begin = System.nanoTime();
 
     Progress(RenderOptions options, Stop stop) {
         this.stop = stop;
-        this.total = (long) options.region().width() * options.region().height();
+        this.pace = new Pace((long) options.region().width() * options.region().height());
     }
 
     /** Begins to show the progress of a render. */
@@ -24,7 +24,7 @@ public abstract class Progress implements RenderMonitor, AutoCloseable {
         /** Shows nothing. */
         Maker SILENT = (scene, options, stop) -> new Progress(options, stop) {
             @Override
-            void show(long done, long total) {}
+            void show(Pace pace, double seconds) {}
         };
 
         Progress start(String scene, RenderOptions options, Stop stop);
@@ -37,20 +37,32 @@ public abstract class Progress implements RenderMonitor, AutoCloseable {
                 : (scene, options, stop) -> new ProgressInLines(terminal, scene, options, stop);
     }
 
-    /** Shows that so many of the picture's pixels are done; called by one thread at a time. */
-    abstract void show(long done, long total);
+    /** Shows how far it is, so many seconds after the beginning; called by one thread at a time. */
+    abstract void show(Pace pace, double seconds);
 
     @Override
     public final boolean cancelled() {
         return stop.requested();
     }
 
+    /** A tile is there that an earlier render has traced. */
+    final synchronized void found(Tile tile) {
+        pace.found((long) tile.width() * tile.height());
+        refresh();
+    }
+
     @Override
-    public final void finished(Tile tile, Image image, int done, int tiles) {
-        synchronized (this) {
-            pixels += (long) tile.width() * tile.height();
-            show(pixels, total);
-        }
+    public final synchronized void finished(Tile tile, Image image, int done, int tiles) {
+        pace.traced((long) tile.width() * tile.height(), seconds());
+        refresh();
+    }
+
+    final synchronized void refresh() {
+        show(pace, seconds());
+    }
+
+    private double seconds() {
+        return (System.nanoTime() - begin) / 1e9;
     }
 
     /** Stops showing; the render is over. */

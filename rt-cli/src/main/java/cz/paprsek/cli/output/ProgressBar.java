@@ -1,5 +1,6 @@
 package cz.paprsek.cli.output;
 
+import cz.paprsek.cli.process.Columns;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.io.PlainText;
@@ -8,56 +9,77 @@ import java.util.Locale;
 
 /** Progress for somebody who watches: a bar with percentage, speed and time left in one line, which is gone when the render is over. */
 public final class ProgressBar extends Progress {
-    /** A terminal is at least so wide; asking for its width means starting another program. */
-    private static final int COLUMNS = 79;
     private static final int LONGEST_NAME = 24;
     private static final int CELLS = 20;
-    private static final long NANOS_BETWEEN = 100_000_000;
+    private static final double SECONDS_BETWEEN = 0.1;
+    /** How often the terminal is asked for its width, which costs milliseconds. */
+    private static final double SECONDS_BETWEEN_WIDTHS = 0.5;
 
     private final Terminal terminal;
     private final String name;
     private final int raysPerPixel;
-    private final long begin = System.nanoTime();
-    private long drawn;
+    private int columns = Columns.ofTerminal();
+    private double drawn = Double.NEGATIVE_INFINITY;
+    private double measured;
+    private int width;
 
     ProgressBar(Terminal terminal, String scene, RenderOptions options, Stop stop) {
         super(options, stop);
         this.terminal = terminal;
-        String printable = PlainText.of(scene, Integer.MAX_VALUE);
-        name = printable.length() <= LONGEST_NAME ? printable : "..." + printable.substring(printable.length() - LONGEST_NAME + 3);
+        name = PlainText.of(scene, Integer.MAX_VALUE);
         raysPerPixel = options.settings().samples() * options.settings().samples();
-        draw(name);
+        refresh();
     }
 
     @Override
-    void show(long done, long total) {
-        long elapsed = System.nanoTime() - begin;
-        if (elapsed >= drawn + NANOS_BETWEEN) {
-            drawn = elapsed;
-            double seconds = elapsed / 1e9;
-            draw(line(name, (double) done / total, done * raysPerPixel / seconds, seconds * (total - done) / done));
+    void show(Pace pace, double seconds) {
+        if (seconds < drawn + SECONDS_BETWEEN) {
+            return;
         }
+        drawn = seconds;
+        if (seconds >= measured + SECONDS_BETWEEN_WIDTHS) {
+            measured = seconds;
+            columns = Columns.ofTerminal();
+        }
+        draw(line(columns, name, pace.share(), pace.pixelsPerSecond(seconds) * raysPerPixel, pace.secondsLeft(seconds)));
     }
 
     @Override
-    public void close() {
+    public synchronized void close() {
         draw("");
         terminal.err().print('\r');
         terminal.err().flush();
     }
 
-    /** One line, such as {@code glass.xml  42 % [########            ]  1.3 M eye rays/s  0:08 left}. */
-    public static String line(String name, double share, double eyeRaysPerSecond, double secondsLeft) {
+    /**
+     * One line, such as {@code glass.xml  42 % [########            ]  1.3 M eye rays/s  0:08 left}. The last column stays free: many a
+     * terminal begins a new line when it is written to. Where there is no room, the bar, the speed and the name go first.
+     */
+    static String line(int columns, String name, double share, double eyeRaysPerSecond, double secondsLeft) {
         int full = (int) (share * CELLS);
+        String percent = String.format(Locale.ROOT, "%3d %%", (int) (share * 100));
+        String bar = String.format(" [%s%s]", "#".repeat(full), " ".repeat(CELLS - full));
+        String speed = String.format(Locale.ROOT, " %.1f M eye rays/s", eyeRaysPerSecond / 1e6);
+        String left = Double.isNaN(secondsLeft) ? "" : "  " + clock(secondsLeft) + " left";
+        for (String rest : new String[] {percent + bar + speed + left, percent + bar + left, percent + left, percent}) {
+            int room = Math.min(LONGEST_NAME, columns - 2 - Columns.of(rest));
+            if (room >= Math.min(LONGEST_NAME / 2, Columns.of(name))) {
+                return Columns.end(name, room) + " " + rest;
+            }
+        }
+        return percent.length() < columns ? percent : "";
+    }
+
+    private static String clock(double secondsLeft) {
         long left = Math.min((long) Math.ceil(secondsLeft), 359_999);
-        String clock = left < 3600 ? String.format(Locale.ROOT, "%d:%02d", left / 60, left % 60)
+        return left < 3600 ? String.format(Locale.ROOT, "%d:%02d", left / 60, left % 60)
                 : String.format(Locale.ROOT, "%d:%02d:%02d", left / 3600, left / 60 % 60, left % 60);
-        return String.format(Locale.ROOT, "%s %3d %% [%s%s] %.1f M eye rays/s  %s left", name, (int) (share * 100),
-                "#".repeat(full), " ".repeat(CELLS - full), eyeRaysPerSecond / 1e6, clock);
     }
 
     private void draw(String line) {
-        terminal.err().print("\r" + line + " ".repeat(Math.max(0, COLUMNS - line.length())));
+        int before = Math.min(width, columns - 1);
+        width = Columns.of(line);
+        terminal.err().print("\r" + line + " ".repeat(Math.max(0, before - width)));
         terminal.err().flush();
     }
 }

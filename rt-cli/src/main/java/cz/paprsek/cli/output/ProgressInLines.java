@@ -11,7 +11,6 @@ final class ProgressInLines extends Progress {
 
     private final Terminal terminal;
     private final String scene;
-    private final long begin = System.nanoTime();
     private double said;
 
     ProgressInLines(Terminal terminal, String scene, RenderOptions options, Stop stop) {
@@ -23,12 +22,11 @@ final class ProgressInLines extends Progress {
     }
 
     @Override
-    void show(long done, long total) {
-        double seconds = (System.nanoTime() - begin) / 1e9;
-        if (done < total && seconds >= said + SECONDS_BETWEEN) {
+    void show(Pace pace, double seconds) {
+        if (pace.share() < 1 && seconds >= said + SECONDS_BETWEEN) {
             said = seconds;
             terminal.message(String.format(Locale.ROOT, "%s: %d %% after %.0f s, about %.0f s left",
-                    scene, 100 * done / total, seconds, seconds * (total - done) / done));
+                    scene, (int) (100 * pace.share()), seconds, pace.secondsLeft(seconds)));
         }
     }
 }

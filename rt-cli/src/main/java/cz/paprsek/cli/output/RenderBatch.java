@@ -4,11 +4,13 @@ import cz.paprsek.cli.input.Wishes;
 import cz.paprsek.cli.output.Report.Outcome;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Failures;
+import cz.paprsek.cli.process.Memory;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
+import cz.paprsek.image.ImageFormat;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.Renderer;
@@ -16,6 +18,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 
 /** Renders scenes one after the other, each on all threads; one that fails does not stop the next. */
@@ -36,6 +39,9 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
 
     private Outcome run(Target target) {
         String file = target.source().label();
+        if (!target.refusal().isEmpty()) {
+            return fail(target, Outcome.WRONG_USAGE, List.of(file + ": " + target.refusal()));
+        }
         try {
             long begin = System.nanoTime();
             return render(target, view.of(target.source().read()), begin);
@@ -48,46 +54,63 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         } catch (IllegalStateException e) {
             return fail(target, Outcome.FAILED, List.of(file + ": " + e.getMessage()));
         } catch (OutOfMemoryError e) {
-            return fail(target, Outcome.FAILED, List.of(file + ": not enough memory; give Java more with -Xmx, or render in parts with --region"));
+            return fail(target, Outcome.FAILED, List.of(file + ": " + Memory.sentence("the scene", 0)));
         }
     }
 
     private Outcome render(Target target, Scene scene, long begin) {
         RenderOptions options;
         try {
-            options = wishes.applyTo(scene.settings()).withMode(view.mode());
+            options = view.applyTo(wishes.applyTo(scene.settings()), target.format());
             Image.requireRoom(options.region().width(), options.region().height());
         } catch (IllegalArgumentException refused) {
             return fail(target, Outcome.WRONG_USAGE, List.of(target.source().label() + ": " + refused.getMessage()));
         }
+        int width = options.region().width();
+        int height = options.region().height();
+        String tooLarge = target.source().label() + ": " + Room.sentence(scene, width, height, target.format());
+        if (Room.memory(width, height, target.format()) > Memory.allowed()) {
+            return fail(target, Outcome.FAILED, List.of(tooLarge));
+        }
         RenderResult result;
         Image image;
-        try (Tiles tiles = resume ? Tiles.kept(target, scene, options, terminal) : Tiles.NOT_KEPT) {
-            try (Progress monitor = progress.start(target.source().label(), options, stop)) {
-                result = Renderer.render(scene, options, tiles.around(monitor));
+        try {
+            if (target.file().isPresent()) {
+                Room.checkDisk(target.file().get(), view.written(target.format()).leastBytes(width, height));
             }
-            if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
-                return fail(target, Outcome.INTERRUPTED, List.of(target.source().label() + ": interrupted, no picture written"));
+            try (Tiles tiles = resume ? Tiles.kept(target, scene, options, terminal) : Tiles.NOT_KEPT) {
+                try (Progress monitor = progress.start(target.source().label(), options, stop)) {
+                    result = Renderer.render(scene, options, tiles.around(monitor));
+                }
+                if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
+                    return interrupted(target);
+                }
+                image = view.finished(result.image(), target.format());
+                stop.guard(() -> write(target, image));
+                tiles.discard();
             }
-            image = view.finished(result.image());
-            stop.guard(() -> write(target, image));
-            tiles.discard();
         } catch (WrongUsage e) {
             return fail(target, Outcome.WRONG_USAGE, List.of(String.valueOf(e.getMessage())));
         } catch (IOException e) {
-            return stop.requested()
-                    ? fail(target, Outcome.INTERRUPTED, List.of(target.source().label() + ": interrupted, no picture written"))
-                    : fail(target, Outcome.FAILED, List.of(Failures.sentence(target.shown(), e)));
+            return stop.requested() ? interrupted(target)
+                    : fail(target, Outcome.FAILED, List.of(Failures.sentence(target.file().map(Path::toString).orElse("standard output"), e)));
+        } catch (OutOfMemoryError e) {
+            return fail(target, Outcome.FAILED, List.of(tooLarge));
         }
         report.done(target, scene.name(), image.width(), image.height(), result.stats(), (System.nanoTime() - begin) / 1e9);
         return Outcome.DONE;
     }
 
+    private Outcome interrupted(Target target) {
+        return fail(target, Outcome.INTERRUPTED, List.of(target.source().label() + ": interrupted, no picture written"));
+    }
+
     private void write(Target target, Image image) throws IOException {
+        ImageFormat format = view.written(target.format());
         if (target.file().isPresent()) {
-            ImageFiles.write(image, target.file().get(), target.format());
+            ImageFiles.write(image, target.file().get(), format);
         } else {
-            ImageFiles.write(image, terminal.bytes(), target.format());
+            ImageFiles.write(image, terminal.bytes(), format);
         }
     }
 

@@ -9,7 +9,7 @@ import java.io.IOException;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /** A render that goes on where an earlier one stopped, and keeps what it has done for a later one. */
-record Resuming(RenderMonitor progress, Checkpoint checkpoint, Terminal terminal, String shown, AtomicBoolean broken) implements RenderMonitor {
+record Resuming(Progress progress, Checkpoint checkpoint, Terminal terminal, String shown, AtomicBoolean broken) implements RenderMonitor {
 
     @Override
     public boolean cancelled() {
@@ -28,7 +28,11 @@ record Resuming(RenderMonitor progress, Checkpoint checkpoint, Terminal terminal
 
     @Override
     public void finished(Tile tile, Image image, int done, int total) {
-        if (!broken.get() && !checkpoint.holds(tile)) {
+        if (checkpoint.holds(tile)) {
+            progress.found(tile);
+            return;
+        }
+        if (!broken.get()) {
             try {
                 checkpoint.save(tile, image);
             } catch (IOException e) {

@@ -10,16 +10,17 @@ import java.util.Optional;
  *
  * @param source where the scene comes from
  * @param file the picture's file; none for standard output
+ * @param refusal why there can be no such file; empty if there can
  */
-public record Target(SceneSource source, Optional<Path> file, ImageFormat format) {
+public record Target(SceneSource source, Optional<Path> file, ImageFormat format, String refusal) {
 
     /** The scene's file. */
-    Path scene() {
+    public Path scene() {
         return source.file();
     }
 
     /** The picture's file as the user would name it. */
-    String shown() {
+    public String shown() {
         return file.map(Path::toString).orElse("-");
     }
 }

@@ -1,18 +1,23 @@
 package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.input.SceneSource;
+import cz.paprsek.cli.input.Words;
+import cz.paprsek.cli.process.Failures;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.io.AtomicFile;
+import cz.paprsek.scene.Similar;
 import java.io.IOException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Finds a file for every picture, before the first is computed: that something cannot be written should not come out an hour later.
@@ -23,6 +28,14 @@ import java.util.Optional;
  */
 public record Targets(Optional<String> output, Optional<ImageFormat> format, boolean raw) {
     public static final String NAME = "{name}";
+    private static final String FOLDER = "{dir}";
+    private static final List<String> KNOWN = List.of(NAME, FOLDER);
+    private static final Pattern PLACE = Pattern.compile("\\{\\w+}");
+
+    /** @throws WrongUsage if what the user gave is no name, or has an unknown <code>{…}</code> in it */
+    public Targets {
+        output.ifPresent(Targets::check);
+    }
 
     /** @throws WrongUsage if two pictures would go to one file, or a file cannot be written */
     public List<Target> of(List<SceneSource> scenes) {
@@ -37,18 +50,33 @@ public record Targets(Optional<String> output, Optional<ImageFormat> format, boo
 
     private Target of(SceneSource scene) {
         if (output.equals(Optional.of("-"))) {
-            return new Target(scene, Optional.empty(), format(Optional.empty()));
+            return new Target(scene, Optional.empty(), format(Optional.empty()), "");
         }
-        String name = scene.name();
         if (output.isEmpty() || isDirectory()) {
             ImageFormat chosen = format(Optional.empty());
-            return new Target(scene, Optional.of(path(output.orElse("")).resolve(name + "." + chosen.extension())), chosen);
+            String folder = filled(shown(), scene);
+            String separator = folder.isEmpty() || folder.endsWith("/") || folder.endsWith(FileSystems.getDefault().getSeparator()) ? "" : "/";
+            return target(scene, folder + separator + scene.name() + "." + chosen.extension(), chosen);
         }
-        Path file = path(output.get().replace(NAME, name));
-        return new Target(scene, Optional.of(file), format(Optional.of(file)));
+        String file = filled(output.get(), scene);
+        return target(scene, file, format(Optional.of(file)));
     }
 
-    private ImageFormat format(Optional<Path> file) {
+    /** A name that this system cannot write down is refused when its turn comes: the other pictures can be made. */
+    private static Target target(SceneSource scene, String file, ImageFormat chosen) {
+        try {
+            return new Target(scene, Optional.of(Words.path(file)), chosen, "");
+        } catch (WrongUsage unspeakable) {
+            return new Target(scene, Optional.empty(), chosen, String.valueOf(unspeakable.getMessage()));
+        }
+    }
+
+    private static String filled(String pattern, SceneSource scene) {
+        Path folder = scene.file().getParent();
+        return pattern.replace(NAME, scene.name()).replace(FOLDER, folder == null ? "." : folder.toString());
+    }
+
+    private ImageFormat format(Optional<String> file) {
         ImageFormat chosen = format.orElseGet(() -> file.map(Targets::byEnding).orElse(raw ? ImageFormat.RAW : ImageFormat.PNG));
         if (!raw) {
             return chosen;
@@ -59,12 +87,25 @@ public record Targets(Optional<String> output, Optional<ImageFormat> format, boo
         return ImageFormat.RAW;
     }
 
-    private static ImageFormat byEnding(Path file) {
-        return ImageFormat.ofFile(file.toString()).orElseThrow(() -> new WrongUsage("cannot tell the format of '" + file + "': let it end in one of "
+    private static ImageFormat byEnding(String file) {
+        return ImageFormat.ofFile(file).orElseThrow(() -> new WrongUsage("cannot tell the format of '" + file + "': let it end in one of "
                 + ImageFormat.all() + ", give --format, or end a directory's name in /"));
     }
 
-    private void check(List<Target> targets) {
+    private static void check(String output) {
+        if (output.isEmpty()) {
+            throw new WrongUsage("an empty name stands where the picture's should");
+        }
+        Matcher place = PLACE.matcher(output);
+        while (place.find()) {
+            if (!KNOWN.contains(place.group())) {
+                throw new WrongUsage("'" + output + "': there is no " + place.group() + Similar.suggestion(place.group(), KNOWN)
+                        + (Similar.nearest(place.group(), KNOWN).isEmpty() ? "; there are " + String.join(" and ", KNOWN) : ""));
+            }
+        }
+    }
+
+    private static void check(List<Target> targets) {
         Map<Path, Path> taken = new HashMap<>();
         targets.forEach(target -> taken.put(absolute(target.scene()), target.scene()));
         for (Target target : targets) {
@@ -75,51 +116,49 @@ public record Targets(Optional<String> output, Optional<ImageFormat> format, boo
                             ? "the picture of " + target.scene() + " would overwrite the scene " + other
                             : other + " and " + target.scene() + " would both be rendered to " + file + "; render them one by one");
                 }
-                makeFolder(file);
             });
         }
+        targets.forEach(target -> target.file().ifPresent(Targets::prepare));
     }
 
-    private void makeFolder(Path file) {
+    private static void prepare(Path file) {
         Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent());
         try {
-            if (isDirectory() || isPattern()) {
-                Files.createDirectories(folder);
-            }
+            Files.createDirectories(folder);
         } catch (IOException e) {
-            throw new WrongUsage("cannot make the directory " + folder);
+            throw new WrongUsage(Files.exists(folder) && !Files.isDirectory(folder) ? folder + " is not a directory, so nothing can be written there"
+                    : "cannot make the directory " + Failures.sentence(folder.toString(), e));
         }
-        if (!Files.isDirectory(folder)) {
-            throw new WrongUsage("there is no directory " + folder + " to write " + file + " to");
-        }
-        if (Files.isDirectory(file)) {
-            throw new WrongUsage("cannot write a picture to " + file + ": this is a directory");
+        try {
+            AtomicFile.check(file);
+        } catch (IOException e) {
+            throw new WrongUsage("cannot write the picture: " + Failures.sentence(file.toString(), e));
         }
     }
 
     private boolean isPattern() {
-        return shown().contains(NAME);
+        return PLACE.matcher(shown()).find();
     }
 
     private boolean isDirectory() {
         String text = shown();
-        return !text.isEmpty() && (text.endsWith("/") || text.endsWith(FileSystems.getDefault().getSeparator())
-                || (!isPattern() && Files.isDirectory(path(text))));
+        return text.endsWith("/") || text.endsWith(FileSystems.getDefault().getSeparator()) || (!isPattern() && !text.isEmpty() && isFolder(text));
+    }
+
+    private static boolean isFolder(String text) {
+        return Files.isDirectory(Words.path(text));
     }
 
     private String shown() {
         return output.orElse("");
     }
 
+    /** Where a file really is, as far as it is there: two names may lead to one. */
     private static Path absolute(Path file) {
-        return file.toAbsolutePath().normalize();
-    }
-
-    private static Path path(String text) {
         try {
-            return Path.of(text);
-        } catch (InvalidPathException e) {
-            throw new WrongUsage("'" + text + "' is not a valid file name: " + e.getReason());
+            return file.toRealPath();
+        } catch (IOException none) {
+            return file.toAbsolutePath().normalize();
         }
     }
 }

@@ -15,7 +15,7 @@ interface Tiles extends AutoCloseable {
     Tiles NOT_KEPT = monitor -> monitor;
 
     /** The monitor, and whatever it takes to keep the tiles. */
-    RenderMonitor around(RenderMonitor monitor);
+    RenderMonitor around(Progress monitor);
 
     /** The picture is written. */
     default void discard() throws IOException {}
@@ -37,7 +37,7 @@ interface Tiles extends AutoCloseable {
         }
         return new Tiles() {
             @Override
-            public RenderMonitor around(RenderMonitor monitor) {
+            public RenderMonitor around(Progress monitor) {
                 return new Resuming(monitor, checkpoint, terminal, Checkpoint.fileFor(picture).toString(), new AtomicBoolean());
             }
 

@@ -2,9 +2,11 @@ package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFormat;
 import cz.paprsek.render.HeatScale;
 import cz.paprsek.render.Legend;
 import cz.paprsek.render.RenderMode;
+import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import java.util.List;
@@ -24,9 +26,24 @@ public record View(RenderMode mode, Optional<String> light, boolean legend) {
         return light.isEmpty() ? scene : scene.withLights(List.of(chosen(scene, light.get())));
     }
 
+    /** Programs read depths and counts as they are, eyes see them as brightness and colours. */
+    RenderOptions applyTo(RenderOptions options, ImageFormat format) {
+        RenderOptions shown = options.withMode(mode);
+        return isNumbers(format) ? shown.withNumbers() : shown;
+    }
+
+    /** How the picture is written: brightness as text has 256 steps, numbers have as many as they need. */
+    ImageFormat written(ImageFormat format) {
+        return format == ImageFormat.TXT && isNumbers(format) ? ImageFormat.RAW : format;
+    }
+
+    private boolean isNumbers(ImageFormat format) {
+        return mode.isNumber() && (format == ImageFormat.PFM || format == ImageFormat.TXT || format == ImageFormat.RAW);
+    }
+
     /** The picture as it is written. */
-    Image finished(Image image) {
-        Optional<HeatScale> scale = mode.scale();
+    Image finished(Image image, ImageFormat format) {
+        Optional<HeatScale> scale = isNumbers(format) ? Optional.empty() : mode.scale();
         return legend && scale.isPresent() ? Legend.below(image, scale.get()) : image;
     }
 

@@ -12,10 +12,15 @@ public final class Failures {
 
     public static String sentence(String file, IOException failure) {
         if (failure instanceof FileSystemException broken) {
-            return file + ": " + Objects.requireNonNullElse(broken.getReason(), meaning(broken));
+            return file + ": " + small(Objects.requireNonNullElse(broken.getReason(), meaning(broken)));
         }
         String message = Objects.requireNonNullElse(failure.getMessage(), failure.getClass().getSimpleName());
-        return message.startsWith(file) ? message : file + ": " + message;
+        return message.startsWith(file) ? message : file + ": " + small(message);
+    }
+
+    /** Systems begin their sentences in capitals; ours stand after a colon. */
+    private static String small(String sentence) {
+        return sentence.length() > 1 && Character.isLowerCase(sentence.charAt(1)) ? Character.toLowerCase(sentence.charAt(0)) + sentence.substring(1) : sentence;
     }
 
     private static String meaning(FileSystemException failure) {

@@ -11,11 +11,12 @@ import org.jspecify.annotations.Nullable;
 public final class Stop {
     /** How long a process that writes nothing is kept alive to say that it was interrupted. */
     private static final long LAST_WORDS_MILLIS = 20;
-    /** How long to wait for a half-written file to be removed: more than that, and the disk hangs. */
+    /** How long to wait for a half-written file to be removed, or for words that were promised: more than that, and something hangs. */
     private static final long CLEANING_MILLIS = 5_000;
 
     private volatile boolean requested;
     private @Nullable Thread writer;
+    private boolean owesLastWords;
     private boolean ended;
 
     /** Writes a file. */
@@ -42,13 +43,18 @@ public final class Stop {
         long begin = System.nanoTime();
         try {
             for (long left = 1; !ended && left > 0;) {
-                long patience = writer == null ? LAST_WORDS_MILLIS : CLEANING_MILLIS;
+                long patience = writer == null && !owesLastWords ? LAST_WORDS_MILLIS : CLEANING_MILLIS;
                 left = patience - (System.nanoTime() - begin) / 1_000_000;
                 wait(Math.max(1, left));
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    /** Whoever reads the results is promised to be told of the end, so that it is waited for. */
+    public synchronized void oweLastWords() {
+        owesLastWords = true;
     }
 
     /** The command is over. */

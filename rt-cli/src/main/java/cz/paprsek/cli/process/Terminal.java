@@ -5,9 +5,10 @@ import java.io.Console;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
+import java.io.OutputStreamWriter;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
@@ -20,13 +21,13 @@ import java.nio.file.Path;
  * @param bytes standard output once more, for what is not lines of text
  * @param interactive whether somebody watches the messages on a terminal
  */
-public record Terminal(PrintWriter out, PrintWriter err, OutputStream bytes, boolean interactive) {
+public record Terminal(PrintWriter out, PrintWriter err, Results bytes, boolean interactive) {
 
     /** The process's own streams. */
     public static Terminal system() {
         Charset charset = charset();
-        return new Terminal(new PrintWriter(System.out, true, charset), new PrintWriter(System.err, true, charset),
-                new FileOutputStream(FileDescriptor.out), isWatched(2));
+        Results results = new Results(new FileOutputStream(FileDescriptor.out));
+        return new Terminal(new PrintWriter(results, false, charset), new PrintWriter(System.err, true, charset), results, isWatched(2));
     }
 
     /** Prints a line of results. */
@@ -39,6 +40,12 @@ public record Terminal(PrintWriter out, PrintWriter err, OutputStream bytes, boo
     public void message(String line) {
         err.println(PlainText.of(line, Integer.MAX_VALUE));
         err.flush();
+    }
+
+    /** Results for other programs to read: always UTF-8. */
+    public PrintWriter table() {
+        out.flush();
+        return new PrintWriter(new OutputStreamWriter(bytes, StandardCharsets.UTF_8));
     }
 
     /** The letters that the process's own standard output can show. */

@@ -52,7 +52,7 @@ class DbCommandTest {
                 Blue/2   blu        0       0
                 blue:2   blu        0       0
                 """);
-        assertThat(Run.cli("db", "list", database, "--csv", "--where", "tag = \"red\"").out()).isEqualTo(
+        assertThat(Run.cli("db", "list", database, "--csv", "--where", "tag = \"red\"").text()).isEqualTo(
                 "name,tag,objects,lights,description\nred one,red,0,0,\"one, \"\"two\"\"\nthree\"\n");
         assertThat(Run.cli("db", "list", database, "--json", "--columns", "name,background,width", "--sort", "name").out()).isEqualTo("""
                 {"name":"Blue/2","background":[0,0,0],"width":8}
@@ -66,7 +66,7 @@ class DbCommandTest {
     void tablesAreListedAndShown() {
         assertThat(Run.cli("db", "tables", database).out().lines().map(line -> line.split(" +", 2)[0])).startsWith("table", "scene", "camera", "light",
                 "material", "object").contains("sphere", "torus", "difference");
-        assertThat(Run.cli("db", "show", "camera", database, "--scenes", "name like \"blue%\"", "--columns", "scene,position.z", "--csv").out())
+        assertThat(Run.cli("db", "show", "camera", database, "--scenes", "name like \"blue%\"", "--columns", "scene,position.z", "--csv").text())
                 .isEqualTo("scene,position.z\nBlue/2,5\nblue:2,5\n");
         assertThat(Run.cli("db", "find", ball, "--where", "radius > 0.5").out().lines()).containsExactly(
                 "table   scene  path", "sphere  ball   sphere#1");
@@ -176,7 +176,7 @@ class DbCommandTest {
     void everyCommandExplainsItself(String command) {
         Run run = Run.cli("db", command, "--help");
         assertThat(run.code()).isZero();
-        assertThat(run.out()).contains("Usage: rt-cli db " + command, "Example", "Exit codes:").doesNotContain("%%");
+        assertThat(run.out()).contains("Usage: paprsek db " + command, "Example", "Exit codes:").doesNotContain("%%");
         assertThat(run.out().lines()).allMatch(line -> line.length() <= 100);
         assertThat(Run.cli("db", "--help").out()).contains(command, "A filter compares").doesNotContain("%%");
     }

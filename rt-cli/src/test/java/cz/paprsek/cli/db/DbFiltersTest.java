@@ -67,6 +67,6 @@ class DbFiltersTest {
         Run run = Run.cli("db", "show", table, DATABASE, "--where", filter);
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.out()).isEmpty();
-        assertThat(run.err()).startsWith("rt-cli: --where, character " + position + ": ").contains(words).hasLineCount(2);
+        assertThat(run.err()).startsWith("paprsek: --where, character " + position + ": ").contains(words).hasLineCount(2);
     }
 }

@@ -10,6 +10,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 class SceneArgumentsTest {
@@ -34,6 +36,21 @@ class SceneArgumentsTest {
         assertThat(files(folder + "/{b,a}.*")).containsExactly("a.png", "a.xml", "b.xml");
         assertThat(files(folder + "/*/*.xml")).containsExactly("deep/c.xml");
         assertThat(files(folder + "/**.xml")).containsExactly("a.xml", "b.xml", "deep/c.xml", "deep/er/d.xml", "odd[1].xml");
+    }
+
+    @Test
+    void twoStarsMayBeNoFolder() {
+        assertThat(files(folder + "/**/*.xml")).containsExactly("a.xml", "b.xml", "deep/c.xml", "deep/er/d.xml", "odd[1].xml");
+        assertThat(files(folder + "/**/er/**/d.xml")).containsExactly("deep/er/d.xml");
+        assertThat(files(folder + "/deep/**")).containsExactly("deep/c.xml", "deep/er/d.xml");
+        assertThat(files(folder + "/d*/**/{c,d}.xml")).containsExactly("deep/c.xml", "deep/er/d.xml");
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void aLinkThatLeadsInACircleHidesNothing() throws IOException {
+        Files.createSymbolicLink(folder.resolve("deep/er/up"), folder);
+        assertThat(files(folder + "/**/*.xml")).contains("a.xml", "deep/c.xml", "deep/er/d.xml");
     }
 
     @Test

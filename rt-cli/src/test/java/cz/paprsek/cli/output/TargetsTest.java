@@ -2,15 +2,20 @@ package cz.paprsek.cli.output;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import cz.paprsek.cli.input.SceneSource;
 import cz.paprsek.cli.process.WrongUsage;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class TargetsTest {
     @TempDir
@@ -55,8 +60,70 @@ class TargetsTest {
     }
 
     @Test
-    void aFileWithoutKnownEndingOrDirectoryIsRefusedBeforeRendering() {
+    void aFileWithoutKnownEndingIsRefusedBeforeRendering() {
         assertThatThrownBy(() -> shown(Optional.of(folder + "/a.gif"), "a.xml")).hasMessageContaining("png, jpg");
-        assertThatThrownBy(() -> shown(Optional.of(folder + "/none/a.png"), "a.xml")).hasMessageContaining("there is no directory");
+    }
+
+    @Test
+    void theDirectoryOfAFileIsMadeToo() {
+        shown(Optional.of(folder + "/o/p/x.png"), "a.xml");
+        assertThat(folder.resolve("o/p")).isEmptyDirectory();
+    }
+
+    @Test
+    void aFileInTheWayOfADirectoryIsTold() throws IOException {
+        Files.writeString(folder.resolve("o"), "");
+        assertThatThrownBy(() -> shown(Optional.of(folder + "/o/x.png"), "a.xml"))
+                .isInstanceOf(WrongUsage.class).hasMessageContaining("is not a directory");
+    }
+
+    @Test
+    void aDirectoryThatTakesNoFilesIsToldBeforeRendering() {
+        assumeTrue(Files.isDirectory(Path.of("/proc/self")), "a directory that nobody may write to");
+        assertThatThrownBy(() -> shown(Optional.of("/proc/self/x.png"), "a.xml"))
+                .isInstanceOf(WrongUsage.class).hasMessageContaining("cannot write the picture: /proc/self/x.png");
+        assertThatThrownBy(() -> shown(Optional.of("/proc/o/x.png"), "a.xml"))
+                .isInstanceOf(WrongUsage.class).hasMessageContaining("cannot make the directory /proc/o");
+    }
+
+    @Test
+    void theDirectoryOfTheSceneMayStandInAPattern() {
+        assertThat(shown(Optional.of(folder + "/{dir}/{name}-small.png"), "scenes/a.xml", "b.xml"))
+                .containsExactly(slashed(folder) + "/scenes/a-small.png", slashed(folder) + "/./b-small.png");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"{nme}.png, {nme}; did you mean \"{name}\"?", "o/{scene}.png, there is no {scene}; there are {name} and {dir}"})
+    void anUnknownWordInBracesIsATypo(String output, String sentence) {
+        assertThatThrownBy(() -> shown(Optional.of(output), "a.xml")).isInstanceOf(WrongUsage.class).hasMessageContaining(sentence);
+    }
+
+    @Test
+    void bracesAroundOtherThingsAreLetters() {
+        assertThat(shown(Optional.of(folder + "/{a b}{}.png"), "a.xml")).singleElement().asString().endsWith("{a b}{}.png");
+    }
+
+    @Test
+    void aNameMayHave255BytesAndNoMore() {
+        assertThat(shown(Optional.of(folder + "/" + "x".repeat(251) + ".png"), "a.xml")).hasSize(1);
+        assertThatThrownBy(() -> shown(Optional.of(folder + "/" + "x".repeat(252) + ".png"), "a.xml"))
+                .isInstanceOf(WrongUsage.class).hasMessageContaining("too long");
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void twoNamesOfOneFileAreOneFile() throws IOException {
+        Path scene = Files.writeString(folder.resolve("a.png"), "<scene/>");
+        Path link = Files.createSymbolicLink(folder.resolve("b.png"), scene);
+        assertThatThrownBy(() -> shown(Optional.of(link.toString()), scene.toString())).hasMessageContaining("would overwrite the scene");
+    }
+
+    @Test
+    void anEmptyNameIsRefused() {
+        assertThatThrownBy(() -> shown(Optional.of(""), "a.xml")).isInstanceOf(WrongUsage.class).hasMessageContaining("empty name");
+    }
+
+    private static String slashed(Path path) {
+        return path.toString().replace('\\', '/');
     }
 }

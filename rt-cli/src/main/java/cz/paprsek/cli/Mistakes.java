@@ -1,0 +1,79 @@
+package cz.paprsek.cli;
+
+import cz.paprsek.cli.input.Words;
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.scene.Similar;
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeSet;
+import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** What is said of a command line that cannot be understood. */
+final class Mistakes {
+    private Mistakes() {}
+
+    static String sentence(ParameterException mistake) {
+        if (mistake instanceof UnmatchedArgumentException strange && !strange.getUnmatched().isEmpty()) {
+            CommandSpec spec = mistake.getCommandLine().getCommandSpec();
+            String word = strange.getUnmatched().get(0);
+            return word.length() > 1 && word.startsWith("-") ? option(spec, word) : word(spec, word);
+        }
+        List<String> unmatched = mistake.getCommandLine().getUnmatchedArguments();
+        if (mistake instanceof MissingParameterException && !unmatched.isEmpty() && unmatched.get(0).startsWith("-")) {
+            return option(mistake.getCommandLine().getCommandSpec(), unmatched.get(0));
+        }
+        String threads = mistake.getArgSpec() instanceof OptionSpec option && option.longestName().equals("--threads")
+                ? "; without --threads, all processors are used" : "";
+        return String.valueOf(mistake.getMessage()).replace("\n", " ") + threads;
+    }
+
+    private static String option(CommandSpec spec, String given) {
+        if (given.contains(".") && !given.startsWith("--") && !given.contains("=")) {
+            return "unknown option \"" + given + "\"; if it is a file, say ./" + given;
+        }
+        String word = given.split("=", 2)[0];
+        List<String> known = spec.options().stream().flatMap(option -> List.of(option.names()).stream()).toList();
+        if (word.startsWith("--") && Similar.nearest(word, known).isPresent()) {
+            return "unknown option \"" + word + "\"" + Similar.suggestion(word, known);
+        }
+        // A letter, with or without its value, for one of the long ones; or one dash where two belong.
+        Optional<String> longer = known.stream().filter(word::equalsIgnoreCase).findFirst()
+                .or(() -> known.stream().filter(name -> name.startsWith("-" + word)).findFirst())
+                .or(() -> known.stream().filter(name -> !word.startsWith("--") && name.startsWith("-" + word.substring(0, 2))).findFirst());
+        return "unknown option \"" + word + "\"" + longer.map(name -> "; did you mean \"" + name + "\"?").orElseGet(() -> ofCommands(spec, word));
+    }
+
+    /** Options belong behind the command. */
+    private static String ofCommands(CommandSpec spec, String word) {
+        TreeSet<String> commands = new TreeSet<>();
+        spec.subcommands().forEach((name, command) -> {
+            if (command.getCommandSpec().findOption(word) != null) {
+                commands.add(name);
+            }
+        });
+        return commands.isEmpty() ? "" : "; it belongs behind a command: " + String.join(", ", commands);
+    }
+
+    private static String word(CommandSpec spec, String word) {
+        List<String> known = new ArrayList<>(spec.subcommands().keySet());
+        if (known.isEmpty()) {
+            return "unexpected \"" + word + "\"";
+        }
+        boolean isScene = spec.parent() == null && (word.endsWith(".xml") || isFile(word));
+        return "there is no command \"" + word + "\"" + (isScene ? "; to render it, say paprsek render " + word : Similar.suggestion(word, known));
+    }
+
+    private static boolean isFile(String word) {
+        try {
+            return Files.isRegularFile(Words.path(word));
+        } catch (WrongUsage noName) {
+            return false;
+        }
+    }
+}

@@ -1,0 +1,69 @@
+package cz.paprsek.cli.input;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/** Files that are no scenes but look as if somebody hoped they were, by the ending of their names. */
+public final class Foreign {
+    private static final String MESH = "; meshes are not read yet, only scenes in Paprsek's own XML";
+    private static final String PICTURE = "; if the picture is to be written there, say -o before it";
+    private static final String POV = ", which is written here (paprsek convert) but not read";
+    private static final String PACKED = "; unpack it first";
+    private static final Map<String, String> KINDS = Map.ofEntries(
+            Map.entry("obj", "a mesh of Wavefront's (OBJ)" + MESH), Map.entry("stl", "a mesh (STL)" + MESH), Map.entry("ply", "a mesh (PLY)" + MESH),
+            Map.entry("glb", "a glTF model" + MESH), Map.entry("gltf", "a glTF model" + MESH), Map.entry("fbx", "an FBX model" + MESH),
+            Map.entry("3ds", "a model of 3D Studio's" + MESH), Map.entry("dae", "a COLLADA model" + MESH), Map.entry("x3d", "an X3D model" + MESH),
+            Map.entry("usd", "a USD scene" + MESH), Map.entry("usdz", "a USD scene" + MESH), Map.entry("3mf", "a 3MF model" + MESH),
+            Map.entry("blend", "a file of Blender's" + MESH), Map.entry("step", "a CAD model (STEP)" + MESH), Map.entry("stp", "a CAD model (STEP)" + MESH),
+            Map.entry("scad", "an OpenSCAD model, which is not read yet; its CSG can be written as union, difference and intersection"),
+            Map.entry("csg", "an OpenSCAD model, which is not read yet; its CSG can be written as union, difference and intersection"),
+            Map.entry("pov", "a scene of POV-Ray's" + POV), Map.entry("inc", "a part of a POV-Ray scene" + POV),
+            Map.entry("png", "a picture" + PICTURE), Map.entry("jpg", "a picture" + PICTURE), Map.entry("jpeg", "a picture" + PICTURE),
+            Map.entry("bmp", "a picture" + PICTURE), Map.entry("tif", "a picture" + PICTURE), Map.entry("tiff", "a picture" + PICTURE),
+            Map.entry("gif", "a picture" + PICTURE), Map.entry("webp", "a picture" + PICTURE), Map.entry("ppm", "a picture" + PICTURE),
+            Map.entry("pgm", "a picture" + PICTURE), Map.entry("pfm", "a picture" + PICTURE), Map.entry("exr", "a picture" + PICTURE),
+            Map.entry("svg", "a drawing, not a scene"), Map.entry("xsd", "a schema; it says what scenes may hold, and is none"),
+            Map.entry("resume", "what --resume keeps of an interrupted picture; give the scene again, with the same options"),
+            Map.entry("zip", "an archive" + PACKED), Map.entry("gz", "a packed file" + PACKED), Map.entry("xz", "a packed file" + PACKED));
+
+    private Foreign() {}
+
+    /** What kind of file it is and what to do, if it is there and is no scene by its name and its first letter. */
+    public static Optional<String> kind(Path file) {
+        String name = String.valueOf(file.getFileName());
+        String kind = KINDS.get(name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT));
+        return kind == null || !Files.isRegularFile(file) || isMarkup(file, name) ? Optional.empty() : Optional.of("this is " + kind);
+    }
+
+    /** @throws IOException with the sentence for a foreign file */
+    public static void refuse(Path file) throws IOException {
+        Optional<String> kind = kind(file);
+        if (kind.isPresent()) {
+            throw new IOException(file + ": " + kind.get());
+        }
+    }
+
+    /** A scene may have any name; but other markup has a name of its own. */
+    private static boolean isMarkup(Path file, String name) {
+        if (name.endsWith(".svg") || name.endsWith(".dae") || name.endsWith(".x3d") || name.endsWith(".xsd")) {
+            return false;
+        }
+        try (InputStream input = Files.newInputStream(file)) {
+            // Past a byte-order mark, and in any encoding.
+            for (byte letter : input.readNBytes(16)) {
+                if (letter == '<') {
+                    return true;
+                }
+            }
+            return false;
+        } catch (IOException unreadable) {
+            // Whoever reads it will say why.
+            return true;
+        }
+    }
+}

@@ -1,0 +1,58 @@
+package cz.paprsek.cli.output;
+
+import cz.paprsek.cli.process.Memory;
+import cz.paprsek.image.ImageFormat;
+import cz.paprsek.scene.Scene;
+import java.io.IOException;
+import java.nio.file.FileStore;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Objects;
+
+/** Whether there is room for a picture, in memory and on the disk: asked before it is traced. */
+final class Room {
+    /** Three floats a pixel. */
+    private static final int TRACED = 12;
+    /** Two copies of 8-bit pixels, which the platform's writers need. */
+    private static final int ENCODED = 8;
+    /** About what an object takes with all that is prepared of it. */
+    private static final int OBJECT = 600;
+
+    private Room() {}
+
+    /** How many bytes of memory a picture takes until it is written. */
+    static long memory(int width, int height, ImageFormat format) {
+        boolean isEncoded = switch (format) {
+            case JPG, BMP, TIF -> true;
+            case PNG, PPM, PGM, PFM, TXT, RAW, PPM16 -> false;
+        };
+        return (long) width * height * (isEncoded ? TRACED + ENCODED : TRACED);
+    }
+
+    /** What takes the memory, and what to do. */
+    static String sentence(Scene scene, int width, int height, ImageFormat format) {
+        long objects = (long) scene.objects().size() * OBJECT;
+        long picture = memory(width, height, format);
+        boolean isPicture = picture >= objects;
+        return Memory.sentence(isPicture ? "the picture of " + width + "x" + height + " pixels" : "the scene of " + scene.objects().size() + " objects",
+                picture + objects) + (isPicture ? "; or render in parts with --region" : "");
+    }
+
+    /** @throws IOException if the disk has no room for a picture whose size is known beforehand */
+    static void checkDisk(Path file, long bytes) throws IOException {
+        Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent());
+        FileStore disk = Files.getFileStore(folder);
+        if (!Files.exists(file) || Files.isRegularFile(file)) {
+            long free = disk.getUsableSpace();
+            // Some systems know no number.
+            if (free < bytes && disk.getTotalSpace() > 0) {
+                throw new IOException(file + ": no space left on device: the picture takes at least " + megabytes(bytes) + ", but " + megabytes(free) + " are free");
+            }
+        }
+    }
+
+    private static String megabytes(long bytes) {
+        return String.format(Locale.ROOT, "%.1f MB", bytes / 1e6);
+    }
+}

@@ -1,0 +1,47 @@
+package cz.paprsek.cli.process;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/** Standard output, which keeps in mind whether anything got lost: what prints lines does not ask. */
+public final class Results extends OutputStream {
+    private final OutputStream out;
+    private @Nullable IOException failure;
+
+    public Results(OutputStream out) {
+        super();
+        this.out = out;
+    }
+
+    /** Why something that was written did not arrive, if so. */
+    public synchronized Optional<IOException> lost() {
+        return Optional.ofNullable(failure);
+    }
+
+    @Override
+    public void write(int value) throws IOException {
+        write(new byte[] {(byte) value}, 0, 1);
+    }
+
+    @Override
+    public synchronized void write(byte[] bytes, int offset, int length) throws IOException {
+        if (failure != null) {
+            throw new IOException(failure.getMessage(), failure);
+        }
+        try {
+            out.write(bytes, offset, length);
+        } catch (IOException e) {
+            failure = e;
+            throw e;
+        }
+    }
+
+    @Override
+    public synchronized void flush() throws IOException {
+        if (failure == null) {
+            out.flush();
+        }
+    }
+}
