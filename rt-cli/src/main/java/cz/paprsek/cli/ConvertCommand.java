@@ -36,7 +36,7 @@ final class ConvertCommand implements Callable<Integer> {
     private final Terminal terminal;
     private final Stop stop;
 
-    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file.")
+    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file; - is standard input.")
     private Path scene;
 
     @Parameters(index = "1", paramLabel = "FILE", description = "The file to write, ending in .pov or .xml.")
@@ -72,7 +72,7 @@ final class ConvertCommand implements Callable<Integer> {
     private int write(Scene content, boolean isPov) {
         List<String> warnings = new ArrayList<>();
         try {
-            if (Files.exists(target) && Files.isSameFile(scene, target)) {
+            if (Files.exists(target) && Files.exists(scene) && Files.isSameFile(scene, target)) {
                 throw new WrongUsage("the new file would overwrite the scene " + scene + " itself");
             }
             stop.guard(() -> {

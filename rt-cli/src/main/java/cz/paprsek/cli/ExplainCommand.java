@@ -1,6 +1,6 @@
 package cz.paprsek.cli;
 
-import cz.paprsek.cli.input.Foreign;
+import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.PixelPlace;
 import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.input.Wishes;
@@ -20,7 +20,6 @@ import cz.paprsek.render.explain.Words;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Similar;
 import cz.paprsek.xml.SceneFileException;
-import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -55,7 +54,7 @@ final class ExplainCommand implements Callable<Integer> {
     private final Terminal terminal;
     private final Stop stop;
 
-    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file, or a database.")
+    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file or a database; - is standard input.")
     private Path file;
 
     @Parameters(index = "1", paramLabel = "COLUMN,ROW", description = "The pixel, from 0,0 at the top left.")
@@ -117,8 +116,7 @@ final class ExplainCommand implements Callable<Integer> {
     }
 
     private Scene scene() throws SceneFileException, IOException {
-        Foreign.refuse(file);
-        List<Scene> scenes = SceneFiles.readAll(file);
+        List<Scene> scenes = Incoming.read(file).scenes();
         if (name.isEmpty() && scenes.size() == 1) {
             return scenes.get(0);
         }

@@ -27,7 +27,7 @@ final class InfoCommand implements Callable<Integer> {
     private final Stop stop;
 
     @Parameters(paramLabel = "SCENE", arity = "1..*",
-            description = "Scene files. Patterns with * ? [] {} and ** are expanded, also when quoted.")
+            description = "Scene files, or - for standard input. Patterns with * ? [] {} and ** are expanded, also when quoted.")
     private List<String> scenes;
 
     @Option(names = "--json", description = "Prints a JSON object for every scene, one a line, instead of plain text.")

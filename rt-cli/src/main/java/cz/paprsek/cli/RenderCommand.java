@@ -55,7 +55,7 @@ final class RenderCommand implements Callable<Integer> {
     private final Stop stop;
 
     @Parameters(paramLabel = "SCENE", arity = "1..*",
-            description = "Scene files. Patterns with * ? [] {} and ** are expanded, also when quoted.")
+            description = "Scene files, or - for standard input. Patterns with * ? [] {} and ** are expanded, also when quoted.")
     private List<String> scenes;
 
     @Option(names = "--where", paramLabel = "FILTER", description = "Only scenes that match; 'paprsek db --help' explains filters.")

@@ -34,7 +34,7 @@ final class ValidateCommand implements Callable<Integer> {
     private final Stop stop;
 
     @Parameters(paramLabel = "SCENE", arity = "1..*",
-            description = "Scene files. Patterns with * ? [] {} and ** are expanded, also when quoted.")
+            description = "Scene files, or - for standard input. Patterns with * ? [] {} and ** are expanded, also when quoted.")
     private List<String> scenes;
 
     @Option(names = "--strict", description = "Takes warnings for problems: they go to standard error, and the exit code is 3.")

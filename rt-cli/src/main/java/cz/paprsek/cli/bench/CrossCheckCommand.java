@@ -1,5 +1,6 @@
 package cz.paprsek.cli.bench;
 
+import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.input.Share;
@@ -44,7 +45,7 @@ public final class CrossCheckCommand implements Callable<Integer> {
     private final Stop stop;
 
     @Parameters(paramLabel = "SCENE", arity = "1..*",
-            description = "Scene files. Patterns with * ? [] {} and ** are expanded, also when quoted.")
+            description = "Scene files, or - for standard input. Patterns with * ? [] {} and ** are expanded, also when quoted.")
     private List<String> scenes;
 
     @Option(names = "--tolerance", paramLabel = "STEPS", defaultValue = "2", description =
@@ -85,6 +86,9 @@ public final class CrossCheckCommand implements Callable<Integer> {
         terminal.result(String.format(Locale.ROOT, ROW, "scene", "largest", "mean", "beyond", "in 65535ths; beyond: pixels by more than " + Numbers.text(tolerance)));
         int worst = ExitCode.DONE;
         for (Path file : SceneArguments.files(scenes)) {
+            if ((record || live.isEmpty()) && Incoming.isOnce(file)) {
+                throw new WrongUsage("'" + file + "' is not a file, and recorded pictures lie beside files");
+            }
             if (stop.requested()) {
                 return ExitCode.INTERRUPTED;
             }

@@ -1,6 +1,6 @@
 package cz.paprsek.cli.db;
 
-import cz.paprsek.cli.input.Foreign;
+import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.process.BadScene;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Failures;
@@ -16,7 +16,6 @@ import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
-import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -66,8 +65,7 @@ public abstract class DbAction implements Callable<Integer> {
 
     static SceneDatabase read(Path file) {
         try {
-            Foreign.refuse(file);
-            return SceneFiles.readDatabase(file);
+            return Incoming.read(file).database(Incoming.nameOf(file));
         } catch (SceneFileException e) {
             throw new BadScene(e.problems().stream().map(Problem::toString).toList());
         } catch (IOException e) {
@@ -77,6 +75,7 @@ public abstract class DbAction implements Callable<Integer> {
 
     /** Changes a database while nobody else can. */
     final void update(Path file, UnaryOperator<SceneDatabase> change) throws IOException {
+        Incoming.requireFile(file);
         if (!Files.exists(file)) {
             throw new BadScene(List.of(file + ": no such file"));
         }

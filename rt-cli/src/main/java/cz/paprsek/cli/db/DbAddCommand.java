@@ -1,5 +1,6 @@
 package cz.paprsek.cli.db;
 
+import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.process.BadScene;
 import cz.paprsek.cli.process.Stop;
@@ -30,7 +31,7 @@ final class DbAddCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
     private Path file;
 
-    @Parameters(index = "1..*", arity = "1..*", paramLabel = "SCENE", description = "Scene files and databases; patterns are expanded.")
+    @Parameters(index = "1..*", arity = "1..*", paramLabel = "SCENE", description = "Scene files and databases, or - for standard input; patterns are expanded.")
     private List<String> added;
 
     @Option(names = "--name", paramLabel = "NAME", description = "The name of the scene in the database; for one scene.")
@@ -48,6 +49,7 @@ final class DbAddCommand extends DbAction {
 
     @Override
     void run() throws IOException {
+        Incoming.requireFile(file);
         List<Scene> scenes = new ArrayList<>();
         for (Path path : SceneArguments.files(added)) {
             scenes.addAll(read(path).scenes());

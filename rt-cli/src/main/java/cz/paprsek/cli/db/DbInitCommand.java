@@ -1,5 +1,6 @@
 package cz.paprsek.cli.db;
 
+import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
@@ -33,6 +34,7 @@ final class DbInitCommand extends DbAction {
 
     @Override
     void run() throws IOException {
+        Incoming.requireFile(file);
         if (Files.exists(file) && !force) {
             throw new WrongUsage(file + " exists already; --force overwrites it");
         }

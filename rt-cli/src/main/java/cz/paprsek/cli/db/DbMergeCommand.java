@@ -1,5 +1,6 @@
 package cz.paprsek.cli.db;
 
+import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
@@ -39,6 +40,7 @@ final class DbMergeCommand extends DbAction {
 
     @Override
     void run() throws IOException {
+        Incoming.requireFile(file);
         if (keep && replace) {
             throw new WrongUsage("--keep and --replace exclude each other");
         }

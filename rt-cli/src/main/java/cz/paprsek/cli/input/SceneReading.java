@@ -4,7 +4,6 @@ import cz.paprsek.cli.process.Failures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
-import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -19,8 +18,7 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
 
     public static SceneReading of(Path file) {
         try {
-            Foreign.refuse(file);
-            return new SceneReading(file, SceneFiles.readAll(file), List.of());
+            return new SceneReading(file, Incoming.read(file).scenes(), List.of());
         } catch (SceneFileException e) {
             return new SceneReading(file, List.of(), e.problems());
         } catch (IOException e) {

@@ -4,6 +4,7 @@ import cz.paprsek.query.Filter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
+import cz.paprsek.xml.SceneFiles.Contents;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,37 +17,57 @@ import java.util.Optional;
  *
  * @param label how to call it in a message
  * @param name what {@code {name}} stands for
- * @param known the scene, if it has been read already
+ * @param reading reads the scene, or hands out what has been read already
  */
-public record SceneSource(Path file, String label, String name, Optional<Scene> known) {
+public record SceneSource(Path file, String label, String name, Reading reading) {
+
+    /** How to come by a scene. */
+    public interface Reading {
+        Scene read() throws SceneFileException, IOException;
+    }
 
     /** A file that is read when its turn comes. */
     public static SceneSource of(Path file) {
-        return new SceneSource(file, file.toString(), SceneArguments.nameOf(file), Optional.empty());
+        return new SceneSource(file, file.toString(), Incoming.nameOf(file), () -> {
+            Foreign.refuse(file);
+            return SceneFiles.read(file);
+        });
     }
 
     /**
-     * The scenes of files and databases that match a filter. Only databases are read at once, and all files if there is a filter; a file that
-     * cannot be read stays in the list, to be complained of when its turn comes.
+     * The scenes of files and databases that match a filter. Only databases are read at once, what can be read once, and all files if there is a
+     * filter; what cannot be read stays in the list, to be complained of when its turn comes.
      */
     public static List<SceneSource> all(List<Path> files, Optional<Filter<Scene>> filter) {
         List<SceneSource> sources = new ArrayList<>();
         for (Path file : files) {
-            boolean isDatabase = isDatabase(file);
-            SceneReading reading = isDatabase || filter.isPresent() ? SceneReading.of(file) : new SceneReading(file, List.of(), List.of());
-            if (reading.scenes().isEmpty() && !(isDatabase && reading.isValid())) {
+            if (filter.isPresent() || Incoming.isOnce(file) || isDatabase(file)) {
+                sources.addAll(read(file, filter));
+            } else {
                 sources.add(of(file));
-            }
-            Map<String, String> names = FileNames.of(reading.scenes().stream().map(Scene::name).toList());
-            for (int i = 0; i < reading.scenes().size(); i++) {
-                Scene scene = reading.scenes().get(i);
-                if (filter.isEmpty() || filter.get().test(scene)) {
-                    sources.add(isDatabase ? new SceneSource(file, file + ": scene \"" + scene.name() + "\"", names.getOrDefault(scene.name(), ""), Optional.of(scene))
-                            : new SceneSource(file, file.toString(), SceneArguments.nameOf(file), Optional.of(scene)));
-                }
             }
         }
         return sources;
+    }
+
+    private static List<SceneSource> read(Path file, Optional<Filter<Scene>> filter) {
+        try {
+            Contents contents = Incoming.read(file);
+            Map<String, String> names = FileNames.of(contents.scenes().stream().map(Scene::name).toList());
+            return contents.scenes().stream().filter(scene -> filter.isEmpty() || filter.get().test(scene)).map(scene -> {
+                String own = names.getOrDefault(scene.name(), "");
+                return contents.isDatabase() ? new SceneSource(file, file + ": scene \"" + scene.name() + "\"", own, () -> scene)
+                        : new SceneSource(file, file.toString(), Incoming.isOnce(file) ? own : Incoming.nameOf(file), () -> scene);
+            }).toList();
+        } catch (SceneFileException wrong) {
+            return List.of(new SceneSource(file, file.toString(), Incoming.nameOf(file), () -> {
+                throw wrong;
+            }));
+        } catch (IOException unreadable) {
+            return List.of(new SceneSource(file, file.toString(), Incoming.nameOf(file), () -> {
+                throw unreadable;
+            }));
+        }
     }
 
     private static boolean isDatabase(Path file) {
@@ -59,10 +80,6 @@ public record SceneSource(Path file, String label, String name, Optional<Scene> 
     }
 
     public Scene read() throws SceneFileException, IOException {
-        if (known.isPresent()) {
-            return known.get();
-        }
-        Foreign.refuse(file);
-        return SceneFiles.read(file);
+        return reading.read();
     }
 }

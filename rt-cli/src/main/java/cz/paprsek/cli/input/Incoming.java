@@ -1,0 +1,45 @@
+package cz.paprsek.cli.input;
+
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.xml.ReadMonitor;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import cz.paprsek.xml.SceneFiles.Contents;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** What can be read once only: standard input, for which the word is {@code -}, pipes and devices. */
+public final class Incoming {
+    private static final String STANDARD_INPUT = "-";
+
+    private Incoming() {}
+
+    /** Reads what is in a file or comes in, once. */
+    public static Contents read(Path file) throws SceneFileException, IOException {
+        Foreign.refuse(file);
+        return isStandardInput(file) ? SceneFiles.contents(System.in, STANDARD_INPUT) : SceneFiles.contents(file, ReadMonitor.NONE);
+    }
+
+    /** Whether a second reading would find nothing. */
+    public static boolean isOnce(Path file) {
+        return isStandardInput(file) || (Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file));
+    }
+
+    /** What a scene is called that has no name of its own: what it came through has none that means anything. */
+    public static String nameOf(Path file) {
+        return isOnce(file) ? "scene" : SceneArguments.nameOf(file);
+    }
+
+    /** @throws WrongUsage if a file that is to be changed or written is none */
+    public static void requireFile(Path file) {
+        if (isOnce(file)) {
+            throw new WrongUsage("a database that is to be changed must be a file, but '" + file + "' is "
+                    + (isStandardInput(file) ? "standard input" : "a pipe or a device"));
+        }
+    }
+
+    private static boolean isStandardInput(Path file) {
+        return file.toString().equals(STANDARD_INPUT);
+    }
+}
