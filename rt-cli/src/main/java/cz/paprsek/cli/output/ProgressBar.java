@@ -11,16 +11,14 @@ import java.util.Locale;
 public final class ProgressBar extends Progress {
     private static final int LONGEST_NAME = 24;
     private static final int CELLS = 20;
-    private static final double SECONDS_BETWEEN = 0.1;
-    /** How often the terminal is asked for its width, which costs milliseconds. */
-    private static final double SECONDS_BETWEEN_WIDTHS = 0.5;
+    /** The terminal is asked for its width each time, which costs milliseconds. */
+    private static final double SECONDS_BETWEEN = 0.5;
 
     private final Terminal terminal;
     private final String name;
     private final int raysPerPixel;
-    private int columns = Columns.ofTerminal();
+    private int columns = Columns.USUAL;
     private double drawn = Double.NEGATIVE_INFINITY;
-    private double measured;
     private int width;
 
     ProgressBar(Terminal terminal, String scene, RenderOptions options, Stop stop) {
@@ -37,10 +35,7 @@ public final class ProgressBar extends Progress {
             return;
         }
         drawn = seconds;
-        if (seconds >= measured + SECONDS_BETWEEN_WIDTHS) {
-            measured = seconds;
-            columns = Columns.ofTerminal();
-        }
+        columns = Columns.ofTerminal();
         draw(line(columns, name, pace.share(), pace.pixelsPerSecond(seconds) * raysPerPixel, pace.secondsLeft(seconds)));
     }
 
