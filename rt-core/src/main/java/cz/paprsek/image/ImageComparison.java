@@ -24,6 +24,10 @@ public record ImageComparison(Unit unit, boolean isGrey, double tolerance, doubl
     public enum Unit {
         /** Steps of 8-bit sRGB; both pictures are encoded and rounded. */
         SRGB("1/255 of sRGB", 1),
+        /** Of linear light, 256ths of the brightest channel of the pixel, or if that is more, 65535ths. */
+        SHARED("1/256 of the pixel's brightest channel", 2),
+        /** Of linear light, 2048ths of the channel, or if that is more, 65535ths. */
+        HALF("1/2048 of linear light", 1),
         /** 65535ths of linear light, both pictures clamped to 0–1. */
         LINEAR("1/65535 of linear light", 2),
         /** 65535ths of linear light, not clamped. */
@@ -42,6 +46,8 @@ public record ImageComparison(Unit unit, boolean isGrey, double tolerance, doubl
             Precision coarser = a.precision().compareTo(b.precision()) < 0 ? a.precision() : b.precision();
             return switch (coarser) {
                 case EIGHT_BIT -> SRGB;
+                case SHARED_EXPONENT -> SHARED;
+                case HALF -> HALF;
                 case SIXTEEN_BIT -> LINEAR;
                 case FLOAT -> UNCLAMPED;
             };
@@ -62,7 +68,7 @@ public record ImageComparison(Unit unit, boolean isGrey, double tolerance, doubl
                 case SRGB -> Srgb.encode((float) light);
                 // Not Math.min and max: a value that is not a number must stay one.
                 case LINEAR -> (light < 0 ? 0 : light > 1 ? 1 : light) * 65_535;
-                case UNCLAMPED -> light * 65_535;
+                case UNCLAMPED, SHARED, HALF -> light * 65_535;
             };
         }
     }
@@ -89,7 +95,7 @@ public record ImageComparison(Unit unit, boolean isGrey, double tolerance, doubl
             for (int x = 0; x < first.width(); x++) {
                 double most = 0;
                 for (int channel = 0; channel < (isGrey ? 1 : 3); channel++) {
-                    double difference = difference(unit, value(first, x, y, channel, isGrey), value(second, x, y, channel, isGrey));
+                    double difference = difference(unit, first, second, x, y, channel, isGrey);
                     sum += difference;
                     squares += difference * difference;
                     most = Math.max(most, difference);
@@ -126,7 +132,7 @@ public record ImageComparison(Unit unit, boolean isGrey, double tolerance, doubl
             for (int x = 0; x < first.width(); x++) {
                 double most = 0;
                 for (int channel = 0; channel < 3; channel++) {
-                    most = Math.max(most, difference(unit, value(first, x, y, channel, isGrey), value(b.image(), x, y, channel, isGrey)));
+                    most = Math.max(most, difference(unit, first, b.image(), x, y, channel, isGrey));
                 }
                 if (most > tolerance) {
                     double heat = Math.min(1, StrictMath.log(most / Math.max(tolerance, 1)) / StrictMath.log(1024));
@@ -144,9 +150,19 @@ public record ImageComparison(Unit unit, boolean isGrey, double tolerance, doubl
                 "the pictures differ in size: " + a.width() + "x" + a.height() + " and " + b.width() + "x" + b.height());
     }
 
-    private static double difference(Unit unit, double a, double b) {
-        double difference = Math.abs(unit.steps(a) - unit.steps(b));
+    private static double difference(Unit unit, Image first, Image second, int x, int y, int channel, boolean isGrey) {
+        double a = value(first, x, y, channel, isGrey);
+        double b = value(second, x, y, channel, isGrey);
+        double difference = Math.abs(unit.steps(a) - unit.steps(b)) / switch (unit) {
+            case SRGB, LINEAR, UNCLAMPED -> 1;
+            case HALF -> Math.max(1, Math.max(Math.abs(a), Math.abs(b)) * 65_535 / 2048);
+            case SHARED -> Math.max(1, Math.max(brightest(first, x, y), brightest(second, x, y)) * 65_535 / 256);
+        };
         return Double.isNaN(difference) ? Double.POSITIVE_INFINITY : difference;
+    }
+
+    private static double brightest(Image image, int x, int y) {
+        return Math.max(image.red(x, y), Math.max(image.green(x, y), image.blue(x, y)));
     }
 
     private static double value(Image image, int x, int y, int channel, boolean isGrey) {

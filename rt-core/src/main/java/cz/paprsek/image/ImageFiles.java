@@ -1,8 +1,10 @@
 package cz.paprsek.image;
 
+import cz.paprsek.image.exr.ExrReader;
 import cz.paprsek.image.png.PngReader;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.BinaryInput;
+import cz.paprsek.math.Require;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.FileSystemException;
@@ -38,19 +40,51 @@ public final class ImageFiles {
         AtomicFile.write(file, out -> write(image, out, format));
     }
 
+    /**
+     * As above, with wishes how.
+     *
+     * @throws IllegalArgumentException if the format cannot have as many bits per channel
+     */
+    public static void write(Image image, Path file, ImageFormat format, ImageOptions options) throws IOException {
+        Objects.requireNonNull(image, "image");
+        options.bitsOf(format);
+        AtomicFile.write(file, out -> write(image, out, format, options));
+    }
+
+    /**
+     * Writes a picture and what else is known of its pixels to an OpenEXR file, which appears as a whole.
+     *
+     * @throws IllegalArgumentException if the options ask for other than 16 or 32 bits, or for a change of exposure or tone
+     */
+    public static void write(Layers layers, Path file, ImageOptions options) throws IOException {
+        int bits = options.bitsOf(ImageFormat.EXR);
+        Require.that(options.exposure() == 0 && options.tone() == Tone.NONE, "layers are written as they are: no exposure, no tone");
+        AtomicFile.write(file, out -> Exr.write(layers, bits, options.origin(), out));
+    }
+
     /** Writes a picture to a stream, which is not closed. */
     public static void write(Image image, OutputStream out, ImageFormat format) throws IOException {
+        write(image, out, format, ImageOptions.DEFAULT);
+    }
+
+    /** Writes a picture to a stream, which is not closed, with wishes how. */
+    public static void write(Image image, OutputStream out, ImageFormat format, ImageOptions options) throws IOException {
         Objects.requireNonNull(image, "image");
         Objects.requireNonNull(out, "out");
+        int bits = options.bitsOf(format);
+        Image developed = options.develop(image);
+        Origin origin = options.origin();
         switch (format) {
-            case PNG -> Png.write(image, 8, out);
-            case JPG, BMP, TIF -> Bitmaps.write(image, out, format);
-            case PPM -> Netpbm.ppm(image, out);
-            case PPM16 -> Netpbm.ppm16(image, out);
-            case PGM -> Netpbm.pgm(image, out);
-            case PFM -> Netpbm.pfm(image, out);
-            case TXT -> Brightness.encoded(image, out);
-            case RAW -> Brightness.linear(image, out);
+            case PNG -> Png.write(developed, bits, origin, out);
+            case JPG, BMP, TIF -> Bitmaps.write(developed, format, origin, out);
+            case PPM -> Netpbm.ppm(developed, origin, out);
+            case PPM16 -> Netpbm.ppm16(developed, origin, out);
+            case PGM -> Netpbm.pgm(developed, origin, out);
+            case PFM -> Netpbm.pfm(developed, out);
+            case TXT -> Brightness.encoded(developed, out);
+            case RAW -> Brightness.linear(developed, out);
+            case HDR -> Radiance.write(developed, origin, out);
+            case EXR -> Exr.write(developed, bits, origin, out);
         }
         out.flush();
     }
@@ -68,8 +102,27 @@ public final class ImageFiles {
      * @throws IOException naming the file and what is wrong with it
      */
     public static StoredImage readStored(Path file) throws IOException {
-        try (BinaryInput input = new BinaryInput(Files.newInputStream(file), Files.isRegularFile(file) ? Files.size(file) : Long.MAX_VALUE, ReadLimits.bytes())) {
-            return read(input, ImageFormat.ofFile(file.toString()).orElse(ImageFormat.PNG));
+        ImageFormat ending = ImageFormat.ofFile(file.toString()).orElse(ImageFormat.PNG);
+        return read(file, input -> read(input, ending));
+    }
+
+    /**
+     * Reads all planes of an OpenEXR file.
+     *
+     * @throws IOException naming the file and what is wrong with it
+     */
+    public static Layers readLayers(Path file) throws IOException {
+        return read(file, Exr::readLayers);
+    }
+
+    private interface Reading<T> {
+        T read(BinaryInput input) throws IOException;
+    }
+
+    private static <T> T read(Path file, Reading<T> reading) throws IOException {
+        long size = Files.isRegularFile(file) ? Files.size(file) : Long.MAX_VALUE;
+        try (BinaryInput input = new BinaryInput(Files.newInputStream(file), size, ReadLimits.bytes())) {
+            return reading.read(input);
         } catch (FileSystemException e) {
             throw e;
         } catch (IOException | IllegalArgumentException unreadable) {
@@ -89,6 +142,12 @@ public final class ImageFiles {
         }
         if (PngReader.canRead(start)) {
             return Png.read(input);
+        }
+        if (ExrReader.canRead(start)) {
+            return Exr.read(input);
+        }
+        if (RadianceReader.canRead(start)) {
+            return RadianceReader.read(input);
         }
         return NetpbmReader.canRead(start) ? NetpbmReader.read(input, ending == ImageFormat.PPM16) : BitmapReader.read(input);
     }

@@ -17,7 +17,9 @@ public enum ImageFormat {
     PFM("linear light as 32-bit floats, unclamped", "pfm"),
     TXT("brightness 0-255 as text, one image row a line", "txt"),
     RAW("linear luminance as decimal text, one image row a line", "lum"),
-    PPM16("16-bit linear light, for comparing with other renderers", "ppm16");
+    PPM16("16-bit linear light, for comparing with other renderers", "ppm16"),
+    HDR("linear light, three bytes with one exponent, unclamped", "hdr"),
+    EXR("linear light as 16- or 32-bit floats, unclamped", "exr");
 
     private final String description;
     @SuppressWarnings("ImmutableEnumChecker") // never written after construction, never handed out
@@ -42,13 +44,29 @@ public enum ImageFormat {
     public long leastBytes(int width, int height) {
         long pixels = (long) width * height;
         return switch (this) {
-            case PNG, JPG, TIF -> 0;
+            case PNG, JPG, TIF, EXR -> 0;
+            case HDR -> 4L * height;
             case PGM -> pixels;
             case TXT, RAW -> 2 * pixels;
             case BMP, PPM -> 3 * pixels;
             case PPM16 -> 6 * pixels;
             case PFM -> 12 * pixels;
         };
+    }
+
+    /** How many bits per channel it can have, the usual number first. */
+    public List<Integer> depths() {
+        return switch (this) {
+            case PNG -> List.of(8, 16);
+            case EXR -> List.of(16, 32);
+            case PFM, RAW -> List.of(32);
+            case PPM16 -> List.of(16);
+            case JPG, BMP, TIF, PPM, PGM, TXT, HDR -> List.of(8);
+        };
+    }
+
+    String depthsAsText() {
+        return depths().stream().map(String::valueOf).collect(Collectors.joining(" or "));
     }
 
     /** The format with the given name or extension, upper or lower case. */

@@ -17,8 +17,8 @@ final class Netpbm {
 
     private Netpbm() {}
 
-    static void ppm(Image image, OutputStream out) throws IOException {
-        header(out, "P6", image, "255");
+    static void ppm(Image image, Origin origin, OutputStream out) throws IOException {
+        header(out, "P6" + comments(origin), image, "255");
         byte[] row = new byte[3 * image.width()];
         for (int y = 0; y < image.height(); y++) {
             for (int x = 0; x < image.width(); x++) {
@@ -32,8 +32,8 @@ final class Netpbm {
     }
 
     /** Linear light, clamped to 0–1, in 65535 steps, high byte first: what POV-Ray writes with a file gamma of 1; the head says so. */
-    static void ppm16(Image image, OutputStream out) throws IOException {
-        header(out, "P6\n# " + LINEAR, image, "65535");
+    static void ppm16(Image image, Origin origin, OutputStream out) throws IOException {
+        header(out, "P6\n# " + LINEAR + comments(origin), image, "65535");
         ByteBuffer row = ByteBuffer.allocate(6 * image.width()).order(ByteOrder.BIG_ENDIAN);
         for (int y = 0; y < image.height(); y++) {
             row.clear();
@@ -44,8 +44,8 @@ final class Netpbm {
         }
     }
 
-    static void pgm(Image image, OutputStream out) throws IOException {
-        header(out, "P5", image, "255");
+    static void pgm(Image image, Origin origin, OutputStream out) throws IOException {
+        header(out, "P5" + comments(origin), image, "255");
         byte[] row = new byte[image.width()];
         for (int y = 0; y < image.height(); y++) {
             for (int x = 0; x < image.width(); x++) {
@@ -70,6 +70,12 @@ final class Netpbm {
 
     private static short step(float light) {
         return (short) Math.round(Math.min(1f, Math.max(0f, light)) * 65535f);
+    }
+
+    private static String comments(Origin origin) {
+        StringBuilder comments = new StringBuilder();
+        origin.lines().forEach(line -> comments.append("\n# ").append(line));
+        return comments.toString();
     }
 
     private static void header(OutputStream out, String magic, Image image, String last) throws IOException {

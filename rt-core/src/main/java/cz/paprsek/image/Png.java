@@ -19,8 +19,8 @@ final class Png {
     private Png() {}
 
     /** @param bits 8 or 16 per channel */
-    static void write(Image image, int bits, OutputStream out) throws IOException {
-        PngWriter.write(new PngHead(image.width(), image.height(), bits, RGB), bits == 8 ? new Rows8(image) : new Rows16(image), out);
+    static void write(Image image, int bits, Origin origin, OutputStream out) throws IOException {
+        PngWriter.write(new PngHead(image.width(), image.height(), bits, RGB), origin.texts(), bits == 8 ? new Rows8(image) : new Rows16(image), out);
     }
 
     static StoredImage read(BinaryInput input) throws IOException {

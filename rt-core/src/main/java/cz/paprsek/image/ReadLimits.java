@@ -21,14 +21,19 @@ final class ReadLimits {
      * @throws IOException if it would be too large; the system property {@code paprsek.largest-picture} allows more pixels
      */
     static Image blank(long width, long height) throws IOException {
+        check(width, height, 3);
+        return new Image((int) width, (int) height);
+    }
+
+    /** As above, for pictures of any number of channels. */
+    static void check(long width, long height, int channels) throws IOException {
         long most = Math.min(Image.MOST_PIXELS, Long.getLong("paprsek.largest-picture", MOST_PIXELS));
         if (width < 1 || height < 1 || width > LONGEST_SIDE || height > LONGEST_SIDE) {
             throw new IOException("a picture must have from 1 to " + LONGEST_SIDE + " rows and columns, but this has " + width + " × " + height + " pixels");
         }
-        if (width * height > most) {
+        if (width * height > most || width * height * channels > 3 * most) {
             throw new IOException("a picture of " + width + " × " + height + " pixels is larger than the " + most
                     + " pixels that are read (java -Dpaprsek.largest-picture=PIXELS allows more)");
         }
-        return new Image((int) width, (int) height);
     }
 }

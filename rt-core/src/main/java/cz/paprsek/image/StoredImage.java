@@ -13,6 +13,10 @@ public record StoredImage(Image image, Precision precision, boolean isGrey) {
     public enum Precision {
         /** 256 steps or fewer from 0 to 1, sRGB-encoded. */
         EIGHT_BIT,
+        /** Eight bits, with an exponent that the channels of a pixel share. */
+        SHARED_EXPONENT,
+        /** Floating-point numbers of eleven bits, not clamped. */
+        HALF,
         /** 65536 steps from 0 to 1. */
         SIXTEEN_BIT,
         /** Floating-point numbers or decimals, not clamped. */

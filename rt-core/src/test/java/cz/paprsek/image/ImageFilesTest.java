@@ -181,6 +181,8 @@ class ImageFilesTest {
         double step = switch (back.precision()) {
             case EIGHT_BIT -> 0.0046 * (format == ImageFormat.JPG ? 3 : 1);
             case SIXTEEN_BIT -> 0.51 / 65535;
+            case HALF -> 0x1p-12;
+            case SHARED_EXPONENT -> 0x1p-8;
             case FLOAT -> 1e-7;
         };
         assertThat(back.isGrey()).isEqualTo(List.of(ImageFormat.PGM, ImageFormat.TXT, ImageFormat.RAW).contains(format));
@@ -259,12 +261,12 @@ class ImageFilesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"x.gif", "x.PNGG", "x.", "a.png.exr", "x.xml"})
+    @ValueSource(strings = {"x.gif", "x.PNGG", "x.", "a.png.xyz", "x.xml"})
     void anEndingThatIsNoFormatIsRefusedWithThoseThereAre(String name, @TempDir Path folder) {
         Path file = folder.resolve(name);
         assertThatThrownBy(() -> ImageFiles.write(sample(), file)).isInstanceOf(IllegalArgumentException.class)
                 .hasMessage(file + ": there is no picture format \"" + name.substring(name.lastIndexOf('.') + 1)
-                        + "\" here; the ending should be one of png, jpg, bmp, tif, ppm, pgm, pfm, txt, lum, ppm16");
+                        + "\" here; the ending should be one of png, jpg, bmp, tif, ppm, pgm, pfm, txt, lum, ppm16, hdr, exr");
         assertThat(folder).isEmptyDirectory();
     }
 

@@ -100,7 +100,7 @@ class PngTest {
 
     /** Writes the mixture to standard output, for the test above. */
     public static void main(String[] none) throws IOException {
-        Png.write(mixture(900, 800), 8, System.out);
+        Png.write(mixture(900, 800), 8, Origin.UNTOLD, System.out);
         System.out.flush();
     }
 
@@ -176,7 +176,7 @@ class PngTest {
 
     private static byte[] written(Image image, int bits) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        Png.write(image, bits, bytes);
+        Png.write(image, bits, Origin.UNTOLD, bytes);
         return bytes.toByteArray();
     }
 

@@ -6,7 +6,7 @@ import java.util.List;
 
 /** Writes and reads pictures of all formats that are our own, in a process that has no AWT. */
 final class WithoutDesktop {
-    static final List<String> NAMES = List.of("a.png", "a.ppm", "a.ppm16", "a.pgm", "a.pfm", "a.txt", "a.lum");
+    static final List<String> NAMES = List.of("a.png", "a.ppm", "a.ppm16", "a.pgm", "a.pfm", "a.txt", "a.lum", "a.hdr", "a.exr");
 
     private WithoutDesktop() {}
 

@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -45,15 +46,33 @@ public final class PngWriter {
         this.out = out;
     }
 
-    /** Writes a picture of sRGB-encoded samples to a stream, which is not closed. */
-    public static void write(PngHead head, Rows rows, OutputStream out) throws IOException {
+    /**
+     * Writes a picture of sRGB-encoded samples to a stream, which is not closed.
+     *
+     * @param texts by keywords, as Title, of 1 to 79 letters
+     */
+    public static void write(PngHead head, Map<String, String> texts, Rows rows, OutputStream out) throws IOException {
         out.write(PngHead.SIGNATURE);
         PngWriter writer = new PngWriter(head, rows, out);
         writer.chunk("IHDR", ByteBuffer.allocate(13).putInt(head.width()).putInt(head.height())
                 .put((byte) head.bits()).put((byte) head.color()).put(new byte[3]).array());
         writer.chunk("sRGB", PERCEPTUAL);
+        for (Map.Entry<String, String> text : texts.entrySet()) {
+            writer.text(text.getKey(), text.getValue());
+        }
         writer.pixels();
         writer.chunk("IEND", new byte[0]);
+    }
+
+    /** As Latin-1 where that has all the letters, which more programs can read. */
+    private void text(String keyword, String text) throws IOException {
+        boolean isLatin = StandardCharsets.ISO_8859_1.newEncoder().canEncode(text);
+        if (isLatin) {
+            chunk("tEXt", (keyword + '\0' + text).getBytes(StandardCharsets.ISO_8859_1));
+        } else {
+            // Not compressed, in no language said, the keyword not translated.
+            chunk("iTXt", (keyword + "\0\0\0\0\0" + text).getBytes(StandardCharsets.UTF_8));
+        }
     }
 
     private void pixels() throws IOException {

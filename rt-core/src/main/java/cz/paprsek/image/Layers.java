@@ -1,0 +1,132 @@
+package cz.paprsek.image;
+
+import cz.paprsek.math.Require;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Planes of numbers of one size, each with a name: {@code R}, {@code G}, {@code B} and {@code A} for the picture and its opacity, and for what
+ * else is known of its pixels, a layer's name before a dot, as {@code albedo.R} or {@code normal.X}. Each plane is row by row from the top left.
+ */
+public final class Layers {
+    private static final int LONGEST_NAME = 200;
+
+    private final int width;
+    private final int height;
+    private final Map<String, float[]> planes;
+
+    private Layers(int width, int height, Map<String, float[]> planes) {
+        this.width = width;
+        this.height = height;
+        this.planes = planes;
+    }
+
+    /** No planes yet. */
+    public static Layers ofSize(int width, int height) {
+        Image.requireRoom(width, height);
+        return new Layers(width, height, Map.of());
+    }
+
+    /** The picture as R, G and B. */
+    public static Layers of(Image image) {
+        return ofSize(image.width(), image.height()).with("", image);
+    }
+
+    public int width() {
+        return width;
+    }
+
+    public int height() {
+        return height;
+    }
+
+    /** The names of all planes, in the order they came. */
+    public List<String> names() {
+        return List.copyOf(planes.keySet());
+    }
+
+    /**
+     * Another plane.
+     *
+     * @param values are copied
+     * @throws IllegalArgumentException if there is one of that name, the name is empty or longer than 200 characters, or the number of values
+     *     is not that of the pixels
+     */
+    public Layers with(String name, float[] values) {
+        Require.that(values.length == width * height, "a plane of " + values.length + " values does not fit " + width + " × " + height + " pixels");
+        return withOwn(name, values.clone());
+    }
+
+    /**
+     * Another layer of three channels: {@code layer.R}, {@code layer.G} and {@code layer.B}.
+     *
+     * @param layer empty for the picture itself
+     * @throws IllegalArgumentException as above, or if the sizes differ
+     */
+    public Layers with(String layer, Image image) {
+        Require.that(image.width() == width && image.height() == height,
+                "a layer of " + image.width() + " × " + image.height() + " pixels does not fit " + width + " × " + height);
+        float[] red = new float[width * height];
+        float[] green = new float[width * height];
+        float[] blue = new float[width * height];
+        for (int i = 0; i < red.length; i++) {
+            red[i] = image.red(i % width, i / width);
+            green[i] = image.green(i % width, i / width);
+            blue[i] = image.blue(i % width, i / width);
+        }
+        String prefix = layer.isEmpty() ? "" : layer + ".";
+        return withOwn(prefix + "R", red).withOwn(prefix + "G", green).withOwn(prefix + "B", blue);
+    }
+
+    /** A plane that nobody else will change. */
+    Layers withOwn(String name, float[] values) {
+        Require.that(!name.isEmpty() && name.length() <= LONGEST_NAME && name.indexOf(0) < 0, "the name of a plane must have from 1 to " + LONGEST_NAME + " characters");
+        Require.that(!planes.containsKey(name), "there are two planes named " + name);
+        Map<String, float[]> all = new LinkedHashMap<>(planes);
+        all.put(name, values);
+        return new Layers(width, height, Collections.unmodifiableMap(all));
+    }
+
+    /**
+     * The value of a plane at a pixel.
+     *
+     * @throws IllegalArgumentException if there is no such plane
+     */
+    public float at(String name, int x, int y) {
+        return plane(name)[y * width + x];
+    }
+
+    /** Copies a row of a plane. */
+    void copy(String name, int y, float[] into) {
+        System.arraycopy(plane(name), y * width, into, 0, width);
+    }
+
+    /**
+     * Three planes as a picture: those of a layer, or of the picture itself if its name is empty; if there are no colours, its brightness Y.
+     *
+     * @throws IllegalArgumentException if there is no such layer
+     */
+    public Image image(String layer) {
+        String prefix = layer.isEmpty() ? "" : layer + ".";
+        List<float[]> channels = new ArrayList<>();
+        for (String channel : planes.containsKey(prefix + "R") ? List.of("R", "G", "B") : List.of("Y", "Y", "Y")) {
+            channels.add(plane(prefix + channel));
+        }
+        Image image = new Image(width, height);
+        for (int i = 0; i < width * height; i++) {
+            image.set(i % width, i / width, channels.get(0)[i], channels.get(1)[i], channels.get(2)[i]);
+        }
+        return image;
+    }
+
+    private float[] plane(String name) {
+        float[] values = planes.get(name);
+        if (values == null) {
+            throw new IllegalArgumentException("there is no plane named " + name + " among " + String.join(", ", planes.keySet()));
+        }
+        return values;
+    }
+}
