@@ -10,7 +10,8 @@ import java.util.regex.Pattern;
 
 /**
  * Reads Radiance pictures, plain and shortened in either way, rows from the top or the bottom. Light is divided by the exposures that the head
- * tells of.
+ * tells of. Mantissas are taken as they are, as most programs do, so that black and white stay what they are; Radiance itself and POV-Ray add
+ * half a step to each.
  *
  * @source Radiance's color.c and the manual page of getinfo
  */

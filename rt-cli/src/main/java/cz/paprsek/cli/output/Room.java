@@ -14,7 +14,7 @@ import java.util.Objects;
 final class Room {
     /** Three floats a pixel. */
     private static final int TRACED = 12;
-    /** Two copies of 8-bit pixels, which the platform's writers need. */
+    /** Two copies of 8-bit pixels, which the platform's writers need; OpenEXR's table of blocks comes before them. */
     private static final int ENCODED = 8;
     /** About what an object takes with all that is prepared of it. */
     private static final int OBJECT = 600;
@@ -24,8 +24,8 @@ final class Room {
     /** How many bytes of memory a picture takes until it is written. */
     static long memory(int width, int height, ImageFormat format) {
         boolean isEncoded = switch (format) {
-            case JPG, BMP, TIF -> true;
-            case PNG, PPM, PGM, PFM, TXT, RAW, PPM16 -> false;
+            case JPG, BMP, TIF, EXR -> true;
+            case PNG, PPM, PGM, PFM, TXT, RAW, PPM16, HDR -> false;
         };
         return (long) width * height * (isEncoded ? TRACED + ENCODED : TRACED);
     }

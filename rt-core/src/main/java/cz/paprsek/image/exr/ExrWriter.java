@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -58,18 +59,22 @@ public final class ExrWriter {
         byte[] head = head(texts);
         int blocks = (height + packing.rows() - 1) / packing.rows();
         // The table of blocks comes before them, so that those that are compressed must wait for the last.
-        ByteArrayOutputStream body = new ByteArrayOutputStream();
+        List<byte[]> body = new ArrayList<>();
         ByteBuffer table = little(8 * blocks);
+        long at = head.length + 8L * blocks;
         for (int i = 0; i < blocks; i++) {
-            table.putLong(head.length + 8L * blocks + body.size());
+            table.putLong(at);
             byte[] block = block(i * packing.rows());
             byte[] packed = packing == Packing.NONE ? block : Packing.zip(block);
-            body.write(little(8).putInt(i * packing.rows()).putInt(packed.length).array());
-            body.write(packed);
+            body.add(packed);
+            at += 8 + packed.length;
         }
         out.write(head);
         out.write(table.array());
-        body.writeTo(out);
+        for (int i = 0; i < blocks; i++) {
+            out.write(little(8).putInt(i * packing.rows()).putInt(body.get(i).length).array());
+            out.write(body.get(i));
+        }
     }
 
     private byte[] block(int first) {
