@@ -19,6 +19,8 @@ final class Bodies {
     /** In the order of the tree's leaves. */
     private final Surface[] surfaces;
     private final boolean[] opaque;
+    /** In place of which bodies are opaque, for who wants the boundaries of all. */
+    private final boolean[] none;
     private final Surface[] endless;
     private final boolean[] endlessOpaque;
     private final Tree tree;
@@ -26,6 +28,7 @@ final class Bodies {
     private Bodies(Surface[] all, boolean[] allOpaque, int[] finite, int[] infinite, Tree tree) {
         this.surfaces = pick(all, finite);
         this.opaque = pick(allOpaque, finite);
+        this.none = new boolean[finite.length];
         this.endless = pick(all, infinite);
         this.endlessOpaque = pick(allOpaque, infinite);
         this.tree = tree;
@@ -72,6 +75,21 @@ final class Bodies {
         return new Finder(surfaces, opaque);
     }
 
+    /** The scratch that one worker needs to gather {@link #crossings}. */
+    Finder newGatherer(Spans into) {
+        Finder gatherer = new Finder(surfaces, none);
+        gatherer.pushTo(into);
+        return gatherer;
+    }
+
+    /** Pushes every boundary between the ray's min and max, whatever it belongs to. */
+    void crossings(Ray ray, Finder gatherer) {
+        for (Surface surface : endless) {
+            surface.crossings(ray, gatherer.through);
+        }
+        tree.any(gatherer, ray, tree.whole());
+    }
+
     /** Finds the ray's nearest hit in the given subtrees. */
     void nearest(Ray ray, Entries entries, Finder finder) {
         for (Surface surface : endless) {
@@ -110,6 +128,8 @@ final class Bodies {
         private final boolean[] opaque;
         private Spans through = new Spans();
         private int occluder;
+        /** Where the ray starts, for the tree: not before its origin, or a little. */
+        private double back;
 
         private Finder(Surface[] surfaces, boolean[] opaque) {
             this.surfaces = surfaces;
@@ -125,7 +145,10 @@ final class Bodies {
         @Override
         protected void aim(Ray ray) {
             ray.needReciprocals();
-            along(ray.ox, ray.oy, ray.oz, ray.rx, ray.ry, ray.rz, ray.min, ray.max);
+            // Trees measure from where a line starts, and know nothing of what lies behind.
+            back = ray.min < 0 ? ray.min : 0;
+            along(ray.ox + back * ray.dx, ray.oy + back * ray.dy, ray.oz + back * ray.dz, ray.rx, ray.ry, ray.rz,
+                    ray.min - back, ray.max - back);
         }
 
         @Override
@@ -133,7 +156,7 @@ final class Bodies {
             for (int i = end - 1; i >= first; i--) {
                 surfaces[i].nearest(ray);
             }
-            return ray.max;
+            return ray.max - back;
         }
 
         @Override

@@ -17,21 +17,20 @@ final class Draft {
     private final Material material;
     private final LinearRgb color;
     private final LinearRgb ambientLight;
-    /** What the rounding errors of rays that start here are relative to. */
-    final double size;
+    final ShadowWalk.Start start;
     final List<LightTerm> lights = new ArrayList<>();
     Optional<Refraction> refraction = Optional.empty();
     private Optional<TracedRay> reflected = Optional.empty();
     private Optional<TracedRay> refracted = Optional.empty();
 
     /** @param ray the ray so far, without an encounter; its light is the ambient term */
-    Draft(TracedRay ray, Encounter.Place place, Material material, LinearRgb color, LinearRgb ambientLight, double size) {
+    Draft(TracedRay ray, Encounter.Place place, Material material, LinearRgb color, LinearRgb ambientLight, ShadowWalk.Start start) {
         this.ray = ray;
         this.place = place;
         this.material = material;
         this.color = color;
         this.ambientLight = ambientLight;
-        this.size = size;
+        this.start = start;
     }
 
     void add(TracedRay child) {

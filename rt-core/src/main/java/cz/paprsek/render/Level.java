@@ -9,6 +9,8 @@ final class Level {
     final Ray ray;
     final Hit hit = new Hit();
     final Media media = new Media();
+    /** Whether the ray goes on beyond the surface it starts from, rather than back to the side it was seen from. */
+    boolean beyond;
     /** The colour of the surface at the hit, linear. */
     double colorRed;
     double colorGreen;

@@ -2,30 +2,67 @@ package cz.paprsek.render;
 
 import java.util.Arrays;
 
-/** Scratch: the transparent solids a ray is inside of, in the order it entered them. The last one's refractive index counts. */
+/**
+ * Scratch: the solids a ray is inside of. First the opaque ones that the camera stands in, of which only their presence counts; then the
+ * transparent ones, in the order the ray entered them. The last one's refractive index counts.
+ */
 final class Media {
     private static final double VACUUM = 1;
 
     private int[] object = new int[8];
     private double[] index = new double[8];
     private int size;
+    private int opaque;
 
     /** The refractive index around the ray. */
     double refractiveIndex() {
-        return size == 0 ? VACUUM : index[size - 1];
+        return size == opaque ? VACUUM : index[size - 1];
     }
 
-    /** The number of the object entered last; −1 outside of all. */
+    /** The number of the transparent object entered last; −1 outside of all. */
     int innermost() {
-        return size == 0 ? -1 : object[size - 1];
+        return size == opaque ? -1 : object[size - 1];
+    }
+
+    /** Whether the ray is inside a transparent solid. */
+    boolean areAround() {
+        return size > opaque;
+    }
+
+    /** How many transparent solids are around the ray. */
+    int count() {
+        return size - opaque;
+    }
+
+    /** The number of the i-th transparent solid around the ray. */
+    int object(int i) {
+        return object[opaque + i];
+    }
+
+    /** Whether the ray is inside a solid, transparent or not. */
+    boolean hold(int solid) {
+        for (int i = 0; i < size; i++) {
+            if (object[i] == solid) {
+                return true;
+            }
+        }
+        return false;
     }
 
     void clear() {
         size = 0;
+        opaque = 0;
+    }
+
+    /** Puts the ray into an opaque solid; to be done before it enters any other. */
+    void surround(int solid) {
+        enter(solid, VACUUM);
+        opaque = size;
     }
 
     void set(Media other) {
         size = other.size;
+        opaque = other.opaque;
         if (size > object.length) {
             object = new int[other.object.length];
             index = new double[other.index.length];
@@ -37,7 +74,7 @@ final class Media {
         }
     }
 
-    /** Enters a solid. If the ray is in it already, it left unnoticed, through an edge thinner than the offset of rays. */
+    /** Enters a solid. If the ray is in it already, it left unnoticed, through an edge thinner than rounding. */
     void enter(int solid, double refractiveIndex) {
         leave(solid);
         if (size == object.length) {

@@ -3,6 +3,7 @@ package cz.paprsek.render;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Affine;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Hit;
 
 /** A pattern ready to be asked for its colour at a point: two colours in linear light, and which of them lies where. */
@@ -68,24 +69,30 @@ abstract class Paint {
     }
 
     private static final class Cubes extends Paint {
-        /** What a face lying on a boundary between cells is moved by, in cells, so that rounding does not speckle it. */
+        /** What a face lying on a boundary between cells is moved by at least, in cells, so that rounding does not speckle it. */
         private static final double NUDGE = 1e-10;
+        /** How far rounding moves a point, relative to the numbers behind it. */
+        private static final double ROUNDING = 2e-15;
 
         private final Affine toCells;
+        private final double rounding;
 
         Cubes(Pattern.Checker checker, Affine toPattern) {
             super(checker.even(), checker.odd());
             double k = 1 / checker.size();
-            toCells = Affine.scaling(cz.paprsek.math.Vec3.ONE.times(k))
+            toCells = Affine.scaling(Vec3.ONE.times(k))
                     .after(Affine.translation(checker.origin().negated()))
                     .after(toPattern);
+            rounding = ROUNDING * Math.max(toCells.direction(Vec3.X).length(),
+                    Math.max(toCells.direction(Vec3.Y).length(), toCells.direction(Vec3.Z).length()));
         }
 
         @Override
         boolean isOdd(Hit hit) {
-            double cells = Math.floor(toCells.pointX(hit.px, hit.py, hit.pz) + NUDGE)
-                    + Math.floor(toCells.pointY(hit.px, hit.py, hit.pz) + NUDGE)
-                    + Math.floor(toCells.pointZ(hit.px, hit.py, hit.pz) + NUDGE);
+            double nudge = rounding * hit.size > NUDGE ? rounding * hit.size : NUDGE;
+            double cells = Math.floor(toCells.pointX(hit.px, hit.py, hit.pz) + nudge)
+                    + Math.floor(toCells.pointY(hit.px, hit.py, hit.pz) + nudge)
+                    + Math.floor(toCells.pointZ(hit.px, hit.py, hit.pz) + nudge);
             // Not cells % 2: the remainder of doubles is slow.
             return cells != 2 * Math.floor(cells / 2);
         }

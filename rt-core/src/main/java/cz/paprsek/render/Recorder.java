@@ -67,7 +67,8 @@ final class Recorder extends Tracer {
                 ray.max, new Vec3(hit.px, hit.py, hit.pz), leaving ? towardsViewer.negated() : towardsViewer, towardsViewer,
                 hit.u, hit.v, cosine, new Vec3(mirrorX, mirrorY, mirrorZ));
         open.push(new Draft(begin(level), place, scene.parts().finish(ray.part).material,
-                new LinearRgb(level.colorRed, level.colorGreen, level.colorBlue), ambient, size));
+                new LinearRgb(level.colorRed, level.colorGreen, level.colorBlue), ambient,
+                new ShadowWalk.Start(place.point(), size, ray.part, leaving != flipped, level.media, open.size())));
     }
 
     @Override
@@ -78,7 +79,7 @@ final class Recorder extends Tracer {
         Vec3 direction = new Vec3(x, y, z);
         draft.lights.add(new LightTerm(lamp, light.name().isEmpty() ? "#" + (lamp + 1) : "\"" + light.name() + "\"", light.position(),
                 new LinearRgb(ready.red(), ready.green(), ready.blue()), direction, distance, facing, draft.place.mirrored().dot(direction), visibility,
-                facing > 0 && visibility < 1 ? shadowWalk.obstacles(draft.place.point(), direction, distance, draft.size) : List.of(),
+                facing > 0 && visibility < 1 ? shadowWalk.obstacles(draft.start, direction, distance) : List.of(),
                 0, 0, LinearRgb.BLACK));
     }
 

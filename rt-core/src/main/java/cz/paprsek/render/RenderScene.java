@@ -15,10 +15,16 @@ import cz.paprsek.tree.TreeBuilder;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
+import java.util.stream.IntStream;
 
 /** A scene prepared for tracing: shapes placed in the world, materials resolved, the hierarchy built. Any number of renders may use it at once. */
 public final class RenderScene {
+    /** Of more transparent solids than this, each may touch others: comparing all their boxes would take long. */
+    private static final int MANY_MEDIA = 100;
+
     private final Scene scene;
     private final PartTable parts;
     /** The placed shape of each object, and whether no light gets through it. */
@@ -26,6 +32,10 @@ public final class RenderScene {
     private final boolean[] opaque;
     private final Bodies bodies;
     private final Lamp[] lamps;
+    /** Whether each object is transparent, has an inside, and may touch another such object. */
+    private final boolean[] mayTouch;
+    /** The first part of every solid without end. */
+    private final int[] endless;
     private final int[] aroundCamera;
     private final double buildSeconds;
 
@@ -42,8 +52,10 @@ public final class RenderScene {
             surfaces[i] = parts.place(i, scene.objects().get(i));
             opaque[i] = isOpaque(first, parts.size());
         }
-        this.aroundCamera = mediaAround(scene.camera().position());
         this.bodies = Bodies.of(surfaces, opaque, monitor::cancelled);
+        this.mayTouch = touching();
+        this.endless = endless();
+        this.aroundCamera = solidsAround(scene.camera().position());
         this.buildSeconds = (System.nanoTime() - begin) / 1e9;
     }
 
@@ -55,8 +67,10 @@ public final class RenderScene {
         this.surfaces = other.surfaces;
         this.opaque = other.opaque;
         this.bodies = other.bodies;
+        this.mayTouch = other.mayTouch;
+        this.endless = other.endless;
         this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
-        this.aroundCamera = mediaAround(scene.camera().position());
+        this.aroundCamera = solidsAround(scene.camera().position());
         this.buildSeconds = (System.nanoTime() - begin) / 1e9;
     }
 
@@ -170,6 +184,25 @@ public final class RenderScene {
         return scene.objects().get(object).shape() instanceof Solid;
     }
 
+    /** Whether no light gets through any of an object. */
+    boolean isOpaque(int object) {
+        return opaque[object];
+    }
+
+    /** Whether an object is a solid that light gets through. */
+    boolean isMedium(int object) {
+        return !opaque[object] && isSolid(object);
+    }
+
+    /** Whether a solid that light gets through may touch another one. */
+    boolean mayTouchMedium(int object) {
+        return mayTouch[object];
+    }
+
+    Surface surface(int object) {
+        return surfaces[object];
+    }
+
     /** Puts the ray that leaves the camera into the media the camera stands in. */
     void enterMediaAroundCamera(Media media) {
         enter(aroundCamera, media);
@@ -177,13 +210,17 @@ public final class RenderScene {
 
     /** Puts a ray into the media around the point it starts from. */
     void enterMediaAround(Vec3 point, Media media) {
-        enter(mediaAround(point), media);
+        enter(solidsAround(point), media);
     }
 
     private void enter(int[] around, Media media) {
         media.clear();
         for (int part : around) {
-            media.enter(parts.object(part), parts.finish(part).refractiveIndex);
+            if (opaque[parts.object(part)]) {
+                media.surround(parts.object(part));
+            } else {
+                media.enter(parts.object(part), parts.finish(part).refractiveIndex);
+            }
         }
     }
 
@@ -196,26 +233,51 @@ public final class RenderScene {
         return true;
     }
 
-    /** The first part of every transparent solid that the point is in, the largest solid first, as if entered from outside. */
-    private int[] mediaAround(Vec3 point) {
-        List<Integer> inside = new ArrayList<>();
-        for (int part = 0; part < parts.size(); part++) {
-            int object = parts.object(part);
-            boolean isFirst = part == 0 || parts.object(part - 1) != object;
-            if (isFirst && !opaque[object] && holds(surfaces[object], point)) {
-                inside.add(part);
-            }
-        }
-        inside.sort(Comparator.comparingDouble((Integer part) -> surfaces[parts.object(part)].bounds().volume()).reversed());
-        return inside.stream().mapToInt(Integer::intValue).toArray();
+    private int[] endless() {
+        return IntStream.range(0, parts.size())
+                .filter(part -> part == 0 || parts.object(part - 1) != parts.object(part))
+                .filter(part -> isSolid(parts.object(part)) && !surfaces[parts.object(part)].bounds().isFinite()).toArray();
     }
 
-    private static boolean holds(Surface surface, Vec3 point) {
-        if (!(surface instanceof Volume volume) || !volume.bounds().contains(point)) {
-            return false;
+    private boolean[] touching() {
+        boolean[] touching = new boolean[surfaces.length];
+        int[] media = IntStream.range(0, surfaces.length).filter(this::isMedium).toArray();
+        for (int i : media) {
+            touching[i] = media.length > MANY_MEDIA;
         }
+        for (int i = 1; i < media.length && media.length <= MANY_MEDIA; i++) {
+            for (int j = 0; j < i; j++) {
+                if (!surfaces[media[i]].bounds().padded().intersection(surfaces[media[j]].bounds().padded()).isEmpty()) {
+                    touching[media[i]] = true;
+                    touching[media[j]] = true;
+                }
+            }
+        }
+        return touching;
+    }
+
+    /** The first part of every solid that the point is in: the opaque ones, then the transparent ones, the largest first, as if entered from outside. */
+    private int[] solidsAround(Vec3 point) {
+        SortedMap<Integer, Integer> firstParts = new TreeMap<>();
         Ray ray = new Ray(new Spans());
+        Spans ahead = new Spans();
         ray.start(point.x(), point.y(), point.z(), 1, 0, 0);
-        return volume.holdsOrigin(ray);
+        bodies.crossings(ray, bodies.newGatherer(ahead));
+        for (int i = 0; i < ahead.size(); i++) {
+            int part = ahead.part(i);
+            if (isSolid(parts.object(part)) && firstParts.remove(parts.object(part)) == null) {
+                firstParts.put(parts.object(part), parts.firstOfObject(part));
+            }
+        }
+        for (int part : endless) {
+            firstParts.remove(parts.object(part));
+            if (((Volume) surfaces[parts.object(part)]).holdsOrigin(ray)) {
+                firstParts.put(parts.object(part), part);
+            }
+        }
+        List<Integer> inside = new ArrayList<>(firstParts.values());
+        inside.sort(Comparator.comparing((Integer part) -> !opaque[parts.object(part)])
+                .thenComparing(Comparator.comparingDouble((Integer part) -> surfaces[parts.object(part)].bounds().volume()).reversed()));
+        return inside.stream().mapToInt(Integer::intValue).toArray();
     }
 }

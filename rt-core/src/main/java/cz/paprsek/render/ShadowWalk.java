@@ -9,59 +9,65 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 
 /** Finds what stands between a point and a light, in order. */
 final class ShadowWalk {
+    private final RenderScene scene;
     private final PartTable parts;
     private final Bodies bodies;
-    private final Bodies.Finder finder;
+    private final Bodies.Finder gatherer;
+    private final Contacts contacts;
     private final Spans spans = new Spans();
     private final Ray ray = new Ray(spans);
     private final IntFunction<SurfacePath> path;
 
+    /**
+     * Where a shadow ray starts.
+     *
+     * @param size what its rounding errors are relative to
+     * @param part whose surface it is
+     * @param inwards whether rays to the side it is seen from start into the inside of that part
+     * @param around the media there
+     * @param depth 0 for what the eye sees
+     */
+    record Start(Vec3 point, double size, int part, boolean inwards, Media around, int depth) {}
+
     ShadowWalk(RenderScene scene, IntFunction<SurfacePath> path) {
+        this.scene = scene;
         this.parts = scene.parts();
         this.bodies = scene.bodies();
-        this.finder = bodies.newFinder();
+        this.gatherer = bodies.newGatherer(spans);
+        this.contacts = new Contacts(scene, bodies.newFinder(), spans);
         this.path = path;
     }
 
     /** The surfaces in the way, the nearest first, up to the first that lets no light through. */
-    List<Obstacle> obstacles(Vec3 point, Vec3 direction, double distance, double size) {
-        double end = distance - Ray.OFFSET * size;
-        ray.start(point.x(), point.y(), point.z(), direction.x(), direction.y(), direction.z(), size, end);
+    List<Obstacle> obstacles(Start start, Vec3 direction, double distance) {
+        Vec3 point = start.point();
+        ray.start(point.x(), point.y(), point.z(), direction.x(), direction.y(), direction.z(), start.size(),
+                distance - Ray.TOUCH * start.size(), start.part(), start.inwards());
         spans.release(0);
-        return bodies.occluder(ray, bodies.whole(), finder, spans) == null ? transparent() : untilOpaque(end);
-    }
-
-    private List<Obstacle> transparent() {
+        bodies.crossings(ray, gatherer);
+        int[] inOrder = IntStream.range(0, spans.size())
+                .filter(i -> spans.t(i) > ray.contact || isMetAtOnce(start, i))
+                .boxed().sorted(Comparator.<Integer>comparingDouble(spans::t).thenComparingInt(spans::part))
+                .mapToInt(Integer::intValue).toArray();
         List<Obstacle> found = new ArrayList<>();
-        for (int i = 0; i < spans.size(); i++) {
-            found.add(obstacle(spans.part(i), spans.t(i)));
-        }
-        found.sort(Comparator.comparingDouble(Obstacle::distance));
-        return found;
-    }
-
-    private List<Obstacle> untilOpaque(double end) {
-        List<Obstacle> found = new ArrayList<>();
-        boolean isOpaque = false;
-        spans.release(0);
-        while (!isOpaque) {
-            ray.part = -1;
-            ray.max = end;
-            bodies.nearest(ray, bodies.whole(), finder);
-            if (ray.part < 0) {
+        for (int i : inOrder) {
+            found.add(new Obstacle(path.apply(spans.part(i)), Math.max(0, spans.t(i)), parts.finish(spans.part(i)).transparency));
+            if (isOpaque(i)) {
                 break;
             }
-            found.add(obstacle(ray.part, ray.max));
-            isOpaque = parts.finish(ray.part).transparency == 0;
-            ray.min = ray.max;
         }
         return found;
     }
 
-    private Obstacle obstacle(int part, double distance) {
-        return new Obstacle(path.apply(part), distance, parts.finish(part).transparency);
+    private boolean isMetAtOnce(Start start, int i) {
+        return start.depth() > 0 && !scene.isOpaque(parts.object(spans.part(i))) && contacts.counts(ray, start.around(), true, false, i);
+    }
+
+    private boolean isOpaque(int i) {
+        return parts.finish(spans.part(i)).transparency == 0;
     }
 }

@@ -37,6 +37,7 @@ class Tracer extends Witness {
     private final double[] ambient;
     /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
     private final @Nullable Surface[] lastOccluder;
+    private final Contacts contacts;
     private final Bundle bundle = new Bundle();
     private final Entries entries = new Entries(MOST_FROM_EYE);
     private final Entries[] towardsLamp;
@@ -58,6 +59,7 @@ class Tracer extends Witness {
         this.parts = scene.parts();
         this.lamps = scene.lamps();
         this.finder = bodies.newFinder();
+        this.contacts = new Contacts(scene, finder, spans);
         this.lastOccluder = new Surface[maxDepth * lamps.length];
         this.towardsLamp = Stream.generate(() -> new Entries(MOST_FROM_LAMP)).limit(lamps.length).toArray(Entries[]::new);
         this.anywhere = Stream.generate(bodies::whole).limit(lamps.length).toArray(Entries[]::new);
@@ -128,8 +130,8 @@ class Tracer extends Witness {
                 farthest = reach > farthest ? reach : farthest;
             }
         }
-        // A shadow ray begins at OFFSET · size, and its size is at least the distance from the eye. Half of that leaves room for rounding.
-        bundle.end(1 - Ray.OFFSET / 2 * Math.min(1, nearest / farthest));
+        // A shadow ray begins at TOUCH · size, and its size is at least the distance from the eye. Half of that leaves room for rounding.
+        bundle.end(1 - Ray.TOUCH / 2 * Math.min(1, nearest / farthest));
     }
 
     private Level[] levels(int size) {
@@ -182,10 +184,14 @@ class Tracer extends Witness {
 
     /** Finds what the level's ray hits, and where. */
     private void find(Level level, Entries among) {
-        bodies.nearest(level.ray, among, finder);
-        if (level.ray.part >= 0) {
+        Ray ray = level.ray;
+        bodies.nearest(ray, among, finder);
+        if (ray.part >= 0 && (ray.max <= ray.contact || level.media.areAround())) {
+            contacts.settle(level);
+        }
+        if (ray.part >= 0) {
             hits++;
-            locate(level.ray, level.hit);
+            locate(ray, level.hit);
         }
     }
 
@@ -210,13 +216,13 @@ class Tracer extends Witness {
         double mirrorX = ray.dx + 2 * c * hit.nx;
         double mirrorY = ray.dy + 2 * c * hit.ny;
         double mirrorZ = ray.dz + 2 * c * hit.nz;
-        double size = ray.max + Math.abs(hit.px) + Math.abs(hit.py) + Math.abs(hit.pz);
+        double size = hit.size;
 
         level.light(ambient[0] * level.colorRed, ambient[1] * level.colorGreen, ambient[2] * level.colorBlue);
         met(level, leaving, c, mirrorX, mirrorY, mirrorZ, size);
         if (finish.isLit()) {
             for (int i = 0; i < lamps.length; i++) {
-                illuminate(depth, i, between[i], level, finish, mirrorX, mirrorY, mirrorZ, size);
+                illuminate(depth, i, between[i], level, finish, leaving, mirrorX, mirrorY, mirrorZ, size);
             }
         }
         if (depth + 1 < levels.length && (finish.reflection > 0 || finish.transparency > 0)) {
@@ -229,6 +235,7 @@ class Tracer extends Witness {
         hit.px = ray.ox + ray.max * ray.dx;
         hit.py = ray.oy + ray.max * ray.dy;
         hit.pz = ray.oz + ray.max * ray.dz;
+        hit.size = ray.max + Math.abs(hit.px) + Math.abs(hit.py) + Math.abs(hit.pz);
         boolean flipped = ray.face < 0;
         parts.part(ray.part).describe(flipped ? ~ray.face : ray.face, hit);
         if (flipped) {
@@ -239,7 +246,7 @@ class Tracer extends Witness {
     }
 
     /** Adds one light's diffuse and specular part. */
-    private void illuminate(int depth, int light, Entries between, Level level, Finish finish,
+    private void illuminate(int depth, int light, Entries between, Level level, Finish finish, boolean leaving,
             double mirrorX, double mirrorY, double mirrorZ, double size) {
         Hit hit = level.hit;
         Lamp lamp = lamps[light];
@@ -259,8 +266,13 @@ class Tracer extends Witness {
         double visibility = 1;
         shadows++;
         if (!bodies.isClear(between)) {
-            shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.OFFSET * size);
-            visibility = visibility(depth * lamps.length + light, between);
+            Ray ray = level.ray;
+            shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.TOUCH * size, ray.part, leaving != ray.face < 0);
+            if (depth == 0) {
+                // Nothing that touches the surface lies on this side of it: the eye's ray would have met that.
+                shadow.min = shadow.contact;
+            }
+            visibility = visibility(depth * lamps.length + light, between, level.media);
         }
         sought(light, lx, ly, lz, distance, facing, visibility);
         if (visibility > 0) {
@@ -275,14 +287,14 @@ class Tracer extends Witness {
     }
 
     /** The share of a light that comes along the shadow ray: the product of the transparencies of all surfaces in between. */
-    private double visibility(int memory, Entries between) {
+    private double visibility(int memory, Entries between, Media around) {
         Surface last = lastOccluder[memory];
         if (last != null && last.occludes(shadow)) {
             return 0;
         }
         int mark = spans.size();
         Surface occluder = bodies.occluder(shadow, between, finder, spans);
-        double product = occluder == null ? product(mark) : 0;
+        double product = occluder == null ? product(mark, around) : 0;
         spans.release(mark);
         if (occluder != last) {
             lastOccluder[memory] = occluder;
@@ -291,14 +303,18 @@ class Tracer extends Witness {
     }
 
     /** The smallest share first, so that the product does not depend on the order in which the surfaces were found. */
-    private double product(int mark) {
-        int count = spans.size() - mark;
-        if (count > shares.length) {
-            shares = new double[2 * count];
+    private double product(int mark, Media around) {
+        int most = spans.size() - mark;
+        if (most > shares.length) {
+            shares = new double[2 * most];
         }
-        for (int i = 0; i < count; i++) {
-            double share = parts.finish(spans.part(mark + i)).transparency;
-            int at = i;
+        int count = 0;
+        for (int i = mark; i < mark + most; i++) {
+            if (spans.t(i) <= shadow.contact && !contacts.counts(shadow, around, true, false, i)) {
+                continue;
+            }
+            double share = parts.finish(spans.part(i)).transparency;
+            int at = count++;
             for (; at > 0 && shares[at - 1] > share; at--) {
                 shares[at] = shares[at - 1];
             }
@@ -340,7 +356,8 @@ class Tracer extends Witness {
             }
         }
         if (reflection > 0) {
-            next.ray.start(hit.px, hit.py, hit.pz, mirrorX, mirrorY, mirrorZ, size, Double.POSITIVE_INFINITY);
+            next.ray.start(hit.px, hit.py, hit.pz, mirrorX, mirrorY, mirrorZ, size, Double.POSITIVE_INFINITY, ray.part, leaving != ray.face < 0);
+            next.beyond = false;
             next.media.set(level.media);
             reflected++;
             following(false, reflection);
@@ -350,7 +367,8 @@ class Tracer extends Witness {
         if (refracts) {
             double k = e * c - root;
             next.ray.start(hit.px, hit.py, hit.pz, e * ray.dx + k * hit.nx, e * ray.dy + k * hit.ny, e * ray.dz + k * hit.nz,
-                    size, Double.POSITIVE_INFINITY);
+                    size, Double.POSITIVE_INFINITY, ray.part, leaving == ray.face < 0);
+            next.beyond = true;
             indexBeyond(level, next.media, finish, leaving);
             refracted++;
             following(true, finish.transparency);

@@ -72,11 +72,16 @@ public record Cone(double radius, double topRadius, double height) implements So
             if (!narrow(ray, line.oy, line.dy, 0, height, BOTTOM)) {
                 return false;
             }
-            double w = radius + slope * line.oy;
+            // From the point of the line nearest to the cone: the squares of large numbers would lose a small cone far away.
+            double dd = line.dx * line.dx + line.dz * line.dz;
+            double near = -(line.ox * line.dx + (line.oy - height / 2) * line.dy + line.oz * line.dz) / (dd + line.dy * line.dy);
+            double x = line.ox + near * line.dx;
+            double z = line.oz + near * line.dz;
+            double w = radius + slope * (line.oy + near * line.dy);
             double dw = slope * line.dy;
-            double a = line.dx * line.dx + line.dz * line.dz - dw * dw;
-            double b = line.ox * line.dx + line.oz * line.dz - w * dw;
-            double c = line.ox * line.ox + line.oz * line.oz - w * w;
+            double a = dd - dw * dw;
+            double b = x * line.dx + z * line.dz - w * dw;
+            double c = x * x + z * z - w * w;
             double discriminant = b * b - a * c;
             if (!(discriminant > 0)) {
                 // No crossing: the line is inside all along if its form is negative, which it is exactly when a < 0.
@@ -86,8 +91,8 @@ public record Cone(double radius, double topRadius, double height) implements So
             double q = -(b + Math.copySign(Math.sqrt(discriminant), b));
             double t0 = q / a;
             double t1 = c / q;
-            double first = Math.min(t0, t1);
-            double second = Math.max(t0, t1);
+            double first = near + Math.min(t0, t1);
+            double second = near + Math.max(t0, t1);
             return a > 0 ? narrow(ray, first, SIDE, second, SIDE) : narrowOutside(ray, first, second);
         }
 

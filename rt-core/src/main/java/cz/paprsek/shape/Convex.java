@@ -11,9 +11,22 @@ abstract class Convex extends Volume implements Part {
     /** Finds the stretch of the line inside and sets the ray's enter, leave and their faces; false if there is none. */
     abstract boolean clip(Ray ray);
 
+    /** As {@link #clip}, but of a ray that starts on the surface only what follows: the far side if it starts inwards, else nothing. */
+    final boolean meets(Ray ray) {
+        if (part != ray.left) {
+            return clip(ray);
+        }
+        if (!ray.inwards || !clip(ray)) {
+            return false;
+        }
+        ray.enter = Double.NEGATIVE_INFINITY;
+        ray.leave = Math.max(ray.leave, 0);
+        return true;
+    }
+
     @Override
     public void spans(Ray ray, Spans out) {
-        if (clip(ray) && ray.enter < ray.max && ray.leave > ray.min) {
+        if (meets(ray) && ray.enter < ray.reach && ray.leave > ray.min) {
             out.add(ray.enter, part, ray.enterFace);
             out.add(ray.leave, part, ray.leaveFace);
         }
@@ -21,21 +34,22 @@ abstract class Convex extends Volume implements Part {
 
     @Override
     public void nearest(Ray ray) {
-        if (!clip(ray)) {
+        if (!meets(ray)) {
             return;
         }
         if (ray.enter > ray.min) {
-            if (ray.enter < ray.max) {
+            if (ray.enter < ray.reach) {
                 ray.accept(ray.enter, part, ray.enterFace);
             }
-        } else if (ray.leave > ray.min && ray.leave < ray.max) {
+        } else if (ray.leave > ray.min && ray.leave < ray.reach) {
             ray.accept(ray.leave, part, ray.leaveFace);
         }
     }
 
     @Override
     public boolean occludes(Ray ray) {
-        return clip(ray) && ((ray.enter > ray.min && ray.enter < ray.max) || (ray.leave > ray.min && ray.leave < ray.max));
+        return meets(ray)
+                && ((ray.enter > ray.contact && ray.enter < ray.max) || (ray.leave > ray.contact && ray.leave < ray.max));
     }
 
     /** Narrows the ray's stretch to [enter, leave]; whether anything is left. */

@@ -31,22 +31,22 @@ abstract class Flat extends Surface implements Part {
 
     @Override
     public void nearest(Ray ray) {
-        double t = crossing(ray);
-        if (t > ray.min && t < ray.max) {
+        double t = crossing(ray, ray.min, ray.reach);
+        if (t > ray.min) {
             ray.accept(t, part, 0);
         }
     }
 
     @Override
     public boolean occludes(Ray ray) {
-        double t = crossing(ray);
-        return t > ray.min && t < ray.max;
+        return crossing(ray, ray.contact, ray.max) > ray.contact;
     }
 
     @Override
     public void crossings(Ray ray, Spans out) {
-        if (occludes(ray)) {
-            out.add(crossing(ray), part, 0);
+        double t = crossing(ray, ray.min, ray.max);
+        if (t > ray.min) {
+            out.add(t, part, 0);
         }
     }
 
@@ -57,11 +57,14 @@ abstract class Flat extends Surface implements Part {
         hit.v = v(toLocal.pointY(hit.px, hit.py, hit.pz));
     }
 
-    /** Where the ray's line meets the figure; not a number if it does not. */
-    private double crossing(Ray ray) {
+    /** Where the ray meets the figure, strictly between two values of t; not a number if it does not, or starts from it. */
+    private double crossing(Ray ray, double from, double to) {
+        if (part == ray.left) {
+            return Double.NaN;
+        }
         double dz = toLocal.directionZ(ray.dx, ray.dy, ray.dz);
         double t = -toLocal.pointZ(ray.ox, ray.oy, ray.oz) / dz;
-        if (dz == 0 || !(t > ray.min && t < ray.max)) {
+        if (dz == 0 || !(t > from && t < to)) {
             return Double.NaN;
         }
         double x = toLocal.pointX(ray.ox, ray.oy, ray.oz) + t * toLocal.directionX(ray.dx, ray.dy, ray.dz);

@@ -8,6 +8,8 @@ public final class Hit {
     public double px;
     public double py;
     public double pz;
+    /** The size of the numbers that led to the point, coordinates and distance travelled, added up: what its rounding errors are relative to. */
+    public double size;
     /** The normal, of length 1: out of a solid, or on the +z side of a flat surface. */
     public double nx;
     public double ny;

@@ -70,7 +70,10 @@ final class Operands {
         @Override
         protected void aim(Ray ray) {
             ray.needReciprocals();
-            along(ray.ox, ray.oy, ray.oz, ray.rx, ray.ry, ray.rz, ray.min, ray.max);
+            // Trees measure from where a line starts, and know nothing of what lies behind.
+            double back = ray.min < 0 ? ray.min : 0;
+            along(ray.ox + back * ray.dx, ray.oy + back * ray.dy, ray.oz + back * ray.dz, ray.rx, ray.ry, ray.rz,
+                    ray.min - back, ray.max - back);
         }
 
         /** All that are met are wanted, so no leaf ends the search. */

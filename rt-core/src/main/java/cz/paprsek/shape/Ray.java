@@ -6,10 +6,16 @@ import org.jspecify.annotations.Nullable;
 /**
  * A ray in world space and what it has hit so far. Scratch: the one mutable object of the hot path, owned by one worker.
  * A hit counts if min &lt; t &lt; max; each accepted hit lowers max.
+ *
+ * <p>A ray that starts on a surface knows which: it does not meet it again where it starts, however rounding moves that point, and misses
+ * nothing else, however near. What lies within {@link #contact} of its start is there by rounding, in front of it or behind.
  */
 public final class Ray {
-    /** Hits nearer than this times {@link #scale} to where a ray leaves a surface are that surface again. */
-    public static final double OFFSET = 1e-9;
+    /**
+     * Surfaces nearer to one another than this, relative to the numbers they come from, lie in one place: some ten thousand times what
+     * rounding does to them.
+     */
+    public static final double TOUCH = 1e-11;
 
     public double ox;
     public double oy;
@@ -30,6 +36,13 @@ public final class Ray {
     public double scale;
     public double min;
     public double max;
+    /** The part whose surface the ray starts from, or −1; and whether it starts into the inside of that part. */
+    public int left;
+    public boolean inwards;
+    /** What lies less far from the start than this touches the surface that the ray starts from. */
+    public double contact;
+    /** Up to where a hit lies in one place with the one at max. */
+    double reach;
     /** The {@linkplain Parts part} hit, or −1. */
     public int part;
     /** Which face of the part was hit, the part's own numbering; the complement {@code ~face} if an odd number of CSG operations flipped it. */
@@ -54,18 +67,30 @@ public final class Ray {
 
     /** Starts a ray from the eye: nothing hit yet, and nothing too near or too far. */
     public void start(double x, double y, double z, double directionX, double directionY, double directionZ) {
-        double size = Math.abs(x) + Math.abs(y) + Math.abs(z);
-        start(x, y, z, directionX, directionY, directionZ, size, Double.POSITIVE_INFINITY);
+        start(x, y, z, directionX, directionY, directionZ, Math.abs(x) + Math.abs(y) + Math.abs(z), Double.POSITIVE_INFINITY);
+        left = -1;
+        contact = 0;
         min = 0;
     }
 
     /**
-     * Starts a ray from a surface: nothing hit yet.
+     * Starts a ray from a surface: nothing hit yet. What touches the surface counts as hit from {@code -contact} on.
      *
      * @param size the numbers that led to the origin, coordinates and distance travelled, added up
      * @param end where the ray ends; exclusive
+     * @param surface the part whose surface it is
+     * @param intoIt whether the ray starts into the inside of that part
      */
-    public void start(double x, double y, double z, double directionX, double directionY, double directionZ, double size, double end) {
+    public void start(double x, double y, double z, double directionX, double directionY, double directionZ, double size, double end,
+            int surface, boolean intoIt) {
+        start(x, y, z, directionX, directionY, directionZ, size, end);
+        left = surface;
+        inwards = intoIt;
+        contact = TOUCH * size;
+        min = -contact;
+    }
+
+    private void start(double x, double y, double z, double directionX, double directionY, double directionZ, double size, double end) {
         ox = x;
         oy = y;
         oz = z;
@@ -74,9 +99,23 @@ public final class Ray {
         dz = directionZ;
         hasReciprocals = false;
         scale = size;
-        min = OFFSET * size;
         max = end;
+        reach = end;
         part = -1;
+    }
+
+    /** Starts the same ray anew, with nothing hit, to look at a stretch of it only. */
+    public void within(Ray other, double from, double to) {
+        start(other.ox, other.oy, other.oz, other.dx, other.dy, other.dz, other.scale, to);
+        left = other.left;
+        inwards = other.inwards;
+        contact = other.contact;
+        min = from;
+    }
+
+    /** How far from a hit at t others lie in one place with it. */
+    public double touch(double t) {
+        return TOUCH * (scale + Math.abs(t));
     }
 
     /** Works the reciprocal direction out, once. */
@@ -89,8 +128,18 @@ public final class Ray {
         }
     }
 
-    /** Takes a hit that is known to lie between min and max. */
+    /** Takes a hit that is known to lie between min and reach. Of hits in one place the lowest part's counts, whichever was found first. */
     void accept(double t, int hitPart, int hitFace) {
+        if (part < 0 || hitPart < part || t < max - (reach - max)) {
+            max = t;
+            reach = t + touch(t);
+            part = hitPart;
+            face = hitFace;
+        }
+    }
+
+    /** Makes something else the hit, that was found to be met first. */
+    public void settle(double t, int hitPart, int hitFace) {
         max = t;
         part = hitPart;
         face = hitFace;

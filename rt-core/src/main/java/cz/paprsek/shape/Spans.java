@@ -11,9 +11,9 @@ import java.util.Arrays;
 public final class Spans {
     /**
      * Boundaries of two operands nearer than this, relative to the numbers they come from, lie in one place and are crossed together,
-     * so that a hole cut flush with a face leaves no skin. A tenth of {@link Ray#OFFSET}: a ray must not see the skin it starts from.
+     * so that a hole cut flush with a face leaves no skin.
      */
-    private static final double TIE = Ray.OFFSET / 10;
+    private static final double TIE = Ray.TOUCH;
 
     private double[] t = new double[32];
     private int[] part = new int[32];
@@ -44,7 +44,7 @@ public final class Spans {
 
     /** Whether the stretches from {@code mark} on reach between the ray's min and max. */
     boolean reaches(int mark, Ray ray) {
-        return size > mark && t[mark] < ray.max && t[size - 1] > ray.min;
+        return size > mark && t[mark] < ray.reach && t[size - 1] > ray.min;
     }
 
     /** Pushes a boundary. */
@@ -121,6 +121,29 @@ public final class Spans {
     /** Up to where boundaries count as lying in the same place as the one at {@code first}. */
     private static double together(double first, double scale) {
         return Double.isInfinite(first) ? first : first + TIE * (scale + Math.abs(first));
+    }
+
+    /**
+     * Drops of a primitive's boundaries, from {@code mark} on, the one that the ray starts at, and those before it. It is the nearest to the
+     * start of those that lead the way the ray goes.
+     */
+    void leaveFrom(int mark, boolean inwards) {
+        int start = -1;
+        for (int i = inwards ? mark : mark + 1; i < size; i += 2) {
+            if (start < 0 || Math.abs(t[i]) < Math.abs(t[start])) {
+                start = i;
+            }
+        }
+        if (start < 0) {
+            return;
+        }
+        int kept = mark;
+        for (int i = inwards ? start : start + 1; i < size; i++) {
+            t[kept] = i == start ? Double.NEGATIVE_INFINITY : Math.max(t[i], 0);
+            part[kept] = part[i];
+            face[kept++] = face[i];
+        }
+        size = kept;
     }
 
     /** Keeps of the run [from, size) only the boundaries strictly between two values of t. */

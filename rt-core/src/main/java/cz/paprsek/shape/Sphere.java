@@ -79,12 +79,16 @@ public record Sphere(double radius) implements Solid {
 
         @Override
         public void nearest(Ray ray) {
+            if (part == ray.left) {
+                super.nearest(ray);
+                return;
+            }
             double middle = middle(ray);
             double half = half(ray, middle);
             if (half > 0) {
                 double s = Math.sqrt(half);
                 double t = middle - s > ray.min ? middle - s : middle + s;
-                if (t > ray.min && t < ray.max) {
+                if (t > ray.min && t < ray.reach) {
                     ray.accept(t, part, 0);
                 }
             }

@@ -12,10 +12,10 @@ public abstract class Surface {
         return 1;
     }
 
-    /** Lowers the ray's max to the first boundary between its min and max, and notes what was hit, if there is one. */
+    /** Lowers the ray's max to the first boundary between its min and max, and notes what was hit, if there is one. The one it starts at is none. */
     public abstract void nearest(Ray ray);
 
-    /** Whether there is a boundary between the ray's min and max. */
+    /** Whether there is a boundary between the end of what the ray's start touches and its max. */
     public abstract boolean occludes(Ray ray);
 
     /** Pushes every boundary between the ray's min and max. */

@@ -37,6 +37,9 @@ public record Torus(double majorRadius, double minorRadius) implements Solid {
     }
 
     private static final class Placed extends Volume implements Part {
+        /** How far rounding may move a crossing, relative to the numbers it is made of. */
+        private static final double LAST_BITS = 2e-16;
+
         private final int part;
         private final Affine toLocal;
         private final Bounds bounds;
@@ -66,36 +69,91 @@ public record Torus(double majorRadius, double minorRadius) implements Solid {
         }
 
         /**
-         * With p the point of the line nearest to the centre and s the way from there in units of the shape, the crossings are the
-         * roots of s⁴ + c₂s² + c₁s + c₀ within the ball around the torus. They are bracketed by the turning points, themselves
-         * bracketed in the same way, and so come out sorted and in pairs, however close together.
+         * With p the point of the line nearest to the centre and s the way from there in units of the shape, the distance from the tube
+         * changes its sign at the roots of a quartic, at most once between two of its turning points. These are found first; the
+         * crossings come out sorted and in pairs, however close together.
          */
         @Override
         public void spans(Ray ray, Spans out) {
             Line line = ray.local;
             line.set(ray, toLocal);
             double length = Math.sqrt(line.dx * line.dx + line.dy * line.dy + line.dz * line.dz);
-            double dx = line.dx / length;
-            double dy = line.dy / length;
-            double dz = line.dz / length;
-            double middle = -(line.ox * dx + line.oy * dy + line.oz * dz);
-            double px = line.ox + middle * dx;
-            double py = line.oy + middle * dy;
-            double pz = line.oz + middle * dz;
-            double pp = px * px + py * py + pz * pz;
+            line.dx /= length;
+            line.dy /= length;
+            line.dz /= length;
+            double middle = -(line.ox * line.dx + line.oy * line.dy + line.oz * line.dz);
+            line.ox += middle * line.dx;
+            line.oy += middle * line.dy;
+            line.oz += middle * line.dz;
+            double pp = line.ox * line.ox + line.oy * line.oy + line.oz * line.oz;
             double reach = (major + minor) * (major + minor) - pp;
             if (!(reach > 0)) {
                 return;
             }
-            double k = pp + major * major - minor * minor;
-            double rho = Math.sqrt(px * px + pz * pz);
-            double c2 = 2 * k - 4 * major * major * (dx * dx + dz * dz);
-            double c1 = -8 * major * major * (px * dx + pz * dz);
-            // k² − 4R²ρ² as a product: the difference would lose the digits of a thin ring.
-            double inner = (rho - major) * (rho - major) + py * py - minor * minor;
-            double outer = (rho + major) * (rho + major) + py * py - minor * minor;
-            double c0 = inner * outer;
-            Quartic.roots(c2, c1, c0, Math.sqrt(reach) * (1 + 1e-9), middle, 1 / length, part, ray.breaks, out);
+            double c2 = 2 * (pp + major * major - minor * minor) - 4 * major * major * (line.dx * line.dx + line.dz * line.dz);
+            double c1 = -8 * major * major * (line.ox * line.dx + line.oz * line.dz);
+            int mark = out.size();
+            cross(line, c2, c1, Math.sqrt(reach) * (1 + 1e-9), middle, 1 / length, ray.breaks, out);
+            if (part == ray.left) {
+                out.leaveFrom(mark, ray.inwards);
+            }
+        }
+
+        /** At both ends the line counts as outside, whatever rounding says: the interval reaches out of the body. */
+        private void cross(Line line, double c2, double c1, double reach, double middle, double unit, double[] breaks, Spans out) {
+            int count = Quartic.turningPoints(c2, c1, reach, breaks);
+            double low = -reach;
+            boolean inside = false;
+            for (int i = 0; i <= count; i++) {
+                double high = i < count ? breaks[i] : reach;
+                boolean insideNext = i < count && outside(line, high) < 0;
+                if (inside != insideNext) {
+                    out.add((middle + crossing(line, low, high, inside)) * unit, part, 0);
+                }
+                low = high;
+                inside = insideNext;
+            }
+        }
+
+        /** Below 0 in the tube, above outside: (ρ − R)² + y² − r². The quartic, times a factor that is never negative, without its large numbers. */
+        private double outside(Line line, double s) {
+            double x = line.ox + s * line.dx;
+            double y = line.oy + s * line.dy;
+            double z = line.oz + s * line.dz;
+            double beyond = Math.sqrt(x * x + z * z) - major;
+            return beyond * beyond + y * y - minor * minor;
+        }
+
+        private double slope(Line line, double s) {
+            double x = line.ox + s * line.dx;
+            double y = line.oy + s * line.dy;
+            double z = line.oz + s * line.dz;
+            double rho = Math.sqrt(x * x + z * z);
+            return 2 * ((rho - major) / rho * (x * line.dx + z * line.dz) + y * line.dy);
+        }
+
+        /** The crossing between low and high by Newton's method kept inside a shrinking bracket, to the last bits. */
+        private double crossing(Line line, double low, double high, boolean insideAtLow) {
+            double a = low;
+            double b = high;
+            double s = (a + b) / 2;
+            while (s > a && s < b) {
+                double f = outside(line, s);
+                if (f < 0 == insideAtLow) {
+                    a = s;
+                } else {
+                    b = s;
+                }
+                double step = f / slope(line, s);
+                if (Math.abs(step) <= LAST_BITS * (major + Math.abs(s))) {
+                    return s - step;
+                }
+                s -= step;
+                if (!(s > a && s < b)) {
+                    s = (a + b) / 2;
+                }
+            }
+            return s;
         }
 
         @Override

@@ -4,7 +4,8 @@ package cz.paprsek.shape;
 public abstract class Volume extends Surface {
     /**
      * Pushes the boundaries of the stretches of the ray's whole line inside the solid, sorted, entering and leaving in turn.
-     * Stretches that do not reach between the ray's min and max may be left out.
+     * Stretches that do not reach between the ray's min and max may be left out. Of a primitive that the ray starts from, the boundary it
+     * starts at counts as lying far behind.
      */
     public abstract void spans(Ray ray, Spans out);
 
@@ -17,7 +18,7 @@ public abstract class Volume extends Surface {
         while (i < spans.size() && spans.t(i) <= ray.min) {
             i++;
         }
-        if (i < spans.size() && spans.t(i) < ray.max) {
+        if (i < spans.size() && spans.t(i) < ray.reach) {
             ray.accept(spans.t(i), spans.part(i), spans.face(i));
         }
         spans.release(mark);
@@ -30,7 +31,7 @@ public abstract class Volume extends Surface {
         spans(ray, spans);
         boolean found = false;
         for (int i = mark; i < spans.size(); i++) {
-            found |= spans.t(i) > ray.min && spans.t(i) < ray.max;
+            found |= spans.t(i) > ray.contact && spans.t(i) < ray.max;
         }
         spans.release(mark);
         return found;

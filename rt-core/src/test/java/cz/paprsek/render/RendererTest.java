@@ -97,7 +97,7 @@ class RendererTest {
                 }
                 assertThat(fast.max).isEqualTo(slow.max);
                 assertThat(fast.part).isEqualTo(slow.part);
-                fast.start(n[0], n[1], n[2], n[3] / length, n[4] / length, n[5] / length, 5, length);
+                fast.start(n[0], n[1], n[2], n[3] / length, n[4] / length, n[5] / length, 5, length, -1, false);
                 boolean blocked = false;
                 for (int k = 0; k < all.length; k++) {
                     blocked |= isOpaque(table, k) && all[k].occludes(fast);

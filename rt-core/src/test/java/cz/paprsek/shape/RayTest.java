@@ -49,7 +49,7 @@ class RayTest {
     }
 
     @Test
-    void aRayStartsWithNothingHitAndAnOffsetOfItsSize() {
+    void aRayStartsWithNothingHitAndKnowsWhatTouchesItsStart() {
         Ray ray = new Ray(new Spans());
         ray.start(3, -4, 5, 0, 0, 1);
         assertThat(ray.scale).isEqualTo(12);
@@ -57,10 +57,14 @@ class RayTest {
         assertThat(ray.max).isInfinite();
         ray.accept(2, 7, 1);
         assertThat(ray.max).isEqualTo(2);
-        ray.start(3, -4, 5, 0, 0, 1, 100, 8);
+        ray.start(3, -4, 5, 0, 0, 1, 100, 8, 7, true);
         assertThat(ray.part).isEqualTo(-1);
-        assertThat(ray.min).isEqualTo(100 * Ray.OFFSET);
+        assertThat(ray.contact).isEqualTo(100 * Ray.TOUCH);
+        assertThat(ray.min).isEqualTo(-ray.contact);
         assertThat(ray.max).isEqualTo(8);
+        ray.start(3, -4, 5, 0, 0, 1);
+        assertThat(ray.left).as("from the eye again").isEqualTo(-1);
+        assertThat(ray.min).isZero();
     }
 
     @Test

@@ -41,9 +41,9 @@ class SpansTest {
 
     @ParameterizedTest
     @CsvSource({
-        // A tie is 1e-10 of the size of the numbers: here, of 1000 + 10.
-        "1000, 1.00e-7, 2", "1000, 1.02e-7, 4", "1000, -1.00e-7, 2",
-        "0, 0.9e-9, 2", "0, 1.1e-9, 4"})
+        // A tie is 1e-11 of the size of the numbers: here, of 1000 + 10.
+        "1000, 1.00e-8, 2", "1000, 1.02e-8, 4", "1000, -1.00e-8, 2",
+        "0, 0.9e-10, 2", "0, 1.1e-10, 4"})
     void wallsThatTouchAreNoWalls(double scale, double gap, int boundaries) {
         combine(Operation.UNION, new double[] {5, 10}, new double[] {10 + gap, 20}, scale);
         assertThat(spans.size()).isEqualTo(boundaries);
