@@ -102,8 +102,8 @@ class FaultsTest {
             RenderOptions options = RenderOptions.of(SCENE).withThreads(threads);
             RenderScene ready = RenderScene.of(SCENE);
             Throwing monitor = new Throwing(method, thrown);
-            assertThatThrownBy(() -> Renderer.render(ready, options, monitor)).isExactlyInstanceOf(IllegalStateException.class).hasCauseReference(thrown);
-            assertThatThrownBy(() -> Renderer.render(SCENE, options, monitor)).isExactlyInstanceOf(IllegalStateException.class).hasCauseReference(thrown);
+            assertThatThrownBy(() -> Renderer.render(ready, options, monitor)).isExactlyInstanceOf(IllegalStateException.class).cause().isSameAs(thrown);
+            assertThatThrownBy(() -> Renderer.render(SCENE, options, monitor)).isExactlyInstanceOf(IllegalStateException.class).cause().isSameAs(thrown);
         }
     }
 
@@ -113,9 +113,9 @@ class FaultsTest {
         Scene large = StandardScenes.cloud(20_000);
         RenderScene small = RenderScene.of(SCENE);
         assertThatThrownBy(() -> RenderScene.of(large, new Throwing("cancelled", thrown)))
-                .isExactlyInstanceOf(IllegalStateException.class).hasCauseReference(thrown);
+                .isExactlyInstanceOf(IllegalStateException.class).cause().isSameAs(thrown);
         assertThatThrownBy(() -> small.changedTo(large, new Throwing("cancelled", thrown)))
-                .isExactlyInstanceOf(IllegalStateException.class).hasCauseReference(thrown);
+                .isExactlyInstanceOf(IllegalStateException.class).cause().isSameAs(thrown);
     }
 
     @Test
@@ -135,7 +135,7 @@ class FaultsTest {
         Throwable told = catchThrowable(() -> RenderScene.of(large, elsewhere));
         // On one processor there is no pool.
         if (told != null || Runtime.getRuntime().availableProcessors() > 1) {
-            assertThat(told).isExactlyInstanceOf(IllegalStateException.class).hasCauseReference(thrown);
+            assertThat(told).isExactlyInstanceOf(IllegalStateException.class).cause().isSameAs(thrown);
         }
     }
 
@@ -146,7 +146,7 @@ class FaultsTest {
         SceneFiles.write(SCENE, file);
         for (String method : List.of("cancelled", "read")) {
             assertThatThrownBy(() -> SceneFiles.read(file, new Throwing(method, thrown)))
-                    .isExactlyInstanceOf(IllegalStateException.class).hasCauseReference(thrown);
+                    .isExactlyInstanceOf(IllegalStateException.class).cause().isSameAs(thrown);
         }
     }
 

@@ -214,7 +214,7 @@ class BadFilesTest {
     void aFileCutAnywhereIsRefusedInOneLine() throws IOException {
         String whole = scene("<difference name='a'>\n<sphere radius='1'/><block min='0 0 0' max='1 1 1'/></difference>\n");
         for (int end = 0; end < whole.length(); end++) {
-            WayIn way = WayIn.values()[end % WayIn.values().length];
+            WayIn way = List.of(WayIn.values()).get(end % WayIn.values().length);
             assertThat(way.outcome(whole.substring(0, end).getBytes(StandardCharsets.UTF_8)).problems()).as(whole.substring(0, end)).hasSizeBetween(1, 2);
         }
     }
@@ -270,7 +270,7 @@ class BadFilesTest {
         "<block min='1 1 1' max='0 0 0'/>", "<union/>", "<sphere radius='1' a='1' b='2'/>"})
     void ofAHundredThousandMistakesTheFirstHundredAreTold(String mistake) {
         assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
-            WayIn way = WayIn.values()[mistake.length() % WayIn.values().length];
+            WayIn way = List.of(WayIn.values()).get(mistake.length() % WayIn.values().length);
             List<String> problems = way.outcome(scene(mistake.repeat(100_000)).getBytes(StandardCharsets.UTF_8)).problems();
             assertThat(problems).hasSize(Problems.MOST + 1);
             assertThat(problems.get(Problems.MOST)).endsWith(": there are more problems than these 100; mend these first");
@@ -307,7 +307,7 @@ class BadFilesTest {
             }
             int from = Math.min(good.length, at + random.nextInt(3));
             bad.write(good, from, good.length - from);
-            WayIn way = WayIn.values()[i % WayIn.values().length];
+            WayIn way = List.of(WayIn.values()).get(i % WayIn.values().length);
             byte[] file = bad.toByteArray();
             assertThat((way.takes(file) ? way : WayIn.STREAM).outcome(file).problems()).allSatisfy(line -> assertThat(line).matches("[1-9][0-9]*:[1-9][0-9]*: [^\\p{Cc}]+")
                     .doesNotContain("cvc-", "JAXP", "xerces", "null"));

@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.sheet.PropertySheet;
 import cz.paprsek.fx.view.shell.AddPalette;
+import cz.paprsek.fx.view.shell.FocusOrder;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.shell.ProblemList;
 import cz.paprsek.fx.view.shell.StatusBar;
@@ -65,6 +66,8 @@ final class MainWindow {
         root.setBottom(new VBox(problems, status));
         status.followRender(editor.renders().statusProperty());
         UndoKeys.reach(model, root);
+        sheet.setOnFieldGone(views::takeKeys);
+        new FocusOrder(List.of(views::root, () -> tree, () -> palette, () -> center.getItems().get(2), () -> problems), views::takeKeys).reach(root);
         views.setOnPointed(status::showCursor, texts);
         model.stateProperty().addListener(new WeakChangeListener<>(showSelection));
         showSelection();

@@ -241,6 +241,7 @@ final class Menus {
 
     private Menu menu(String key, MenuItem... items) {
         Menu menu = new Menu(texts.of(key), null, items);
+        menu.setMnemonicParsing(true);
         menu.setId(key.replace('.', '-'));
         return menu;
     }

@@ -31,6 +31,7 @@ final class Views {
     private final List<TitledView> titled;
     private final PaneGrid grid;
     private final ExplainMode explaining;
+    private Node last;
     private Optional<ProjectionPane> active = Optional.empty();
 
     Views(Editor editor) {
@@ -38,6 +39,7 @@ final class Views {
         this.theme = editor.followTheme();
         Texts texts = editor.texts();
         camera = new CameraPane(model, editor::fault);
+        camera.setOnLocked(() -> editor.say(texts.of("view.camera-locked")));
         ProjectionPane top = projection(editor, Axes.TOP);
         ProjectionPane front = projection(editor, Axes.FRONT);
         ProjectionPane right = projection(editor, Axes.RIGHT);
@@ -48,6 +50,10 @@ final class Views {
         grid = new PaneGrid(titled);
         explaining = new ExplainMode(model, camera, projections, new ExplainPane(texts, theme, editor.treeChooser()));
         titled.get(1).addTool(explainButton(texts));
+        last = camera;
+        for (TitledView view : titled) {
+            view.content().focusWithinProperty().addListener((property, old, now) -> last = now ? view.content() : last);
+        }
         for (ProjectionPane pane : projections) {
             pane.focusedProperty().addListener((property, old, now) -> active = now ? Optional.of(pane) : active);
         }
@@ -85,6 +91,11 @@ final class Views {
     /** The views in the order of the window: top, camera, front, right. */
     List<TitledView> titled() {
         return titled;
+    }
+
+    /** Gives the keyboard to the view that had it last. */
+    void takeKeys() {
+        last.requestFocus();
     }
 
     void toggle(TitledView view) {

@@ -20,12 +20,10 @@ import org.jspecify.annotations.Nullable;
  * the same; all changes go through here. For JavaFX's thread only.
  */
 public final class EditorModel {
-    private final History history = new History();
+    private final History<EditorState> history = new History<>((now, from, to) -> to);
     private final ReadOnlyObjectWrapper<EditorState> state;
     private final ReadOnlyObjectWrapper<Scene> scene;
     private final ReadOnlyObjectWrapper<Set<Item>> selection;
-    private final ReadOnlyObjectWrapper<Optional<Label>> undoable = new ReadOnlyObjectWrapper<>(Optional.empty());
-    private final ReadOnlyObjectWrapper<Optional<Label>> redoable = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyBooleanWrapper unsaved = new ReadOnlyBooleanWrapper();
     private final ReadOnlyBooleanWrapper gesturing = new ReadOnlyBooleanWrapper();
     private final ReadOnlyIntegerWrapper openings = new ReadOnlyIntegerWrapper();
@@ -71,12 +69,12 @@ public final class EditorModel {
 
     /** What undo would undo. */
     public ReadOnlyObjectProperty<Optional<Label>> undoableProperty() {
-        return undoable.getReadOnlyProperty();
+        return history.undoableProperty();
     }
 
     /** What redo would redo. */
     public ReadOnlyObjectProperty<Optional<Label>> redoableProperty() {
-        return redoable.getReadOnlyProperty();
+        return history.redoableProperty();
     }
 
     /** Whether the scene differs from that opened or saved last. Scenes share what has not changed, so that the comparison costs little. */
@@ -110,7 +108,7 @@ public final class EditorModel {
         EditorState after = change.apply(before);
         boolean isStep = isStep(before, after);
         if (isStep) {
-            history.did(label, before);
+            history.did(label, before, after);
         }
         show(isStep ? after : before.withSelection(after.selection()));
     }
@@ -193,7 +191,7 @@ public final class EditorModel {
         EditorState now = state();
         boolean isStep = keep && isStep(ended.start(), now);
         if (isStep) {
-            history.did(ended.label(), ended.start());
+            history.did(ended.label(), ended.start(), now);
         }
         show(isStep ? now : ended.start().withSelection(now.selection()));
     }
@@ -202,8 +200,7 @@ public final class EditorModel {
     void show(EditorState next) {
         boolean selectsOthers = !List.copyOf(next.selection()).equals(List.copyOf(selection.get()));
         state.set(next);
-        undoable.set(history.undoable());
-        redoable.set(history.redoable());
+        history.tell();
         unsaved.set(!next.scene().equals(saved));
         scene.set(next.scene());
         if (selectsOthers) {

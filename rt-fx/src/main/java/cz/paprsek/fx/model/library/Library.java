@@ -1,13 +1,14 @@
 package cz.paprsek.fx.model.library;
 
+import cz.paprsek.fx.model.History;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.edit.Names;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.xml.DatabaseFile;
 import java.nio.file.Path;
-import java.util.ArrayDeque;
 import java.util.Collection;
-import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -21,13 +22,8 @@ public final class Library {
     private final ReadOnlyObjectWrapper<SceneDatabase> database = new ReadOnlyObjectWrapper<>(SceneDatabase.EMPTY);
     private final ReadOnlyObjectWrapper<Optional<DatabaseFile>> file = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyBooleanWrapper unsaved = new ReadOnlyBooleanWrapper();
-    private final ReadOnlyBooleanWrapper undoable = new ReadOnlyBooleanWrapper();
-    private final ReadOnlyBooleanWrapper redoable = new ReadOnlyBooleanWrapper();
-    private final Deque<Step> past = new ArrayDeque<>();
-    private final Deque<Step> future = new ArrayDeque<>();
-
-    /** A change that was made here. */
-    private record Step(SceneDatabase before, SceneDatabase after) {}
+    /** What others have changed since a step stays when it is undone. */
+    private final History<SceneDatabase> history = new History<>((now, from, to) -> now.equals(from) ? to : to.rebase(from, now));
 
     public SceneDatabase database() {
         return database.get();
@@ -56,18 +52,17 @@ public final class Library {
         return unsaved.getReadOnlyProperty();
     }
 
-    public ReadOnlyBooleanProperty undoableProperty() {
-        return undoable.getReadOnlyProperty();
+    public ReadOnlyObjectProperty<Optional<Label>> undoableProperty() {
+        return history.undoableProperty();
     }
 
-    public ReadOnlyBooleanProperty redoableProperty() {
-        return redoable.getReadOnlyProperty();
+    public ReadOnlyObjectProperty<Optional<Label>> redoableProperty() {
+        return history.redoableProperty();
     }
 
     /** Takes a database that was read, or that is to be a new file; what could be undone is forgotten. */
     public void open(DatabaseFile opened) {
-        past.clear();
-        future.clear();
+        history.clear();
         file.set(Optional.of(opened));
         show(opened.database());
     }
@@ -77,12 +72,11 @@ public final class Library {
      *
      * @throws IllegalArgumentException with what is wrong; nothing is changed then
      */
-    public void edit(UnaryOperator<SceneDatabase> change) {
+    public void edit(Label label, UnaryOperator<SceneDatabase> change) {
         SceneDatabase before = database();
         SceneDatabase after = change.apply(before);
         if (!after.equals(before)) {
-            past.push(new Step(before, after));
-            future.clear();
+            history.did(label, before, after);
             show(after);
         }
     }
@@ -93,18 +87,18 @@ public final class Library {
      * @throws IllegalArgumentException if others have changed the same scenes since
      */
     public void undo() {
-        swap(past, future);
+        history.undo(database()).ifPresent(this::show);
     }
 
     /** As {@link #undo}, the other way. */
     public void redo() {
-        swap(future, past);
+        history.redo(database()).ifPresent(this::show);
     }
 
     /** Adds a scene at the end, by its own name or one like it that is free; returns that name. */
     public String add(Scene scene) {
         String name = Names.free(scene.name().isEmpty() ? "Scene" : scene.name(), database().names());
-        edit(before -> before.plus(scene.withName(name)));
+        edit(Label.of(Edit.ADD, name), before -> before.plus(scene.withName(name)));
         return name;
     }
 
@@ -116,18 +110,18 @@ public final class Library {
             after = after.plus(before.get(name).withName(Names.free(name, after.names())));
         }
         SceneDatabase all = after;
-        edit(old -> all);
+        edit(label(Edit.DUPLICATE, names), old -> all);
         return all.names().stream().skip(before.size()).toList();
     }
 
     /** @throws IllegalArgumentException if the new name is none, or taken */
     public void rename(String name, String newName) {
-        edit(before -> before.rename(name, newName.strip()));
+        edit(Label.of(Edit.RENAME, name), before -> before.rename(name, newName.strip()));
     }
 
     /** Changes scenes, each by itself, as one step. */
     public void editEach(Collection<String> names, UnaryOperator<Scene> change) {
-        edit(before -> {
+        edit(label(Edit.CHANGE, names), before -> {
             SceneDatabase after = before;
             for (String name : names) {
                 after = after.replace(name, change.apply(after.get(name)));
@@ -143,7 +137,7 @@ public final class Library {
     }
 
     public void delete(Collection<String> names) {
-        edit(before -> before.without(names));
+        edit(label(Edit.DELETE, names), before -> before.without(names));
     }
 
     /**
@@ -159,23 +153,12 @@ public final class Library {
         show(together);
     }
 
-    private void swap(Deque<Step> from, Deque<Step> to) {
-        Step step = from.peek();
-        if (step == null) {
-            return;
-        }
-        boolean undoes = from == past;
-        SceneDatabase source = undoes ? step.after() : step.before();
-        SceneDatabase target = undoes ? step.before() : step.after();
-        SceneDatabase next = database().equals(source) ? target : target.rebase(source, database());
-        from.pop();
-        to.push(step);
-        show(next);
+    private static Label label(Edit edit, Collection<String> names) {
+        return Label.of(edit, String.join(", ", names));
     }
 
     private void show(SceneDatabase next) {
-        undoable.set(!past.isEmpty());
-        redoable.set(!future.isEmpty());
+        history.tell();
         unsaved.set(file().isPresent() && !next.equals(file().get().database()));
         if (!next.equals(database())) {
             database.set(next);

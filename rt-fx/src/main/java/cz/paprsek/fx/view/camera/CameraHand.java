@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.CameraMoves;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.Pick;
@@ -36,6 +37,7 @@ final class CameraHand {
     private final LivePicture picture;
     private final EditorModel model;
     private final PauseTransition wheelRest = new PauseTransition(WHEEL_REST);
+    private Runnable onLocked = () -> {};
     private @Nullable Drag drag;
     private @Nullable Gesture wheel;
     private double wheelNotches;
@@ -102,7 +104,7 @@ final class CameraHand {
         double down = event.getY() - now.y;
         Gesture gesture = now.gesture;
         if (gesture == null) {
-            if (Math.hypot(right, down) < CLICK_SLACK) {
+            if (Math.hypot(right, down) < CLICK_SLACK || isLocked()) {
                 return;
             }
             gesture = model.begin(Label.of(Label.Edit.CAMERA));
@@ -113,7 +115,7 @@ final class CameraHand {
 
     private void scrolled(ScrollEvent event) {
         event.consume();
-        if (event.getDeltaY() == 0 || drag != null) {
+        if (event.getDeltaY() == 0 || drag != null || isLocked()) {
             return;
         }
         Gesture gesture = wheel;
@@ -157,11 +159,27 @@ final class CameraHand {
         if (!isMove || event.isShortcutDown() || event.isAltDown() || drag != null) {
             return;
         }
+        event.consume();
+        if (isLocked()) {
+            return;
+        }
         endWheel();
         Kind kind = !event.getCode().isArrowKey() ? Kind.DOLLY : event.isShiftDown() ? Kind.PAN : Kind.ORBIT;
         Vec3 pivot = pivot();
         model.edit(Label.of(Label.Edit.CAMERA), scene -> scene.withCamera(moved(scene.camera(), kind, pivot, right, down)));
-        event.consume();
+    }
+
+    /** Is told when the camera should move, but is locked. */
+    void setOnLocked(Runnable listener) {
+        onLocked = listener;
+    }
+
+    private boolean isLocked() {
+        boolean locked = model.state().isLocked(Item.CAMERA);
+        if (locked) {
+            onLocked.run();
+        }
+        return locked;
     }
 
     private static void preview(Gesture gesture, UnaryOperator<Camera> change) {

@@ -1,12 +1,13 @@
 package cz.paprsek.fx.view.camera;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.edit.Visible;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureStyle;
 import cz.paprsek.fx.view.rays.DrawnRays;
-import cz.paprsek.scene.Scene;
 import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
@@ -23,7 +24,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.StackPane;
 
 /**
- * The live picture of the model's scene, as its camera sees it. Mouse and keys move the camera, see {@link CameraHand}; a click selects the
+ * The live picture of the model's scene, as its camera sees it, without what is hidden. Mouse and keys move the camera, see {@link CameraHand}; a click selects the
  * object that is seen at the pixel, a second one the operand of it, Alt and a click the innermost operand at once.
  */
 public final class CameraPane extends StackPane implements AutoCloseable {
@@ -32,13 +33,15 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     private final CameraHand hand;
     private final ReadOnlyObjectWrapper<Optional<PicturePoint>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
     /** Held here, because the model, which may outlive the pane, holds it weakly. */
-    private final ChangeListener<Scene> onScene;
+    private final ChangeListener<EditorState> onState;
+    private Visible visible;
     private Predicate<PicturePoint> clickedFirst = point -> false;
 
     /** @param onFault is told, on JavaFX's thread, if the renderer fails */
     public CameraPane(EditorModel model, Consumer<Throwable> onFault) {
         this.model = model;
-        this.picture = new LivePicture(model.scene(), onFault);
+        this.visible = Visible.of(model.state());
+        this.picture = new LivePicture(visible.scene(), onFault);
         this.hand = new CameraHand(picture, model);
         Label size = new Label();
         size.getStyleClass().add("picture-size");
@@ -54,11 +57,14 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         Runnable caption = () -> size.setText(model.scene().settings().width() + " × " + model.scene().settings().height()
                 + (picture.completeProperty().get() ? "" : " …"));
         picture.completeProperty().addListener((property, old, now) -> caption.run());
-        onScene = (property, old, now) -> {
-            picture.show(now);
-            caption.run();
+        onState = (property, old, now) -> {
+            if (old.scene() != now.scene() || !old.hidden().equals(now.hidden())) {
+                visible = Visible.of(now);
+                picture.show(visible.scene());
+                caption.run();
+            }
         };
-        model.sceneProperty().addListener(new WeakChangeListener<>(onScene));
+        model.stateProperty().addListener(new WeakChangeListener<>(onState));
         caption.run();
     }
 
@@ -70,6 +76,11 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     /** Lets somebody else have a click first: if it returns true, nothing is selected. */
     public void setClickedFirst(Predicate<PicturePoint> listener) {
         clickedFirst = listener;
+    }
+
+    /** Is told when the camera should move, but is locked. */
+    public void setOnLocked(Runnable listener) {
+        hand.setOnLocked(listener);
     }
 
     /** Draws rays above the picture. */
@@ -92,6 +103,12 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         return picture.completeProperty().get();
     }
 
+    /** The keyboard goes to the picture. */
+    @Override
+    public void requestFocus() {
+        picture.requestFocus();
+    }
+
     /** Ends rendering for ever. */
     @Override
     public void close() {
@@ -107,7 +124,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         if (point.isEmpty() || clickedFirst.test(point.get())) {
             return;
         }
-        Optional<BodyAt> innermost = point.get().body();
+        Optional<BodyAt> innermost = point.get().body().map(visible::original);
         boolean more = event.isShiftDown() || event.isShortcutDown();
         if (innermost.isPresent()) {
             BodyAt chosen = event.isAltDown() ? innermost.get() : more ? innermost.get().object() : deeper(innermost.get());

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.edit.Visible;
 import cz.paprsek.fx.model.item.Bodies;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.render.explain.SurfacePath;
@@ -11,8 +12,11 @@ public record SurfaceSelection(EditorModel model) {
 
     /** @param scene in which the ray was followed; if its objects are not those of the model any more, nothing is selected */
     public void select(Scene scene, SurfacePath surface) {
-        BodyAt body = new BodyAt(surface.numbers());
-        boolean isCurrent = scene.objects().equals(model.scene().objects());
+        Visible visible = Visible.of(model.state());
+        boolean isWhole = scene.objects().equals(model.scene().objects());
+        boolean isCurrent = isWhole || scene.objects().equals(visible.scene().objects());
+        BodyAt seen = new BodyAt(surface.numbers());
+        BodyAt body = isWhole ? seen : visible.original(seen);
         if (isCurrent && Bodies.find(model.scene(), body).isPresent() && !model.state().isLocked(body)) {
             model.select(body);
         }

@@ -14,11 +14,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.stream.Stream;
 import javafx.application.Platform;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
+import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.geometry.Orientation;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -108,10 +110,8 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
         Button keep = LibraryActions.button(texts, "library.add", actions::keep);
         keep.setTooltip(new Tooltip(texts.of("library.add-hint")));
         keep.disableProperty().bind(noFile());
-        Button undo = LibraryActions.button(texts, "library.undo", actions::undo);
-        undo.disableProperty().bind(library.undoableProperty().not());
-        Button redo = LibraryActions.button(texts, "library.redo", actions::redo);
-        redo.disableProperty().bind(library.redoableProperty().not());
+        Button undo = step("library.undo", "edit-menu.undo-what", library.undoableProperty(), actions::undo);
+        Button redo = step("library.redo", "edit-menu.redo-what", library.redoableProperty(), actions::redo);
         search.setId("library-filter");
         search.setPromptText(texts.of("library.filter"));
         search.setTooltip(new Tooltip(texts.of("library.filter-hint")));
@@ -126,6 +126,16 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
                 new Separator(Orientation.VERTICAL), undo, redo, new Separator(Orientation.VERTICAL), search);
         bar.getItems().forEach(item -> HBox.setHgrow(item, item == search ? Priority.ALWAYS : Priority.NEVER));
         return bar;
+    }
+
+    /** A button of the history, which says what it would do. */
+    private Button step(String key, String what, ReadOnlyObjectProperty<Optional<cz.paprsek.fx.model.Label>> step, Runnable action) {
+        Button button = LibraryActions.button(texts, key, action);
+        button.disableProperty().bind(Bindings.createBooleanBinding(() -> step.get().isEmpty(), step));
+        Tooltip tooltip = new Tooltip();
+        tooltip.textProperty().bind(Bindings.createStringBinding(() -> step.get().map(label -> texts.of(what, texts.edit(label))).orElse(""), step));
+        button.setTooltip(tooltip);
+        return button;
     }
 
     /** Shown while the file refuses what was changed here. */

@@ -192,7 +192,7 @@ final class PaneMouse {
 
     private boolean isOnAim(double x, double y) {
         Vec3 aim = CameraSketch.of(model.scene()).aim();
-        return model.selection().contains(Item.CAMERA) && pane.toPane(aim).distance(x, y) <= 8;
+        return pane.movable().contains(Item.CAMERA) && pane.toPane(aim).distance(x, y) <= 8;
     }
 
     private void moved(MouseEvent event) {

@@ -38,6 +38,7 @@ public final class PropertySheet extends BorderPane {
     private final InvalidationListener onChange = property -> later();
     private List<Section> sections = List.of();
     private boolean isStale;
+    private Runnable onFieldGone = () -> {};
 
     public PropertySheet(EditorModel model, Texts texts) {
         this.model = model;
@@ -58,6 +59,11 @@ public final class PropertySheet extends BorderPane {
         UndoKeys.reach(model, this);
         model.stateProperty().addListener(new WeakInvalidationListener(onChange));
         refresh();
+    }
+
+    /** Is told when the field that had the keyboard is gone, and nothing in its place. */
+    public void setOnFieldGone(Runnable listener) {
+        onFieldGone = listener;
     }
 
     /** Once for all that changes before the window is drawn anew. */
@@ -94,8 +100,14 @@ public final class PropertySheet extends BorderPane {
         if (state.selection().isEmpty()) {
             content.getChildren().add(materials);
         }
-        // Whoever was at a field goes on there: choosing another pattern, say, changes what is below the choice.
-        focused.map(id -> content.lookup("#" + id)).ifPresent(Node::requestFocus);
+        focused.ifPresent(this::goOnAt);
+    }
+
+    /** Whoever was at a field goes on there: choosing another pattern, say, changes what is below the choice. */
+    private void goOnAt(String id) {
+        // What a section holds is found only when it has been made up.
+        content.applyCss();
+        Optional.ofNullable(content.lookup("#" + id)).ifPresentOrElse(Node::requestFocus, onFieldGone);
     }
 
     private void remember(String title, boolean expanded) {

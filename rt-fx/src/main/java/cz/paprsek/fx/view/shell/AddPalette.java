@@ -20,19 +20,27 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
+import javafx.css.PseudoClass;
 import javafx.scene.control.Button;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.FlowPane;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** Buttons and menu items that add every kind of object and lights, and that make one solid of several. */
+/**
+ * Buttons and menu items that add every kind of object and lights, and that make one solid of several. By keyboard the buttons are one stop:
+ * arrows walk among them, Enter or the space bar presses. A click leaves the keyboard where it is.
+ */
 public final class AddPalette extends FlowPane {
+    private static final PseudoClass CURRENT = PseudoClass.getPseudoClass("current");
+
     /** A row of both: its name in ids, its text, its icon, when it makes sense, what it does. */
     private record Entry(String id, String text, String icon, BooleanBinding possible, Runnable action) {}
 
     private final List<Entry> adding = new ArrayList<>();
     private final List<Entry> combining = new ArrayList<>();
+    private int current;
 
     /**
      * @param sight where new things are put, and how large: where the user looks
@@ -61,11 +69,51 @@ public final class AddPalette extends FlowPane {
         combining.add(new Entry("dissolve", texts.of("menu.dissolve"), Icons.DISSOLVE, any, commands::dissolve));
         adding.forEach(entry -> getChildren().add(button(entry, texts.of("palette.add", entry.text()))));
         combining.forEach(entry -> getChildren().add(button(entry, entry.text())));
+        setFocusTraversable(true);
+        addEventHandler(KeyEvent.KEY_PRESSED, this::pressed);
+        focusedProperty().addListener((property, was, is) -> walk(0));
     }
 
     /** What is added, as a menu; what combines stands in the menu of objects. */
     public List<MenuItem> menuItems() {
         return adding.stream().map(AddPalette::menuItem).toList();
+    }
+
+    private void pressed(KeyEvent event) {
+        if (event.isShortcutDown() || event.isAltDown()) {
+            return;
+        }
+        switch (event.getCode()) {
+            case LEFT -> walk(-1);
+            case RIGHT -> walk(1);
+            case UP -> walk(-perRow());
+            case DOWN -> walk(perRow());
+            case HOME -> walk(-getChildren().size());
+            case END -> walk(getChildren().size());
+            case ENTER, SPACE -> button(current).fire();
+            default -> {
+                return;
+            }
+        }
+        event.consume();
+    }
+
+    /** Goes some buttons further, but not beyond the first and the last. */
+    private void walk(int by) {
+        current = Math.max(0, Math.min(getChildren().size() - 1, current + by));
+        for (int i = 0; i < getChildren().size(); i++) {
+            button(i).pseudoClassStateChanged(CURRENT, isFocused() && i == current);
+        }
+        setAccessibleText(button(current).getAccessibleText());
+    }
+
+    private int perRow() {
+        double top = getChildren().get(0).getLayoutY();
+        return (int) getChildren().stream().filter(button -> button.getLayoutY() == top).count();
+    }
+
+    private Button button(int index) {
+        return (Button) getChildren().get(index);
     }
 
     private static BooleanBinding when(EditorModel model, Predicate<Set<Item>> condition) {
@@ -79,6 +127,7 @@ public final class AddPalette extends FlowPane {
         button.setTooltip(new Tooltip(text));
         button.getStyleClass().add("palette-button");
         button.disableProperty().bind(entry.possible().not());
+        button.setFocusTraversable(false);
         button.setOnAction(event -> entry.action().run());
         return button;
     }

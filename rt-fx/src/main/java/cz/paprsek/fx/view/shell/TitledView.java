@@ -59,6 +59,11 @@ public final class TitledView extends BorderPane {
         title.getChildren().add(title.getChildren().size() - 1, tool);
     }
 
+    /** The view itself. */
+    public Node content() {
+        return content;
+    }
+
     /** Gives the keyboard to the view. */
     public void focusContent() {
         content.requestFocus();

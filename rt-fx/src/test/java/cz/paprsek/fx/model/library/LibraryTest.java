@@ -3,6 +3,7 @@ package cz.paprsek.fx.model.library;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import cz.paprsek.fx.model.Label;
 import cz.paprsek.query.Relation;
 import cz.paprsek.query.SceneTables;
 import cz.paprsek.scene.Scene;
@@ -107,7 +108,8 @@ class LibraryTest {
         library.undo();
         library.undo();
         assertThat(library.unsavedProperty().get()).isFalse();
-        assertThat(library.undoableProperty().get()).isFalse();
+        assertThat(library.undoableProperty().get()).isEmpty();
+        assertThat(library.redoableProperty().get()).contains(Label.of(Label.Edit.RENAME, "Rings"));
         library.redo();
         assertThat(library.database().names()).contains("Two rings");
         assertThatIllegalArgumentException().isThrownBy(() -> library.rename("Two rings", "empty_%"));

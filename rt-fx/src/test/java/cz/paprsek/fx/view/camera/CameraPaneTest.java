@@ -77,6 +77,18 @@ class CameraPaneTest {
     }
 
     @Test
+    void whatIsHiddenIsNotInThePictureAndClicksReachWhatIsThere() {
+        gui.act(() -> model.editState(Label.of(Label.Edit.HIDE), state -> state.withHidden(Set.of(Item.body(0)))));
+        untilComplete();
+        assertShown(SCENE.withObjects(SCENE.objects().subList(1, 2)));
+        gui.click(picture, WIDTH / 2, HEIGHT / 2);
+        assertThat(model.selection()).containsExactly(Item.body(1));
+        gui.act(model::undo);
+        untilComplete();
+        assertShown(SCENE);
+    }
+
+    @Test
     void draggingOrbitsAsOneStep() {
         gui.drag(picture, 200, 150, 250, 150);
         assertThat(model.scene().camera().position().x()).isLessThan(-1);

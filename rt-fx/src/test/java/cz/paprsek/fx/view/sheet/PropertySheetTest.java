@@ -213,6 +213,38 @@ class PropertySheetTest {
     }
 
     @Test
+    void materialIsChosenByKeysAloneAndOnlyWithEnter() {
+        Node box = gui.node("#material");
+        gui.act(box::requestFocus);
+        gui.keys(KeyCode.DOWN);
+        assertThat(isOpen("#material")).isTrue();
+        gui.keys(KeyCode.DOWN);
+        gui.keys(KeyCode.DOWN);
+        assertThat(model.scene()).isSameAs(START);
+        gui.keys(KeyCode.ENTER);
+        assertThat(material()).isEqualTo(ReadyMaterial.GLASS.material());
+        gui.until("the keyboard is still there", () -> "material".equals(gui.stage().getScene().getFocusOwner().getId()));
+        gui.act(model::undo);
+        assertThat(model.scene()).isSameAs(START);
+    }
+
+    @Test
+    void escapeLeavesTheMaterialAsItWas() {
+        Node box = gui.node("#material");
+        gui.act(box::requestFocus);
+        gui.keys(KeyCode.SPACE);
+        gui.keys(KeyCode.DOWN);
+        gui.keys(KeyCode.ESCAPE);
+        gui.until("the list is closed", () -> !((ComboBox<?>) box).isShowing());
+        assertThat(model.scene()).isSameAs(START);
+        assertThat(Gui.on(() -> ((ComboBox<?>) box).getValue().toString())).isEqualTo("OWN");
+    }
+
+    private boolean isOpen(String box) {
+        return Gui.on(() -> ((ComboBox<?>) gui.stage().getScene().lookup(box)).isShowing());
+    }
+
+    @Test
     void ownMaterialIsGivenAName() {
         gui.click("#material-share");
         assertThat(model.scene().objects().get(0).material()).isEqualTo(new MaterialName("material"));

@@ -89,7 +89,7 @@ class TextsTest {
     private static Properties load(String file) throws IOException {
         Properties properties = new Properties();
         try (Reader reader = new InputStreamReader(
-                Objects.requireNonNull(Texts.class.getResourceAsStream("texts/" + file), file), StandardCharsets.UTF_8)) {
+                Objects.requireNonNull(Texts.class.getResourceAsStream(file), file), StandardCharsets.UTF_8)) {
             properties.load(reader);
         }
         return properties;

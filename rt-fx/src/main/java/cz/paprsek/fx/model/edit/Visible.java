@@ -1,0 +1,69 @@
+package cz.paprsek.fx.model.edit;
+
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.item.Body;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * A scene without what is hidden in the editor. Of a difference without its first operand, from which the others are taken, nothing is left.
+ *
+ * @param scene what is to be seen; the very scene if nothing is hidden
+ * @param places where in the scene itself stands what is at a place here; what is not in it stands at the same place
+ */
+public record Visible(Scene scene, Map<BodyAt, BodyAt> places) {
+
+    public static Visible of(EditorState state) {
+        Scene whole = state.scene();
+        if (state.hidden().isEmpty()) {
+            return new Visible(whole, Map.of());
+        }
+        Map<BodyAt, BodyAt> places = new HashMap<>();
+        List<SceneObject> objects = new ArrayList<>();
+        for (int i = 0; i < whole.objects().size(); i++) {
+            SceneObject object = whole.objects().get(i);
+            Body body = Body.of(object);
+            visible(state, body, Item.body(i), Item.body(objects.size()), places)
+                    .ifPresent(left -> objects.add(left.equals(body) ? object : left.toObject()));
+        }
+        return new Visible(whole.withObjects(objects).withLights(IntStream.range(0, whole.lights().size())
+                .filter(i -> !state.hidden().contains(Item.light(i))).mapToObj(whole.lights()::get).toList()), places);
+    }
+
+    /** Where in the scene itself stands what is seen here. */
+    public BodyAt original(BodyAt seen) {
+        return places.getOrDefault(seen, seen);
+    }
+
+    private static Optional<Body> visible(EditorState state, Body body, BodyAt at, BodyAt seenAt, Map<BodyAt, BodyAt> places) {
+        if (state.hidden().contains(at)) {
+            return Optional.empty();
+        }
+        places.put(seenAt, at);
+        if (!(body.shape() instanceof Csg csg)) {
+            return Optional.of(body);
+        }
+        List<Operand> operands = new ArrayList<>();
+        for (int i = 0; i < csg.operands().size(); i++) {
+            Operand operand = csg.operands().get(i);
+            Body old = Body.of(operand);
+            Optional<Body> left = visible(state, old, at.child(i), seenAt.child(operands.size()), places);
+            if (left.isEmpty() && i == 0 && csg.operation() == Csg.Operation.DIFFERENCE) {
+                return Optional.empty();
+            }
+            left.ifPresent(fresh -> operands.add(fresh.equals(old) ? operand : fresh.toOperand()));
+        }
+        return operands.isEmpty() ? Optional.empty()
+                : Optional.of(operands.equals(csg.operands()) ? body : body.withShape(new Csg(csg.operation(), operands)));
+    }
+}

@@ -1,0 +1,168 @@
+package cz.paprsek.fx;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.material.Material;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Cone;
+import cz.paprsek.shape.Sphere;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.TreeSet;
+import javafx.scene.Node;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.FieldSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Where the keyboard is, and how it gets there. */
+class FocusTest {
+    static final List<Locale> LANGUAGES = Texts.LANGUAGES;
+
+    @TempDir
+    Path folder;
+    private EditorGui editor;
+
+    @BeforeEach
+    void open() {
+        editor = new EditorGui(folder, Scene.EMPTY.withCamera(Camera.lookingAt(new Vec3(0, 1, 5), Vec3.ZERO))
+                .plus(SceneObject.of(new Sphere(0.5)).named("ball").madeOf(Material.DEFAULT)));
+    }
+
+    @AfterEach
+    void close() {
+        editor.close();
+    }
+
+    @Test
+    void aCopyMadeFromWithinAFieldLeavesTheKeyboardInThatField() {
+        editor.gui.act(() -> editor.model().select(Item.body(0)));
+        editor.gui.click("#shape-radius");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.D);
+        editor.gui.until("the copy is selected", () -> editor.model().selection().contains(Item.body(1)));
+        editor.gui.keys(KeyCode.ENTER);
+        assertThat(editor.model().scene().objects()).hasSize(2);
+        assertThat(owner()).isEqualTo("shape-radius");
+    }
+
+    @Test
+    void aFieldThatIsGoneGivesTheKeyboardToTheView() {
+        editor.gui.act(() -> editor.model().select(Item.body(0)));
+        editor.gui.click(editor.projection("front"), 5, 5);
+        editor.gui.act(() -> editor.model().select(Item.body(0)));
+        editor.gui.click("#shape-radius");
+        editor.gui.act(() -> editor.model().select(Item.CAMERA));
+        editor.gui.until("the keyboard is in the view used last", () -> "projection-front".equals(editor.gui.stage().getScene().getFocusOwner().getId()));
+        editor.gui.keys(KeyCode.ENTER);
+        assertThat(editor.model().scene().objects()).hasSize(1);
+    }
+
+    @Test
+    void aClickOnThePaletteLeavesTheKeyboardWhereItIs() {
+        focus("#projection-top");
+        editor.gui.click("#add-block");
+        assertThat(owner()).isEqualTo("projection-top");
+        editor.gui.keys(KeyCode.ENTER);
+        editor.gui.keys(KeyCode.SPACE);
+        assertThat(editor.model().scene().objects()).hasSize(2);
+    }
+
+    @Test
+    void tabGoesThroughViewsTreePaletteAndSheetAndBack() {
+        focus("#projection-top");
+        List<String> there = walk(7, KeyCode.TAB);
+        assertThat(there).startsWith("projection-top", "live-picture", "projection-front", "projection-right", "tree-find", "tree-list", "add-palette");
+        assertThat(there.get(7)).contains("sheet-section");
+        List<String> back = walk(7, KeyCode.SHIFT, KeyCode.TAB);
+        assertThat(back).endsWith("projection-top");
+    }
+
+    @Test
+    void f6GoesFromRegionToRegionAndReturnsToWhereOneWas() {
+        focus("#projection-right");
+        assertThat(walk(3, KeyCode.F6)).containsExactly("projection-right", "tree-find", "add-palette", owner());
+        assertThat(walk(1, KeyCode.F6)).last().isEqualTo("projection-right");
+        assertThat(walk(2, KeyCode.SHIFT, KeyCode.F6)).last().isEqualTo("add-palette");
+    }
+
+    @Test
+    void arrowsWalkInThePaletteAndEnterAdds() {
+        focus("#add-palette");
+        editor.gui.keys(KeyCode.RIGHT);
+        editor.gui.keys(KeyCode.ENTER);
+        editor.gui.keys(KeyCode.RIGHT);
+        editor.gui.keys(KeyCode.RIGHT);
+        editor.gui.keys(KeyCode.SPACE);
+        assertThat(editor.model().scene().objects()).extracting(SceneObject::shape).hasAtLeastOneElementOfType(Block.class)
+                .hasAtLeastOneElementOfType(Cone.class).hasSize(3);
+        assertThat(owner()).isEqualTo("add-palette");
+    }
+
+    @ParameterizedTest
+    @FieldSource("LANGUAGES")
+    void everyMenuHasALetterOfItsOwnThatOpensIt(Locale language) {
+        editor.gui.act(() -> editor.editor.setLanguage(language));
+        MenuBar bar = (MenuBar) editor.gui.node("#menu-bar");
+        List<String> letters = Gui.on(() -> bar.getMenus().stream().map(menu -> menu.getText().replaceFirst("^[^_]*_(.).*", "$1").toUpperCase(Locale.ROOT)).toList());
+        assertThat(new TreeSet<>(letters)).hasSameSizeAs(letters).allSatisfy(letter -> assertThat(letter).matches("[A-Z]"));
+        for (int i = 0; i < letters.size(); i++) {
+            Menu menu = bar.getMenus().get(i);
+            editor.gui.keys(KeyCode.ALT, KeyCode.getKeyCode(letters.get(i)));
+            editor.gui.until("the menu is open: " + menu.getText(), menu::isShowing);
+            editor.gui.keys(KeyCode.ESCAPE);
+            editor.gui.until("the menu is closed", () -> !menu.isShowing());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"LEFT", "PLUS"})
+    void aLockedCameraDoesNotMove(String key) {
+        Camera before = editor.model().scene().camera();
+        editor.gui.act(() -> editor.model().select(Item.CAMERA));
+        editor.menu("object-lock");
+        Node picture = editor.gui.node(".live-picture");
+        editor.gui.act(picture::requestFocus);
+        editor.gui.drag(picture, 100, 100, 160, 120);
+        editor.gui.wheel(2);
+        editor.gui.keys(KeyCode.valueOf(key));
+        assertThat(editor.model().scene().camera()).isEqualTo(before);
+        assertThat(Gui.on(editor::status)).contains("locked");
+    }
+
+    /** Where the keyboard is at first, and after each of some presses of keys. */
+    private List<String> walk(int times, KeyCode... keys) {
+        List<String> way = new ArrayList<>(List.of(owner()));
+        for (int i = 0; i < times; i++) {
+            editor.gui.keys(keys);
+            way.add(owner());
+        }
+        return way;
+    }
+
+    private void focus(String selector) {
+        Node node = editor.gui.node(selector);
+        editor.gui.act(node::requestFocus);
+    }
+
+    private String owner() {
+        return Gui.on(() -> {
+            Node owner = editor.gui.stage().getScene().getFocusOwner();
+            return Objects.requireNonNullElse(owner.getId(), String.join(" ", owner.getStyleClass()));
+        });
+    }
+}
