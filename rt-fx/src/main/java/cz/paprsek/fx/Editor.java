@@ -47,6 +47,7 @@ final class Editor implements Notices {
     private final ObjectProperty<Theme> theme;
     private final ObjectProperty<Texts> texts;
     private final BooleanProperty snapping = new SimpleBooleanProperty(true);
+    private final BooleanProperty proportional = new SimpleBooleanProperty(true);
     private final Timeline disk = new Timeline(new KeyFrame(LOOK_AT_DISK, event -> lookAtDisk()));
     private @Nullable MainWindow window;
     private boolean inFault;
@@ -123,6 +124,11 @@ final class Editor implements Notices {
 
     BooleanProperty snapping() {
         return snapping;
+    }
+
+    /** Whether the three factors of a scale stay in proportion: the chain. */
+    BooleanProperty proportional() {
+        return proportional;
     }
 
     Stage stage() {

@@ -1,6 +1,8 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.sheet.PropertySheet;
 import cz.paprsek.fx.view.shell.AddPalette;
@@ -38,13 +40,17 @@ final class MainWindow {
         this.editor = editor;
         EditorModel model = editor.model();
         Texts texts = editor.texts();
-        views = new Views(editor);
+        Edits edits = new Edits(model, texts);
+        edits.refusalProperty().addListener((property, old, now) -> status.showMessage(now));
+        SelectionCommands commands = new SelectionCommands(edits);
+        views = new Views(editor, commands);
         messages = new MessageBar(texts.of("window.close-message"));
         problems = new ProblemList(texts.of("window.close-message"));
-        ObjectTree tree = new ObjectTree(model, texts);
-        PropertySheet sheet = new PropertySheet(model, texts);
-        AddPalette palette = new AddPalette(model, texts, views::sight, tree::tell);
-        Menus menus = new Menus(editor, views, palette);
+        ObjectTree tree = new ObjectTree(model, texts, commands);
+        PropertySheet sheet = new PropertySheet(model, texts, editor.proportional());
+        AddPalette palette = new AddPalette(model, texts, views::sight, edits);
+        Menus menus = new Menus(editor, views, palette, commands);
+        commands.setOnRename(tree::rename);
         VBox.setVgrow(tree, Priority.ALWAYS);
         VBox left = new VBox(palette, tree);
         left.setMinWidth(120);
@@ -71,7 +77,7 @@ final class MainWindow {
         views.setOnPointed(status::showCursor, texts);
         model.stateProperty().addListener(new WeakChangeListener<>(showSelection));
         showSelection();
-        acceptFiles();
+        acceptFiles(edits);
     }
 
     Parent root() {
@@ -104,7 +110,7 @@ final class MainWindow {
     }
 
     /** Opens a scene file that is dropped on the window, and adds what is dropped as text: a scene or material out of the library. */
-    private void acceptFiles() {
+    private void acceptFiles(Edits edits) {
         root.setOnDragOver(event -> {
             if (event.getDragboard().hasFiles() || event.getDragboard().hasString()) {
                 event.acceptTransferModes(TransferMode.COPY);
@@ -116,7 +122,7 @@ final class MainWindow {
                 editor.files().open(files.get(0).toPath());
                 event.setDropCompleted(true);
             } else if (event.getDragboard().hasString()) {
-                new EditActions(editor.model(), editor.texts(), editor).paste(event.getDragboard().getString());
+                edits.paste(event.getDragboard().getString());
                 event.setDropCompleted(true);
             }
         });

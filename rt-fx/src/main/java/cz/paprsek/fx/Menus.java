@@ -3,10 +3,10 @@ package cz.paprsek.fx;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.view.command.Command;
+import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.shell.AddPalette;
 import cz.paprsek.fx.view.texts.Texts;
-import cz.paprsek.shape.Csg.Operation;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -29,13 +29,11 @@ import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCombination;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignD;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignM;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignU;
-import org.kordamp.ikonli.materialdesign2.MaterialDesignV;
 
 /** The menus and the toolbar: all commands, with their keys. */
 final class Menus {
@@ -44,39 +42,26 @@ final class Menus {
     private final AddPalette palette;
     private final Texts texts;
     private final FileActions files;
-    private final EditActions edits;
+    private final SelectionCommands selection;
     private final Command open;
     private final Command save;
     private final Command undo;
     private final Command redo;
-    private final Command duplicate;
-    private final Command delete;
-    private final Command union;
-    private final Command difference;
-    private final Command intersection;
     private final Command fitAll;
     private final Command render;
 
-    Menus(Editor editor, Views views, AddPalette palette) {
+    Menus(Editor editor, Views views, AddPalette palette, SelectionCommands selection) {
         this.editor = editor;
         this.views = views;
         this.palette = palette;
         this.texts = editor.texts();
         this.files = editor.files();
         EditorModel model = editor.model();
-        this.edits = new EditActions(model, texts, editor);
+        this.selection = selection;
         open = command("file.open", files::open).keys("Shortcut+O").icon(MaterialDesignF.FOLDER_OPEN_OUTLINE);
         save = command("file.save", files::save).keys("Shortcut+S").icon(MaterialDesignC.CONTENT_SAVE_OUTLINE);
         undo = history(command("edit-menu.undo", model::undo).keys("Shortcut+Z").icon(MaterialDesignU.UNDO), "undo", model.undoableProperty());
         redo = history(command("edit-menu.redo", model::redo).keys("Shortcut+Shift+Z").icon(MaterialDesignR.REDO), "redo", model.redoableProperty());
-        duplicate = ofSelection(command("edit-menu.duplicate", edits::duplicate).keys("Shortcut+D").icon(MaterialDesignC.CONTENT_DUPLICATE));
-        delete = ofSelection(command("edit-menu.delete", edits::delete).keys("Delete").icon(MaterialDesignD.DELETE_OUTLINE));
-        union = ofSeveral(command("object.union", () -> edits.combine(Operation.UNION)).keys("Shortcut+Shift+U")
-                .icon(MaterialDesignV.VECTOR_UNION));
-        difference = ofSeveral(command("object.difference", () -> edits.combine(Operation.DIFFERENCE)).keys("Shortcut+Shift+D")
-                .icon(MaterialDesignV.VECTOR_DIFFERENCE_AB));
-        intersection = ofSeveral(command("object.intersection", () -> edits.combine(Operation.INTERSECTION)).keys("Shortcut+Shift+I")
-                .icon(MaterialDesignV.VECTOR_INTERSECTION));
         fitAll = command("view-menu.fit-all", views::fitAll).keys("Shortcut+0").icon(MaterialDesignF.FIT_TO_PAGE_OUTLINE);
         render = command("render-menu.render", editor.renders()::render).keys("Shortcut+R").icon(MaterialDesignM.MOVIE_OPEN_OUTLINE);
     }
@@ -90,8 +75,9 @@ final class Menus {
     ToolBar toolBar() {
         ToolBar bar = new ToolBar(
                 open.button(), save.button(), new Separator(Orientation.VERTICAL), undo.button(), redo.button(), new Separator(Orientation.VERTICAL),
-                duplicate.button(), delete.button(), new Separator(Orientation.VERTICAL), union.button(), difference.button(), intersection.button(),
-                new Separator(Orientation.VERTICAL), fitAll.button(), snapButton(), new Separator(Orientation.VERTICAL), render.button());
+                fitAll.button(), snapButton(), new Separator(Orientation.VERTICAL), render.button());
+        bar.getItems().addAll(6, selection.forButtons().stream().map(Command::button).toList());
+        bar.getItems().add(6 + selection.forButtons().size(), new Separator(Orientation.VERTICAL));
         bar.setId("tool-bar");
         return bar;
     }
@@ -132,13 +118,12 @@ final class Menus {
         snap.setId("edit-menu-snap");
         snap.setAccelerator(KeyCombination.valueOf("Shortcut+Shift+M"));
         snap.selectedProperty().bindBidirectional(editor.snapping());
-        return menu("menu.edit", undo.menuItem(), redo.menuItem(), new SeparatorMenuItem(),
-                ofSelection(command("edit-menu.cut", edits::cut).keys("Shortcut+X").icon(MaterialDesignC.CONTENT_CUT)).menuItem(),
-                ofSelection(command("edit-menu.copy", edits::copy).keys("Shortcut+C").icon(MaterialDesignC.CONTENT_COPY)).menuItem(),
-                command("edit-menu.paste", edits::paste).keys("Shortcut+V").icon(MaterialDesignC.CONTENT_PASTE).menuItem(),
-                duplicate.menuItem(), delete.menuItem(), new SeparatorMenuItem(),
-                command("edit-menu.select-all", edits::selectAll).keys("Shortcut+A").menuItem(),
-                command("edit-menu.select-none", () -> editor.model().select()).keys("Shortcut+Shift+A").menuItem(), new SeparatorMenuItem(), snap);
+        Menu menu = menu("menu.edit", undo.menuItem(), redo.menuItem(), new SeparatorMenuItem());
+        menu.getItems().addAll(selection.editItems());
+        menu.getItems().add(new SeparatorMenuItem());
+        menu.getItems().addAll(selection.selectingItems());
+        menu.getItems().addAll(new SeparatorMenuItem(), snap);
+        return menu;
     }
 
     private Menu addMenu() {
@@ -148,13 +133,9 @@ final class Menus {
     }
 
     private Menu objectMenu() {
-        return menu("menu.object", union.menuItem(), difference.menuItem(), intersection.menuItem(),
-                ofSeveral(command("object.group", edits::group).keys("Shortcut+G")).menuItem(),
-                ofSelection(command("object.dissolve", edits::dissolve).keys("Shortcut+Shift+G")).menuItem(), new SeparatorMenuItem(),
-                ofSelection(command("object.hide", edits::hide).keys("Shortcut+H")).menuItem(),
-                command("object.show-all", edits::showAll).keys("Shortcut+Shift+H").menuItem(),
-                ofSelection(command("object.lock", edits::lock).keys("Shortcut+L")).menuItem(),
-                command("object.unlock-all", edits::unlockAll).keys("Shortcut+Shift+L").menuItem());
+        Menu menu = menu("menu.object");
+        menu.getItems().addAll(selection.objectItems());
+        return menu;
     }
 
     private Menu viewMenu() {
@@ -221,18 +202,6 @@ final class Menus {
                 .called(Bindings.createStringBinding(
                         () -> label.get().map(l -> texts.of("edit-menu." + what + "-what", texts.edit(l))).orElse(texts.of("edit-menu." + what)), label))
                 .disabledIf(Bindings.createBooleanBinding(() -> label.get().isEmpty(), label));
-    }
-
-    private Command ofSelection(Command command) {
-        return command.disabledIf(selectedFewerThan(1));
-    }
-
-    private Command ofSeveral(Command command) {
-        return command.disabledIf(selectedFewerThan(2));
-    }
-
-    private BooleanBinding selectedFewerThan(int count) {
-        return Bindings.createBooleanBinding(() -> editor.model().selection().size() < count, editor.model().selectionProperty());
     }
 
     private BooleanBinding noFile() {

@@ -3,6 +3,7 @@ package cz.paprsek.fx;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.view.camera.CameraPane;
+import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.explain.ExplainMode;
 import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.look.Theme;
@@ -34,7 +35,7 @@ final class Views {
     private Node last;
     private Optional<ProjectionPane> active = Optional.empty();
 
-    Views(Editor editor) {
+    Views(Editor editor, SelectionCommands commands) {
         this.model = editor.model();
         this.theme = editor.followTheme();
         Texts texts = editor.texts();
@@ -50,6 +51,8 @@ final class Views {
         grid = new PaneGrid(titled);
         explaining = new ExplainMode(model, camera, projections, new ExplainPane(texts, theme, editor.treeChooser()));
         titled.get(1).addTool(explainButton(texts));
+        camera.setContextMenu(commands.contextMenu());
+        projections.forEach(pane -> pane.setContextMenu(commands.contextMenu()));
         last = camera;
         for (TitledView view : titled) {
             view.content().focusWithinProperty().addListener((property, old, now) -> last = now ? view.content() : last);
@@ -60,7 +63,7 @@ final class Views {
     }
 
     private ProjectionPane projection(Editor editor, Axes axes) {
-        ProjectionPane pane = new ProjectionPane(editor.model(), editor.texts(), axes, theme, editor.snapping());
+        ProjectionPane pane = new ProjectionPane(editor.model(), editor.texts(), axes, theme, editor.snapping(), editor.proportional());
         pane.setId("projection-" + axes.name().toLowerCase(Locale.ROOT));
         return pane;
     }

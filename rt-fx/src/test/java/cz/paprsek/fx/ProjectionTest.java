@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
@@ -16,10 +17,18 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Sphere;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import javafx.geometry.Point2D;
+import javafx.scene.control.ContextMenu;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.MenuItem;
+import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import javafx.scene.paint.Color;
+import javafx.stage.Window;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -203,7 +212,67 @@ class ProjectionTest {
     }
 
     @Test
+    void cornerHandleKeepsProportionsWhileTheChainIsOn() {
+        ProjectionPane front = editor.projection("front");
+        editor.gui.act(() -> editor.model().select(CRATE));
+        Point2D corner = place(front, 1.5, 1.5, 0).add(7, -7);
+        Point2D to = place(front, 4.5, 3, 0).add(7, -7);
+        editor.gui.drag(front, corner.getX(), corner.getY(), to.getX(), to.getY());
+        Vec3 scale = editor.model().scene().objects().get(1).placement().scale();
+        assertThat(scale.x()).isCloseTo(2, within(0.1));
+        assertThat(scale).isEqualTo(new Vec3(scale.x(), scale.x(), scale.x()));
+    }
+
+    @Test
+    void figuresAreShownWhileDragging() {
+        ProjectionPane front = editor.projection("front");
+        Point2D from = place(front, 0.2, 0.2, 0);
+        WritableImage before = Gui.on(() -> front.snapshot(null, null));
+        editor.gui.moveTo(front, from.getX(), from.getY());
+        editor.gui.press(MouseButton.PRIMARY);
+        editor.gui.moveTo(front, from.getX() + 40, from.getY());
+        editor.gui.moveTo(front, from.getX() + 80, from.getY());
+        int color = Gui.on(() -> count(front.snapshot(null, null), from.getX() + 90, from.getY() - 30, 80, 20)) - Gui.on(() -> count(before, from.getX() + 90, from.getY() - 30, 80, 20));
+        editor.gui.release(MouseButton.PRIMARY);
+        assertThat(color).as("letters beside the mouse").isGreaterThan(40);
+    }
+
+    /** How many pixels of a part have the colour of what is selected. */
+    private static int count(WritableImage image, double x, double y, int width, int height) {
+        int found = 0;
+        Color wanted = Theme.LIGHT.palette().selected();
+        for (int i = 0; i < width; i++) {
+            for (int j = 0; j < height; j++) {
+                Color color = image.getPixelReader().getColor((int) x + i, (int) y + j);
+                found += Math.abs(color.getRed() - wanted.getRed()) + Math.abs(color.getBlue() - wanted.getBlue()) < 0.3 ? 1 : 0;
+            }
+        }
+        return found;
+    }
+
+    @Test
+    void aRightClickShowsTheWordsOfTheObjectMenu() {
+        ProjectionPane front = editor.projection("front");
+        Point2D at = place(front, 0.2, 0.2, 0);
+        editor.gui.moveTo(front, at.getX(), at.getY());
+        editor.gui.press(MouseButton.SECONDARY);
+        editor.gui.release(MouseButton.SECONDARY);
+        assertThat(editor.model().selection()).hasSize(1);
+        List<String> words = Gui.on(() -> {
+            ContextMenu menu = Window.getWindows().stream().filter(ContextMenu.class::isInstance).map(ContextMenu.class::cast).findFirst().orElseThrow();
+            List<String> texts = menu.getItems().stream().map(MenuItem::getText).filter(Objects::nonNull).toList();
+            menu.hide();
+            return texts;
+        });
+        List<String> object = Gui.on(() -> ((MenuBar) editor.gui.stage().getScene().lookup("#menu-bar")).getMenus().get(3).getItems().stream()
+                .map(MenuItem::getText).filter(Objects::nonNull).toList());
+        assertThat(object).hasSizeGreaterThan(6);
+        assertThat(words).containsAll(object).contains("Delete", "Paste");
+    }
+
+    @Test
     void cornerHandleResizesFromTheOppositeCorner() {
+        editor.gui.act(() -> editor.editor.proportional().set(false));
         ProjectionPane front = editor.projection("front");
         editor.gui.act(() -> editor.model().select(CRATE));
         Point2D corner = place(front, 1.5, 1.5, 0).add(7, -7);

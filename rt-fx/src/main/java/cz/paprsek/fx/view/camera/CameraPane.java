@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Visible;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureStyle;
 import cz.paprsek.fx.view.rays.DrawnRays;
@@ -17,7 +18,9 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.WeakChangeListener;
+import javafx.geometry.Point2D;
 import javafx.geometry.Pos;
+import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
@@ -36,6 +39,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     private final ChangeListener<EditorState> onState;
     private Visible visible;
     private Predicate<PicturePoint> clickedFirst = point -> false;
+    private Optional<ContextMenu> menu = Optional.empty();
 
     /** @param onFault is told, on JavaFX's thread, if the renderer fails */
     public CameraPane(EditorModel model, Consumer<Throwable> onFault) {
@@ -78,6 +82,18 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         clickedFirst = listener;
     }
 
+    /** Shows a menu where the right button is clicked, or at the corner for a key. */
+    public void setContextMenu(ContextMenu shown) {
+        menu = Optional.of(shown);
+        picture.setOnContextMenuRequested(event -> {
+            if (event.isKeyboardTrigger()) {
+                Point2D corner = picture.localToScreen(0, 0);
+                shown.show(picture, corner.getX(), corner.getY());
+            }
+            event.consume();
+        });
+    }
+
     /** Is told when the camera should move, but is locked. */
     public void setOnLocked(Runnable listener) {
         hand.setOnLocked(listener);
@@ -117,10 +133,20 @@ public final class CameraPane extends StackPane implements AutoCloseable {
 
     private void released(MouseEvent event) {
         event.consume();
-        if (hand.release(event) || event.getButton() != MouseButton.PRIMARY) {
+        menu.ifPresent(ContextMenu::hide);
+        if (hand.release(event)) {
             return;
         }
         Optional<PicturePoint> point = picture.at(event.getX(), event.getY());
+        if (event.getButton() == MouseButton.SECONDARY) {
+            point.flatMap(PicturePoint::body).map(visible::original).filter(body -> !isWithinSelection(body))
+                    .ifPresent(body -> select(body.object(), false));
+            menu.ifPresent(known -> known.show(picture, event.getScreenX(), event.getScreenY()));
+            return;
+        }
+        if (event.getButton() != MouseButton.PRIMARY) {
+            return;
+        }
         if (point.isEmpty() || clickedFirst.test(point.get())) {
             return;
         }
@@ -132,6 +158,10 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         } else if (!more) {
             model.select();
         }
+    }
+
+    private boolean isWithinSelection(BodyAt body) {
+        return Items.bodies(model.selection()).stream().anyMatch(selected -> selected.equals(body) || selected.holds(body));
     }
 
     /** The object, or what is one level further inside if that is selected already. */

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.projection;
 
+import java.util.Locale;
 import javafx.scene.canvas.GraphicsContext;
 
 /** What a pressed mouse button does until it is released. */
@@ -20,6 +21,11 @@ interface Drag {
 
     /** Escape: all as it was before. */
     void cancel();
+
+    /** How far or how large by now, in words; empty for nothing to say. */
+    default String figures(Locale locale) {
+        return "";
+    }
 
     /** Draws what helps meanwhile. */
     default void draw(GraphicsContext g) {}

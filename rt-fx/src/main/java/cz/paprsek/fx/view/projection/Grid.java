@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.projection;
 import cz.paprsek.fx.view.look.Palette;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import javafx.geometry.Point2D;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 import javafx.scene.text.Font;
@@ -37,7 +38,7 @@ final class Grid {
         lines(g, view, 5 * step, palette.major());
         g.setLineWidth(1);
         axis(g, view, axes, palette);
-        labels(g, view, axes, 5 * step, palette.text());
+        labels(g, view, axes, 5 * step, palette);
     }
 
     private static void lines(GraphicsContext g, Viewport view, double step, Color color) {
@@ -66,26 +67,27 @@ final class Grid {
         g.strokeLine(0, y, view.width(), y);
     }
 
-    private static void labels(GraphicsContext g, Viewport view, Axes axes, double step, Color color) {
-        g.setFont(FONT);
-        g.setFill(color);
+    private static void labels(GraphicsContext g, Viewport view, Axes axes, double step, Palette palette) {
         // Wide numbers need more room than the lines have.
         long skip = step * view.scale() < 55 ? 2 : 1;
-        g.setTextAlign(TextAlignment.CENTER);
         for (long i = first(view.u(0), skip * step); i * skip * step <= view.u(view.width()); i++) {
             double x = view.x(i * skip * step);
             if (x > 34 && x < view.width() - 16) {
-                g.fillText(number(axes.worldU(i * skip * step), step), x, view.height() - 4);
+                String text = number(axes.worldU(i * skip * step), step);
+                label(g, view, text, x - Plate.size(FONT, text).getWidth() / 2, view.height() - 4, palette);
             }
         }
-        g.setTextAlign(TextAlignment.LEFT);
         for (long i = first(view.v(view.height()), skip * step); i * skip * step <= view.v(0); i++) {
             double y = view.y(i * skip * step);
             if (y > 12 && y < view.height() - 16) {
-                g.fillText(number(axes.worldV(i * skip * step), step), 4, y + 3);
+                label(g, view, number(axes.worldV(i * skip * step), step), 4, y + 3, palette);
             }
         }
         g.setFont(Font.font("System", FontWeight.BOLD, 11));
+    }
+
+    private static void label(GraphicsContext g, Viewport view, String text, double x, double y, Palette palette) {
+        Plate.draw(g, view, FONT, text, new Point2D(x, y), palette.text(), palette.background());
     }
 
     /** The names of the axes, where these leave the pane. */

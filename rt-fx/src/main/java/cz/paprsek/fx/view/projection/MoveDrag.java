@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.projection;
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.item.Item;
+import java.util.Locale;
 import java.util.Set;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -23,6 +24,8 @@ final class MoveDrag implements Drag {
     private final double startY;
     private double guideU = Double.NaN;
     private double guideV = Double.NaN;
+    private double byU;
+    private double byV;
 
     /**
      * @param box around the items
@@ -60,8 +63,8 @@ final class MoveDrag implements Drag {
             guideU = onlyV ? Double.NaN : alongU.guide();
             guideV = onlyU ? Double.NaN : alongV.guide();
         }
-        double byU = onlyV ? 0 : du;
-        double byV = onlyU ? 0 : dv;
+        byU = onlyV ? 0 : du;
+        byV = onlyU ? 0 : dv;
         gesture.preview(scene -> Moves.translated(scene, items, axes.vector(byU, byV)));
     }
 
@@ -73,6 +76,12 @@ final class MoveDrag implements Drag {
     @Override
     public void cancel() {
         gesture.cancel();
+    }
+
+    @Override
+    public String figures(Locale locale) {
+        return axes.right().letter() + " " + Lengths.signed(axes.worldU(byU), view, locale) + "   "
+                + axes.up().letter() + " " + Lengths.signed(axes.worldV(byV), view, locale);
     }
 
     @Override

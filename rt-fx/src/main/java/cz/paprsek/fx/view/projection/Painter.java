@@ -11,10 +11,10 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import javafx.geometry.Point2D;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 import javafx.scene.text.Font;
-import javafx.scene.text.TextAlignment;
 
 /** Draws figures, lights and the camera. */
 final class Painter {
@@ -106,11 +106,8 @@ final class Painter {
 
     /** A name beside a box. */
     void name(String text, Box box) {
-        g.setFont(NAME_FONT);
-        g.setFill(palette.selected());
-        g.setTextAlign(TextAlignment.LEFT);
-        double x = Math.min(view.width() - 60, Math.max(4, view.x(box.maxU()) + 14));
-        g.fillText(text, x, Math.min(view.height() - 22, Math.max(26, view.y(box.minV()) + 4)));
+        Point2D beside = new Point2D(view.x(box.maxU()) + 14, Math.min(view.height() - 22, Math.max(26, view.y(box.minV()) + 4)));
+        Plate.draw(g, view, NAME_FONT, text, beside, palette.selected(), palette.background());
     }
 
     private boolean isInSight(Figure figure) {

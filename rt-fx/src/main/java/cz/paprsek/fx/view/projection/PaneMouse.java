@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javafx.scene.Cursor;
+import javafx.scene.control.ContextMenu;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
@@ -56,6 +57,7 @@ final class PaneMouse {
 
     private void pressed(MouseEvent event) {
         pane.requestFocus();
+        pane.menu().ifPresent(ContextMenu::hide);
         event.consume();
         if (drag != null) {
             return;
@@ -100,10 +102,21 @@ final class PaneMouse {
             setDrag(null);
         } else if (wasClick) {
             click(event);
+        } else if (event.getButton() == MouseButton.SECONDARY) {
+            showMenu(event);
         }
         panning = false;
         pressed = false;
         pane.setHoverCursor(Cursor.DEFAULT);
+    }
+
+    /** For what is under the mouse, unless that is selected already; for what is selected if nothing is. */
+    private void showMenu(MouseEvent event) {
+        List<Item> under = pane.picker().at(model.state(), pane.view(), event.getX(), event.getY());
+        if (!under.isEmpty() && under.stream().noneMatch(model.selection()::contains)) {
+            model.select(under.get(0));
+        }
+        pane.menu().ifPresent(menu -> menu.show(pane, event.getScreenX(), event.getScreenY()));
     }
 
     private void click(MouseEvent event) {
@@ -164,7 +177,8 @@ final class PaneMouse {
         return handle == Handle.TURN
                 ? new TurnDrag(model.begin(label(Edit.ROTATE, items)), items, pane.axes(), pane.view(), box, pane.snaps(),
                         pane.theme().palette().selected(), pressX, pressY)
-                : new ResizeDrag(model.begin(label(Edit.RESIZE, items)), items, pane.axes(), pane.view(), box, handle, pane.snaps(), pressX, pressY);
+                : new ResizeDrag(model.begin(label(Edit.RESIZE, items)), items, pane.axes(), pane.view(), box, handle, pane.snaps(),
+                        pane.isProportional(), pressX, pressY);
     }
 
     private Label label(Edit edit, Set<Item> items) {
@@ -262,11 +276,11 @@ final class PaneMouse {
             // A place that no scene can have, such as the camera on its own target: the last possible one stays shown.
             pane.setHoverCursor(Cursor.DISAPPEAR);
         }
-        pane.requestLayout();
+        pane.setDrag(drag, lastX, lastY);
     }
 
     private void setDrag(@Nullable Drag value) {
         drag = value;
-        pane.setDrag(value);
+        pane.setDrag(value, lastX, lastY);
     }
 }

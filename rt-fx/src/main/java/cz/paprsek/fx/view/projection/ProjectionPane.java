@@ -25,9 +25,11 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.value.ObservableValue;
+import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.control.ContextMenu;
 import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
 import org.jspecify.annotations.Nullable;
@@ -45,6 +47,7 @@ public final class ProjectionPane extends Region {
     private final Axes axes;
     private final ObservableValue<Theme> theme;
     private final BooleanProperty snapping;
+    private final BooleanProperty proportional;
     private final Canvas lower = new Canvas();
     private final Canvas upper = new Canvas();
     private final Figures figures;
@@ -61,14 +64,21 @@ public final class ProjectionPane extends Region {
     private List<?> drawnObjects = List.of();
     private List<?> drawnLights = List.of();
     private @Nullable Drag drag;
+    private Point2D mouse = Point2D.ZERO;
+    private Optional<ContextMenu> menu = Optional.empty();
 
-    /** @param snapping whether drags keep to the grid and to other objects */
-    public ProjectionPane(EditorModel model, Texts texts, Axes axes, ObservableValue<Theme> theme, BooleanProperty snapping) {
+    /**
+     * @param snapping whether drags keep to the grid and to other objects
+     * @param proportional whether corner handles keep the proportions
+     */
+    public ProjectionPane(EditorModel model, Texts texts, Axes axes, ObservableValue<Theme> theme, BooleanProperty snapping,
+            BooleanProperty proportional) {
         this.model = model;
         this.texts = texts;
         this.axes = axes;
         this.theme = theme;
         this.snapping = snapping;
+        this.proportional = proportional;
         this.figures = new Figures(axes);
         this.picker = new Picker(axes, figures);
         figures.show(model.scene());
@@ -104,10 +114,8 @@ public final class ProjectionPane extends Region {
 
     /** The two coordinates of a point that this projection shows, to a pixel: "x 1.25   z −3". */
     public String describe(Vec3 point, Locale locale) {
-        int decimals = Math.max(0, (int) Math.ceil(Math.log10(view.scale())));
-        String format = "%s %." + Math.min(12, decimals) + "f";
-        return String.format(locale, format, axes.right().letter(), axes.right().of(point)) + "   "
-                + String.format(locale, format, axes.up().letter(), axes.up().of(point));
+        return axes.right().letter() + " " + Lengths.text(axes.right().of(point), view, locale) + "   "
+                + axes.up().letter() + " " + Lengths.text(axes.up().of(point), view, locale);
     }
 
     /** Shows everything that has an end. */
@@ -133,8 +141,8 @@ public final class ProjectionPane extends Region {
     }
 
     /** Shows a point of the world on the pane: its coordinates there, pixels. */
-    public javafx.geometry.Point2D toPane(Vec3 point) {
-        return new javafx.geometry.Point2D(view.x(axes.u(point)), view.y(axes.v(point)));
+    public Point2D toPane(Vec3 point) {
+        return new Point2D(view.x(axes.u(point)), view.y(axes.v(point)));
     }
 
     /** Draws the rays of an explained pixel above everything. */
@@ -177,14 +185,36 @@ public final class ProjectionPane extends Region {
         return snapping.get();
     }
 
+    boolean isProportional() {
+        return proportional.get();
+    }
+
+    /** Shows a menu where the right button is clicked, or at the corner for a key. */
+    public void setContextMenu(ContextMenu shown) {
+        menu = Optional.of(shown);
+        setOnContextMenuRequested(event -> {
+            if (event.isKeyboardTrigger()) {
+                Point2D corner = localToScreen(0, 0);
+                shown.show(this, corner.getX(), corner.getY());
+            }
+            event.consume();
+        });
+    }
+
+    Optional<ContextMenu> menu() {
+        return menu;
+    }
+
     void show(Viewport fresh) {
         view = fresh;
         fits = false;
         requestLayout();
     }
 
-    void setDrag(@Nullable Drag value) {
+    /** @param x where the mouse is, pixels */
+    void setDrag(@Nullable Drag value, double x, double y) {
         drag = value;
+        mouse = new Point2D(x, y);
         requestLayout();
     }
 
@@ -299,6 +329,7 @@ public final class ProjectionPane extends Region {
         rays.ifPresent(RayPainter.on(g, theme(), (from, to) -> Optional.of(segment(from, to)))::draw);
         if (drag != null) {
             drag.draw(g);
+            Plate.beside(g, view, drag.figures(texts.locale()), mouse, theme().palette());
         }
     }
 

@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
+import java.util.Locale;
 import java.util.Set;
 
 /** Stretches items from the side or corner opposite to the handle. */
@@ -18,11 +19,15 @@ final class ResizeDrag implements Drag {
     private final Box box;
     private final Handle handle;
     private final boolean snaps;
+    private final boolean proportional;
     private final double startX;
     private final double startY;
+    private double width;
+    private double height;
 
-    ResizeDrag(Gesture gesture, Set<Item> items, Axes axes, Viewport view, Box box, Handle handle, boolean snaps, double startX,
-            double startY) {
+    /** @param proportional whether corners keep the proportions; Shift then does the other */
+    ResizeDrag(Gesture gesture, Set<Item> items, Axes axes, Viewport view, Box box, Handle handle, boolean snaps,
+            boolean proportional, double startX, double startY) {
         this.gesture = gesture;
         this.items = items;
         this.axes = axes;
@@ -30,6 +35,7 @@ final class ResizeDrag implements Drag {
         this.box = box;
         this.handle = handle;
         this.snaps = snaps;
+        this.proportional = proportional;
         this.startX = startX;
         this.startY = startY;
     }
@@ -40,12 +46,19 @@ final class ResizeDrag implements Drag {
         double alongU = factor(handle.alongU(), box.minU(), box.maxU(), (x - startX) / view.scale(), snap);
         double alongV = factor(handle.alongV(), box.minV(), box.maxV(), (startY - y) / view.scale(), snap);
         boolean corner = handle.alongU() != 0 && handle.alongV() != 0;
-        boolean even = keys.straight() && corner;
+        boolean even = keys.straight() != proportional && corner;
         double evenly = Math.abs(alongU - 1) > Math.abs(alongV - 1) ? alongU : alongV;
+        width = (box.maxU() - box.minU()) * (even ? evenly : alongU);
+        height = (box.maxV() - box.minV()) * (even ? evenly : alongV);
         Vec3 factors = even ? new Vec3(evenly, evenly, evenly) : axes.factors(alongU, alongV);
         double pivotU = pivot(handle.alongU(), box.minU(), box.maxU());
         double pivotV = pivot(handle.alongV(), box.minV(), box.maxV());
         gesture.preview(scene -> Moves.scaled(scene, items, axes.vector(pivotU, pivotV), factors));
+    }
+
+    @Override
+    public String figures(Locale locale) {
+        return Lengths.text(width, view, locale) + " × " + Lengths.text(height, view, locale);
     }
 
     private double factor(int side, double min, double max, double by, boolean snap) {

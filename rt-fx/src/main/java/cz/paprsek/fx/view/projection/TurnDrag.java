@@ -3,7 +3,7 @@ package cz.paprsek.fx.view.projection;
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.math.Numbers;
+import java.util.Locale;
 import java.util.Set;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -65,10 +65,13 @@ final class TurnDrag implements Drag {
     }
 
     @Override
+    public String figures(Locale locale) {
+        return String.format(locale, "%.1f°", degrees + 0.0);
+    }
+
+    @Override
     public void draw(GraphicsContext g) {
         g.setStroke(color);
         g.strokeLine(view.x(box.centreU()), view.y(box.centreV()), mouseX, mouseY);
-        g.setFill(color);
-        g.fillText(Numbers.text(degrees) + "°", mouseX + 12, mouseY - 8);
     }
 }

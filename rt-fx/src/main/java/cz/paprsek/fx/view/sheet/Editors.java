@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.List;
 import java.util.Locale;
+import javafx.beans.property.BooleanProperty;
 import javafx.scene.Node;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
@@ -15,10 +16,12 @@ import org.kordamp.ikonli.javafx.FontIcon;
 final class Editors {
     private final EditorModel model;
     private final Texts texts;
+    private final BooleanProperty proportional;
 
-    Editors(EditorModel model, Texts texts) {
+    Editors(EditorModel model, Texts texts, BooleanProperty proportional) {
         this.model = model;
         this.texts = texts;
+        this.proportional = proportional;
     }
 
     /**
@@ -48,7 +51,7 @@ final class Editors {
             case VECTOR -> below(row, new VectorEditor(property, edit, mixed, () -> false));
             case FACTORS -> {
                 ToggleButton link = link();
-                yield below(row, new VectorEditor(property, edit, mixed, link::isSelected), link);
+                yield below(row, new VectorEditor(property, edit, mixed, proportional::get), link);
             }
             case COLOR -> below(row, new ColorEditor(property, edit, mixed, texts.of("sheet.pick")));
             case TEXT -> beside(row, new TextEditor(id(property), edit, scene -> property.read(scene).map(Object::toString).orElse(""),
@@ -82,7 +85,7 @@ final class Editors {
     private ToggleButton link() {
         ToggleButton link = new ToggleButton("", new FontIcon("mdi2l-link-variant"));
         link.setId("scale-link");
-        link.setSelected(true);
+        link.selectedProperty().bindBidirectional(proportional);
         link.setAccessibleText(texts.of("sheet.link"));
         link.setTooltip(new Tooltip(texts.of("sheet.link")));
         link.getStyleClass().add("small-button");

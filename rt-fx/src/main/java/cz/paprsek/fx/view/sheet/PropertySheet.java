@@ -15,6 +15,7 @@ import java.util.Set;
 import javafx.application.Platform;
 import javafx.beans.InvalidationListener;
 import javafx.beans.WeakInvalidationListener;
+import javafx.beans.property.BooleanProperty;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -40,9 +41,10 @@ public final class PropertySheet extends BorderPane {
     private boolean isStale;
     private Runnable onFieldGone = () -> {};
 
-    public PropertySheet(EditorModel model, Texts texts) {
+    /** @param proportional whether the three factors of a scale stay in proportion */
+    public PropertySheet(EditorModel model, Texts texts, BooleanProperty proportional) {
         this.model = model;
-        editors = new Editors(model, texts);
+        editors = new Editors(model, texts, proportional);
         titles = new Titles(texts);
         materials = new MaterialsPane(model, texts, editors);
         setId("property-sheet");

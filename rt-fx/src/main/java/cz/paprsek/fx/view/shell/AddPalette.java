@@ -5,7 +5,7 @@ import cz.paprsek.fx.model.edit.Examples;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Items;
-import cz.paprsek.fx.view.command.Commands;
+import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.shape.Csg;
@@ -15,7 +15,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Set;
-import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import javafx.beans.binding.Bindings;
@@ -44,10 +43,8 @@ public final class AddPalette extends FlowPane {
 
     /**
      * @param sight where new things are put, and how large: where the user looks
-     * @param refusal is told why something cannot be done; empty when something was done
      */
-    public AddPalette(EditorModel model, Texts texts, Supplier<Sight> sight, Consumer<String> refusal) {
-        Commands commands = new Commands(model, texts, refusal);
+    public AddPalette(EditorModel model, Texts texts, Supplier<Sight> sight, Edits edits) {
         setId("add-palette");
         getStyleClass().add("add-palette");
         getStylesheets().add(Objects.requireNonNull(AddPalette.class.getResource("palette.css")).toExternalForm());
@@ -56,17 +53,17 @@ public final class AddPalette extends FlowPane {
             adding.add(new Entry("add-" + kind.kind(), texts.kind(kind), Icons.of(kind), always, () -> {
                 Sight now = sight.get();
                 Examples.ofSize(now.size()).stream().filter(example -> example.getClass() == kind.getClass()).findFirst()
-                        .ifPresent(example -> commands.add(example, now));
+                        .ifPresent(example -> edits.add(example, now));
             }));
         }
-        adding.add(new Entry("add-light", texts.of("kind.light"), Icons.LIGHT, always, () -> commands.addLight(sight.get())));
+        adding.add(new Entry("add-light", texts.of("kind.light"), Icons.LIGHT, always, () -> edits.addLight(sight.get())));
         BooleanBinding several = when(model, items -> Items.outermost(items).size() > 1);
         for (Csg.Operation operation : Csg.Operation.values()) {
             String word = operation.name().toLowerCase(Locale.ROOT);
-            combining.add(new Entry("combine-" + word, texts.of("combine." + word), Icons.of(word), several, () -> commands.combine(operation)));
+            combining.add(new Entry("combine-" + word, texts.of("object." + word), Icons.of(word), several, () -> edits.combine(operation)));
         }
         BooleanBinding any = when(model, items -> !Items.bodies(items).isEmpty());
-        combining.add(new Entry("dissolve", texts.of("menu.dissolve"), Icons.DISSOLVE, any, commands::dissolve));
+        combining.add(new Entry("dissolve", texts.of("object.dissolve"), Icons.DISSOLVE, any, edits::dissolve));
         adding.forEach(entry -> getChildren().add(button(entry, texts.of("palette.add", entry.text()))));
         combining.forEach(entry -> getChildren().add(button(entry, entry.text())));
         setFocusTraversable(true);

@@ -21,9 +21,11 @@ public final class StatusBar extends HBox {
         HBox.setHgrow(message, Priority.ALWAYS);
         message.setMaxWidth(Double.MAX_VALUE);
         message.setMinWidth(0);
-        cursor.setMinWidth(210);
-        selection.setMinWidth(160);
-        selection.setMaxWidth(320);
+        // What is too long goes on below rather than being cut off.
+        message.setWrapText(true);
+        message.setMinHeight(Region.USE_PREF_SIZE);
+        cursor.setMinWidth(Region.USE_PREF_SIZE);
+        selection.setMinWidth(Region.USE_PREF_SIZE);
         render.setMinWidth(Region.USE_PREF_SIZE);
         getChildren().addAll(message, cursor, selection, render);
     }

@@ -3,7 +3,8 @@ package cz.paprsek.fx.view.tree;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.view.command.Commands;
+import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
@@ -42,12 +43,13 @@ public final class ObjectTree extends BorderPane {
     private final ChangeListener<Set<Item>> onSelection = (property, was, is) -> reveal(is);
     private boolean isStale;
 
-    public ObjectTree(EditorModel model, Texts texts) {
+    /** @param commands what can be done with what is selected */
+    public ObjectTree(EditorModel model, Texts texts, SelectionCommands commands) {
         this.model = model;
         this.texts = texts;
         expansion = new Expansion(model.scene());
-        Commands commands = new Commands(model, texts, this::tell);
-        state = new TreeState(commands, list::requestFocus);
+        Edits edits = commands.edits();
+        state = new TreeState(edits, list::requestFocus);
         TreeSelection selection = new TreeSelection(model);
         setId("object-tree");
         getStyleClass().add("object-tree");
@@ -60,12 +62,14 @@ public final class ObjectTree extends BorderPane {
         list.setFixedCellSize(ROW_HEIGHT);
         list.setCellFactory(view -> new RowCell(model, state, texts));
         list.setAccessibleText(texts.of("tree.list"));
-        new TreeKeys(this, selection, state, commands, find).attach(list);
-        new TreeMouse(this, selection, state, commands, model).attach(list);
-        list.setOnContextMenuRequested(event -> new TreeMenu(model, texts, commands, state).show(list, event.getScreenX(), event.getScreenY()));
+        new TreeKeys(this, selection, state, edits, find).attach(list);
+        new TreeMouse(this, selection, state, edits, model).attach(list);
+        list.setContextMenu(commands.contextMenu());
         refusal.getStyleClass().add("refusal");
         refusal.setWrapText(true);
-        tell("");
+        refusal.textProperty().bind(edits.refusalProperty());
+        refusal.managedProperty().bind(refusal.textProperty().isNotEmpty());
+        refusal.visibleProperty().bind(refusal.managedProperty());
         setTop(find);
         setCenter(list);
         setBottom(refusal);
@@ -73,6 +77,11 @@ public final class ObjectTree extends BorderPane {
         model.sceneProperty().addListener(new WeakChangeListener<>(onScene));
         model.selectionProperty().addListener(new WeakChangeListener<>(onSelection));
         refresh();
+    }
+
+    /** Begins to give what is selected another name. */
+    public void rename() {
+        model.selection().stream().findFirst().ifPresent(state::rename);
     }
 
     /** The lines as they are now. */
@@ -165,12 +174,5 @@ public final class ObjectTree extends BorderPane {
         String wanted = find.getText().strip().toLowerCase(texts.locale());
         return rows.stream().filter(row -> row.text().toLowerCase(texts.locale()).contains(wanted)).findFirst()
                 .or(() -> rows.stream().findFirst());
-    }
-
-    /** Shows why something cannot be done, until something is; empty to show nothing. */
-    public void tell(String sentence) {
-        refusal.setText(sentence);
-        refusal.setVisible(!sentence.isEmpty());
-        refusal.setManaged(!sentence.isEmpty());
     }
 }

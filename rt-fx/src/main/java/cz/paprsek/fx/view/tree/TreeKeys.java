@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.view.command.Commands;
+import cz.paprsek.fx.view.command.Edits;
 import java.util.List;
 import java.util.Optional;
 import javafx.scene.control.ListView;
@@ -16,14 +16,14 @@ final class TreeKeys {
     private final ObjectTree tree;
     private final TreeSelection selection;
     private final TreeState state;
-    private final Commands commands;
+    private final Edits edits;
     private final TextField find;
 
-    TreeKeys(ObjectTree tree, TreeSelection selection, TreeState state, Commands commands, TextField find) {
+    TreeKeys(ObjectTree tree, TreeSelection selection, TreeState state, Edits edits, TextField find) {
         this.tree = tree;
         this.selection = selection;
         this.state = state;
-        this.commands = commands;
+        this.edits = edits;
         this.find = find;
     }
 
@@ -71,7 +71,7 @@ final class TreeKeys {
                     state.rename(rows.get(lead).item());
                 }
             }
-            case DELETE, BACK_SPACE -> commands.delete();
+            case DELETE, BACK_SPACE -> edits.delete();
             case ESCAPE -> {
                 boolean dragging = state.dropProperty().get().isPresent();
                 state.setDrop(Optional.empty());

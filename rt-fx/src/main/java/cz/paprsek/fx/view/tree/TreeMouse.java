@@ -6,7 +6,7 @@ import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.fx.model.item.Items;
-import cz.paprsek.fx.view.command.Commands;
+import cz.paprsek.fx.view.command.Edits;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -24,17 +24,17 @@ final class TreeMouse {
     private final ObjectTree tree;
     private final TreeSelection selection;
     private final TreeState state;
-    private final Commands commands;
+    private final Edits edits;
     private final EditorModel model;
     private @Nullable TreeRow pressed;
     private boolean dragging;
     private double pressedY;
 
-    TreeMouse(ObjectTree tree, TreeSelection selection, TreeState state, Commands commands, EditorModel model) {
+    TreeMouse(ObjectTree tree, TreeSelection selection, TreeState state, Edits edits, EditorModel model) {
         this.tree = tree;
         this.selection = selection;
         this.state = state;
-        this.commands = commands;
+        this.edits = edits;
         this.model = model;
     }
 
@@ -69,9 +69,9 @@ final class TreeMouse {
         } else if (isOn(event, "row-arrow") && row.operation()) {
             tree.expand(row, !row.expanded());
         } else if (isOn(event, "row-eye")) {
-            commands.hide(affected(row), !model.state().hidden().contains(row.item()));
+            edits.hide(affected(row), !model.state().hidden().contains(row.item()));
         } else if (isOn(event, "row-lock")) {
-            commands.lock(affected(row), !model.state().locked().contains(row.item()));
+            edits.lock(affected(row), !model.state().locked().contains(row.item()));
         } else if (event.getClickCount() == 2) {
             state.rename(row.item());
         } else {
@@ -116,11 +116,11 @@ final class TreeMouse {
     private void drop(Drop drop) {
         Set<Item> items = model.selection();
         if (drop.row().item() instanceof LightAt) {
-            Items.lights(items).stream().findFirst().ifPresent(light -> commands.moveLight(light, drop.index(0)));
+            Items.lights(items).stream().findFirst().ifPresent(light -> edits.moveLight(light, drop.index(0)));
         } else {
             int operands = drop.row().item() instanceof BodyAt at
                     ? Bodies.find(model.scene(), at).map(body -> body.operands().size()).orElse(0) : 0;
-            commands.move(items, drop.parent(), drop.index(operands));
+            edits.move(items, drop.parent(), drop.index(operands));
         }
     }
 

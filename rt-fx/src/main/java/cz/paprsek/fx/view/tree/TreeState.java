@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.view.command.Commands;
+import cz.paprsek.fx.view.command.Edits;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -10,12 +10,12 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 final class TreeState {
     private final ReadOnlyObjectWrapper<Optional<Drop>> drop = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ReadOnlyObjectWrapper<Optional<Item>> renamed = new ReadOnlyObjectWrapper<>(Optional.empty());
-    private final Commands commands;
+    private final Edits edits;
     private final Runnable done;
 
     /** @param done is run when renaming has ended */
-    TreeState(Commands commands, Runnable done) {
-        this.commands = commands;
+    TreeState(Edits edits, Runnable done) {
+        this.edits = edits;
         this.done = done;
     }
 
@@ -42,7 +42,7 @@ final class TreeState {
     void endRename(Optional<String> name) {
         Optional<Item> item = renamed.get();
         renamed.set(Optional.empty());
-        item.ifPresent(known -> name.ifPresent(text -> commands.rename(known, text)));
+        item.ifPresent(known -> name.ifPresent(text -> edits.rename(known, text)));
         if (item.isPresent()) {
             done.run();
         }

@@ -74,7 +74,7 @@ class LiveFigures {
         EditorModel model = new EditorModel(Scene.EMPTY.withObjects(balls).plus(Light.at(50, 50, 50)));
         ObservableValue<Theme> theme = new SimpleObjectProperty<>(Theme.LIGHT);
         List<ProjectionPane> panes = Stream.of(Axes.values()).map(axes -> Gui.on(
-                () -> new ProjectionPane(model, Texts.in(Locale.ENGLISH), axes, theme, new SimpleBooleanProperty(true)))).toList();
+                () -> new ProjectionPane(model, Texts.in(Locale.ENGLISH), axes, theme, new SimpleBooleanProperty(true), new SimpleBooleanProperty(true)))).toList();
         try (Gui gui = Gui.show(() -> {
             HBox row = new HBox(4);
             row.getChildren().addAll(panes);

@@ -21,6 +21,7 @@ import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
 import java.util.Locale;
+import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ComboBox;
@@ -49,7 +50,7 @@ class PropertySheetTest {
                     SceneObject.of(new Sphere(2)).named("moon").at(3, 0, 0).madeOf(Material.DEFAULT),
                     SceneObject.of(new Block(Vec3.ZERO, Vec3.ONE)).named("box").madeOf("steel"));
     private final EditorModel model = new EditorModel(START);
-    private final Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.ENGLISH)), 320, 900);
+    private final Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.ENGLISH), new SimpleBooleanProperty(true)), 320, 900);
 
     @BeforeEach
     void selectTheBall() {

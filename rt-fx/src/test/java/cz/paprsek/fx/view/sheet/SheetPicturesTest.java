@@ -21,6 +21,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import javafx.beans.property.SimpleBooleanProperty;
 import javafx.event.ActionEvent;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -50,7 +51,7 @@ class SheetPicturesTest {
     @ParameterizedTest
     @CsvSource({"en, LIGHT", "cs, DARK"})
     void noWordIsCutOff(String language, Theme theme) {
-        try (Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.forLanguageTag(language))), 300, 980)) {
+        try (Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.forLanguageTag(language)), new SimpleBooleanProperty(true)), 300, 980)) {
             gui.act(() -> theme.applyTo(gui.stage().getScene()));
             STATES.forEach((state, items) -> {
                 gui.act(() -> model.select(items));

@@ -7,6 +7,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.edit.Examples;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Csg;
@@ -22,9 +23,9 @@ import org.junit.jupiter.api.Test;
 class AddPaletteTest {
     private final EditorModel model = new EditorModel(Scene.EMPTY);
     private final AtomicReference<AddPalette> palette = new AtomicReference<>();
-    private final AtomicReference<String> refusal = new AtomicReference<>("");
+    private final Edits edits = new Edits(model, Texts.in(Locale.ENGLISH));
     private final Gui gui = Gui.show(() -> {
-        palette.set(new AddPalette(model, Texts.in(Locale.ENGLISH), () -> Sight.of(model.scene()), refusal::set));
+        palette.set(new AddPalette(model, Texts.in(Locale.ENGLISH), () -> Sight.of(model.scene()), edits));
         return palette.get();
     }, 300, 120);
 
@@ -56,12 +57,12 @@ class AddPaletteTest {
         gui.click("#add-disc");
         gui.act(() -> model.select(Item.body(0), Item.body(1)));
         gui.click("#combine-union");
-        assertThat(refusal.get()).contains("disc has no inside");
+        assertThat(edits.refusalProperty().get()).contains("disc has no inside");
         gui.click("#add-block");
         gui.act(() -> model.select(Item.body(0), Item.body(2)));
         gui.click("#combine-difference");
         assertThat(model.scene().objects().get(0).shape()).isInstanceOf(Csg.class);
-        assertThat(refusal.get()).isEmpty();
+        assertThat(edits.refusalProperty().get()).isEmpty();
         gui.click("#dissolve");
         assertThat(model.scene().objects()).hasSize(3);
     }

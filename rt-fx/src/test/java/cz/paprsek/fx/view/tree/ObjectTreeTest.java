@@ -9,6 +9,8 @@ import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.edit.Structure;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
@@ -48,7 +50,7 @@ class ObjectTreeTest {
                     SceneObject.of(new Rectangle(-1, -1, 1, 1)).named("floor"),
                     SceneObject.of(new Sphere(2)).named("moon"));
     private final EditorModel model = new EditorModel(start);
-    private final Gui gui = Gui.show(() -> new ObjectTree(model, Texts.in(Locale.ENGLISH)), 260, 420);
+    private final Gui gui = Gui.show(() -> new ObjectTree(model, Texts.in(Locale.ENGLISH), new SelectionCommands(new Edits(model, Texts.in(Locale.ENGLISH)))), 260, 420);
 
     @BeforeEach
     void openTheScene() {
@@ -201,13 +203,13 @@ class ObjectTreeTest {
     @Test
     void menuCombinesAndDissolves() {
         gui.act(() -> model.select(Item.body(0), Item.body(3)));
-        fire("menu-union");
+        fire("object-union");
         assertThat(names()).containsExactly("union", "bowl", "floor");
-        fire("menu-dissolve");
+        fire("object-dissolve");
         assertThat(names()).containsExactly("ball", "moon", "bowl", "floor");
         gui.act(() -> model.editState(cz.paprsek.fx.model.Label.of(Edit.LOCK),
                 state -> Structure.lock(state, List.of(Item.body(1)), true)));
-        fire("menu-delete");
+        fire("edit-menu-delete");
         assertThat(names()).as("what is locked stays").containsExactly("moon", "bowl", "floor");
     }
 

@@ -1,0 +1,221 @@
+package cz.paprsek.fx.view.command;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.fx.model.edit.Adding;
+import cz.paprsek.fx.model.edit.Clipboard;
+import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.model.edit.Structure;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.xml.SceneFileException;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+import javafx.beans.property.ReadOnlyStringProperty;
+import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.scene.input.ClipboardContent;
+import org.jspecify.annotations.Nullable;
+
+/** What menus, palette, tree and views do to the scene, each one step with its name. What cannot be done is told in a sentence. */
+public final class Edits {
+    /** How far a copy stands from its original, in parts of what is large enough to be seen well. */
+    private static final double ASIDE = 0.25;
+
+    private final EditorModel model;
+    private final Texts texts;
+    private final ReadOnlyStringWrapper refusal = new ReadOnlyStringWrapper("");
+
+    public Edits(EditorModel model, Texts texts) {
+        this.model = model;
+        this.texts = texts;
+    }
+
+    /** Why what was wanted last cannot be done; empty if it was done. */
+    public ReadOnlyStringProperty refusalProperty() {
+        return refusal.getReadOnlyProperty();
+    }
+
+    EditorModel model() {
+        return model;
+    }
+
+    Texts texts() {
+        return texts;
+    }
+
+    /** Adds a shape where the user looks. */
+    public void add(Shape shape, Sight sight) {
+        String kind = texts.kind(shape);
+        edit(Label.of(Edit.ADD, kind), state -> Adding.shape(state, shape, kind, sight));
+    }
+
+    /** Adds a light where the user looks. */
+    public void addLight(Sight sight) {
+        String kind = texts.of("kind.light");
+        edit(Label.of(Edit.ADD, kind), state -> Adding.light(state, kind, sight));
+    }
+
+    /** Makes one solid of what is selected, in the order of selecting. */
+    public void combine(Csg.Operation operation) {
+        String kind = texts.of("kind." + operation.name().toLowerCase(Locale.ROOT));
+        edit(Label.of(Edit.COMBINE, kind), state -> Structure.combine(state, Items.bodies(state.selection()), operation, kind));
+    }
+
+    /** A group is a union with a name. */
+    void group() {
+        edit(Edit.GROUP, model.selection(), state ->
+                Structure.combine(state, Items.bodies(state.selection()), Csg.Operation.UNION, texts.of("name.group")));
+    }
+
+    /** Puts what the selected operations are made of in their place. */
+    public void dissolve() {
+        edit(Edit.DISSOLVE, model.selection(), state -> Structure.dissolve(state, state.selection()));
+    }
+
+    /** Deletes what is selected, but for the camera and what is locked. */
+    public void delete() {
+        remove(Edit.DELETE);
+    }
+
+    private void remove(Edit edit) {
+        Set<Item> items = new LinkedHashSet<>(model.selection());
+        items.removeIf(item -> item.equals(Item.CAMERA) || model.state().isLocked(item));
+        if (!items.isEmpty()) {
+            edit(edit, items, state -> Structure.delete(state, items));
+        }
+    }
+
+    /** Copies what is selected, beside it. */
+    void duplicate() {
+        double aside = ASIDE * Sight.of(model.scene()).size();
+        edit(Edit.DUPLICATE, model.selection(), state -> Structure.duplicate(state, state.selection(), new Vec3(aside, 0, aside)));
+    }
+
+    void cut() {
+        if (copy()) {
+            remove(Edit.CUT);
+        }
+    }
+
+    /** Whether there was something to copy. */
+    boolean copy() {
+        try {
+            ClipboardContent content = new ClipboardContent();
+            content.putString(Clipboard.copy(model.state(), model.selection()));
+            javafx.scene.input.Clipboard.getSystemClipboard().setContent(content);
+            refusal.set("");
+            return true;
+        } catch (IllegalArgumentException nothing) {
+            refusal.set(String.valueOf(nothing.getMessage()));
+            return false;
+        }
+    }
+
+    void paste() {
+        paste(javafx.scene.input.Clipboard.getSystemClipboard().getString());
+    }
+
+    /** Adds what is in the text of a scene file. */
+    public void paste(@Nullable String text) {
+        try {
+            if (text == null) {
+                refusal.set(texts.of("edit-problem.clipboard"));
+                return;
+            }
+            EditorState pasted = Clipboard.paste(model.state(), text);
+            edit(Edit.PASTE, pasted, state -> pasted);
+        } catch (SceneFileException | IllegalArgumentException noScene) {
+            refusal.set(texts.of("edit-problem.clipboard"));
+        }
+    }
+
+    public void rename(Item item, String name) {
+        edit(Edit.RENAME, Set.of(item), state -> Structure.rename(state, item, name));
+    }
+
+    public void hide(Collection<? extends Item> items, boolean hidden) {
+        edit(hidden ? Edit.HIDE : Edit.SHOW, items, state -> Structure.hide(state, items, hidden));
+    }
+
+    public void lock(Collection<? extends Item> items, boolean locked) {
+        edit(locked ? Edit.LOCK : Edit.UNLOCK, items, state -> Structure.lock(state, items, locked));
+    }
+
+    /** Hides what is selected, or shows it if it is hidden already. */
+    void hideOrShow() {
+        hide(model.selection(), !isHidden());
+    }
+
+    boolean isHidden() {
+        return !model.selection().isEmpty() && model.state().hidden().containsAll(model.selection());
+    }
+
+    void showAll() {
+        edit(Label.of(Edit.SHOW), state -> Structure.hide(state, state.hidden(), false));
+    }
+
+    /** Locks what is selected, or unlocks it if it is locked already. */
+    void lockOrUnlock() {
+        lock(model.selection(), !isLocked());
+    }
+
+    boolean isLocked() {
+        return !model.selection().isEmpty() && model.state().locked().containsAll(model.selection());
+    }
+
+    void unlockAll() {
+        edit(Label.of(Edit.UNLOCK), state -> Structure.lock(state, state.locked(), false));
+    }
+
+    /** Takes objects and operands elsewhere in the order, or into an operation. */
+    public void move(Collection<? extends Item> items, Optional<BodyAt> parent, int index) {
+        edit(Edit.REORDER, items, state -> Structure.move(state, items, parent, index));
+    }
+
+    public void moveLight(LightAt light, int index) {
+        edit(Edit.REORDER, Set.of(light), state -> Structure.moveLight(state, light, index));
+    }
+
+    /** Selects everything that is neither hidden nor locked. */
+    void selectAll() {
+        Set<Item> all = new LinkedHashSet<>();
+        for (int i = 0; i < model.scene().objects().size(); i++) {
+            all.add(Item.body(i));
+        }
+        for (int i = 0; i < model.scene().lights().size(); i++) {
+            all.add(Item.light(i));
+        }
+        all.removeIf(item -> model.state().isHidden(item) || model.state().isLocked(item));
+        model.select(all);
+    }
+
+    private void edit(Edit edit, EditorState named, UnaryOperator<EditorState> change) {
+        edit(Label.of(edit, ItemNames.of(named.scene(), named.selection(), texts)), change);
+    }
+
+    private void edit(Edit edit, Collection<? extends Item> items, UnaryOperator<EditorState> change) {
+        edit(Label.of(edit, ItemNames.of(model.scene(), items, texts)), change);
+    }
+
+    private void edit(Label label, UnaryOperator<EditorState> change) {
+        try {
+            model.editState(label, change);
+            refusal.set("");
+        } catch (IllegalArgumentException refused) {
+            refusal.set(String.valueOf(refused.getMessage()));
+        }
+    }
+}
