@@ -72,6 +72,9 @@ class ArchitectureTest {
             .should().dependOnClassesThat().resideInAnyPackage("java.nio..");
 
     @ArchTest
+    static final ArchRule NO_OTHER_PROGRAM_IS_STARTED = noClasses().should().dependOnClassesThat().belongToAnyOf(ProcessBuilder.class, Process.class);
+
+    @ArchTest
     static final ArchRule NO_STATE_IS_STATIC = fields().that().areStatic().should().beFinal();
 
     /** What may differ from JDK to JDK in the last bit; {@link StrictMath} has the same functions, and they may not. */

@@ -7,7 +7,6 @@ import cz.paprsek.cli.process.Memory;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
-import cz.paprsek.pov.PovRay;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.util.ArrayList;

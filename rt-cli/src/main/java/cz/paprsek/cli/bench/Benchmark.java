@@ -2,7 +2,6 @@ package cz.paprsek.cli.bench;
 
 import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.process.Stop;
-import cz.paprsek.pov.PovRay;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.RenderStats;

@@ -5,7 +5,6 @@ import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.StoredImage;
 import cz.paprsek.image.StoredImage.Precision;
 import cz.paprsek.pov.PovFiles;
-import cz.paprsek.pov.PovRay;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;

@@ -12,7 +12,6 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.math.Numbers;
-import cz.paprsek.pov.PovRay;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;

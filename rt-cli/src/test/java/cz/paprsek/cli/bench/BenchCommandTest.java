@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assumptions.assumeThat;
 import cz.paprsek.cli.Run;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Stop;
-import cz.paprsek.pov.PovRay;
 import org.junit.jupiter.api.Test;
 
 class BenchCommandTest {

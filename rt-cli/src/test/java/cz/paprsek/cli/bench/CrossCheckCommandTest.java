@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import cz.paprsek.cli.Run;
 import cz.paprsek.cli.Scenes;
 import cz.paprsek.image.ImageFiles;
-import cz.paprsek.pov.PovRay;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

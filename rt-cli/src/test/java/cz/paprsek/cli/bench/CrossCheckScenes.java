@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.cli.bench;
 
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;

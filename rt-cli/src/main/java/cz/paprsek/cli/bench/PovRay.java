@@ -1,8 +1,9 @@
-package cz.paprsek.pov;
+package cz.paprsek.cli.bench;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.pov.PovFiles;
 import cz.paprsek.scene.Scene;
 import java.io.File;
 import java.io.IOException;
@@ -17,7 +18,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** The program POV-Ray on this machine. */
-public final class PovRay {
+final class PovRay {
     private static final Pattern VERSION = Pattern.compile("(?:POV-Ray|Ray Tracer Version) (\\d[\\w.]*)");
 
     private static final Pattern TRACE_TIME = Pattern.compile("Trace Time:[^\\n]*\\s+using \\d+ thread\\(s\\) with ([\\d.]+) CPU-seconds");
@@ -36,16 +37,16 @@ public final class PovRay {
      * @param image linear light in 65535 steps, clamped to 0–1
      * @param log what the program said, with the times it took
      */
-    public record Result(Image image, String log) {
+    record Result(Image image, String log) {
         /** The processor time that all its threads together spent tracing; not a number if the log does not say. */
-        public double traceCpuSeconds() {
+        double traceCpuSeconds() {
             Matcher found = TRACE_TIME.matcher(log);
             return found.find() ? Double.parseDouble(found.group(1)) : Double.NaN;
         }
     }
 
     /** The {@code povray} that the search path leads to, if there is one and it runs. */
-    public static Optional<PovRay> installed() {
+    static Optional<PovRay> installed() {
         for (String folder : Objects.requireNonNullElse(System.getenv("PATH"), "").split(Pattern.quote(File.pathSeparator), -1)) {
             Path program = Path.of(folder.isEmpty() ? "." : folder, "povray");
             if (Files.isExecutable(program) && Files.isRegularFile(program)) {
@@ -56,7 +57,7 @@ public final class PovRay {
     }
 
     /** Its version: {@code 3.7.0.10}. */
-    public String version() {
+    String version() {
         return version;
     }
 
@@ -67,7 +68,7 @@ public final class PovRay {
      * @param scene the scene's file, relative to the working directory
      * @param picture the picture's file, relative to the working directory
      */
-    public List<String> command(String scene, String picture, int width, int height, int threads) {
+    List<String> command(String scene, String picture, int width, int height, int threads) {
         return List.of(program.toString(), "+I" + scene, "+O" + picture, "+W" + width, "+H" + height,
                 "+FN16", "File_Gamma=1.0", "-A", "-D", "-GD", "-GR", "+WT" + threads);
     }
@@ -78,7 +79,7 @@ public final class PovRay {
      * @throws IOException with the last lines of the program's own words, if it fails
      * @throws InterruptedException if the thread is interrupted, which ends the program
      */
-    public Result render(Scene scene, int threads) throws IOException, InterruptedException {
+    Result render(Scene scene, int threads) throws IOException, InterruptedException {
         Path picture = Files.createTempFile("paprsek-pov", ".png");
         try {
             String log = render(scene, threads, picture);
@@ -96,7 +97,7 @@ public final class PovRay {
      * @throws IOException as above
      * @throws InterruptedException as above
      */
-    public String render(Scene scene, int threads, Path picture) throws IOException, InterruptedException {
+    String render(Scene scene, int threads, Path picture) throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("paprsek-pov");
         try {
             PovFiles.write(scene, folder.resolve("scene.pov"));

@@ -1,0 +1,66 @@
+package cz.paprsek.cli.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import cz.paprsek.image.ImageComparison;
+import cz.paprsek.image.StoredImage;
+import cz.paprsek.image.StoredImage.Precision;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.Random;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Pictures against those that POV-Ray 3.7 makes now, where it is installed, of a recorded scene and of some that nobody has seen before: no
+ * channel more than two steps of 65535 apart, except in one pixel of a thousand. The system property {@code crosscheck.seed} repeats a run,
+ * {@code crosscheck.scenes} makes it longer.
+ */
+@Tag("live")
+class LiveCrossCheckTest {
+    private static final Path FOLDER = Path.of("../rt-core/src/test/resources/crosscheck");
+    private static final double STEPS = 2;
+    private static final double SHARE = 0.001;
+    private static final int FRESH = Integer.getInteger("crosscheck.scenes", 8);
+    private static final long SEED = Long.getLong("crosscheck.seed", new Random().nextInt(1_000_000));
+    private static final Optional<PovRay> POVRAY = PovRay.installed();
+
+    @BeforeAll
+    static void sayWhatIsChecked() {
+        System.out.println(POVRAY.map(pov -> "Cross-check: live against POV-Ray " + pov.version() + ", fresh scenes from -Dcrosscheck.seed=" + SEED)
+                .orElse("Cross-check: povray is not installed, so the LIVE CHECK IS SKIPPED; its recorded pictures are compared."));
+    }
+
+    static LongStream seeds() {
+        return LongStream.range(SEED, SEED + FRESH);
+    }
+
+    /** One scene that has most in it: that the recorded pictures are what POV-Ray makes of today's export. */
+    @Test
+    void povRayStillMakesTheRecordedPicture() throws Exception {
+        compare(SceneFiles.read(FOLDER.resolve("combined-room.xml")));
+    }
+
+    @ParameterizedTest
+    @MethodSource("seeds")
+    void aFreshSceneIsTheSame(long seed) throws Exception {
+        compare(CrossCheckScenes.random(seed));
+    }
+
+    private static void compare(Scene scene) throws Exception {
+        assumeTrue(POVRAY.isPresent(), "povray is not installed");
+        StoredImage theirs = new StoredImage(POVRAY.get().render(scene, 1).image(), Precision.SIXTEEN_BIT, false);
+        ImageComparison comparison = ImageComparison.of(StoredImage.of(Renderer.render(scene)), theirs, STEPS);
+        assertThat(comparison.shareBeyond()).as(comparison.toString()).isLessThanOrEqualTo(SHARE);
+        // Rounding alone is a quarter of a step on the average.
+        assertThat(comparison.beyond() > 0 || comparison.mean() < 0.4).as(comparison.toString()).isTrue();
+    }
+}
