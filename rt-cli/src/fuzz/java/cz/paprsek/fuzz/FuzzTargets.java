@@ -53,7 +53,7 @@ class FuzzTargets {
     /** A picture of any format is read or refused. */
     @FuzzTest(maxDuration = "30s")
     void picture(FuzzedDataProvider data) throws IOException {
-        String ending = data.pickValue(new String[] {"png", "jpg", "bmp", "tif", "ppm", "pgm", "pfm", "txt", "lum"});
+        String ending = data.pickValue(new String[] {"png", "jpg", "bmp", "tif", "ppm", "pgm", "pfm", "txt", "lum", "hdr", "exr"});
         Path file = Files.createTempFile("fuzz", "." + ending);
         try {
             Files.write(file, data.consumeRemainingAsBytes());

@@ -7,6 +7,7 @@ import cz.paprsek.cli.input.Modes;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneSource;
 import cz.paprsek.cli.input.Size;
+import cz.paprsek.cli.input.Tones;
 import cz.paprsek.cli.input.Wishes;
 import cz.paprsek.cli.input.Words;
 import cz.paprsek.cli.output.Progress;
@@ -15,10 +16,12 @@ import cz.paprsek.cli.output.Report;
 import cz.paprsek.cli.output.Target;
 import cz.paprsek.cli.output.Targets;
 import cz.paprsek.cli.output.View;
+import cz.paprsek.cli.output.Writing;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.image.Tone;
 import cz.paprsek.query.Filter;
 import cz.paprsek.query.SceneTables;
 import cz.paprsek.render.RenderMode;
@@ -70,11 +73,23 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(names = "--format", paramLabel = "FORMAT", completionCandidates = Formats.class, description = {
         "One of ${COMPLETION-CANDIDATES}. Default: by the ending of the output, else png.",
-        "pfm and ppm16 hold linear light, txt brightness 0-255 and lum linear luminance, one image row a line."})
+        "exr, hdr, pfm and ppm16 hold linear light, txt brightness 0-255 and lum linear luminance, one image row a line."})
     private Optional<ImageFormat> format;
 
     @Option(names = "--raw", description = "Text output holds linear luminance as decimals, 1 for white, instead of 0-255: the same as --format lum.")
     private boolean raw;
+
+    @Option(names = "--bits", paramLabel = "N", description =
+            "Bits per channel: 8 or 16 of png, 16 or 32 of exr. Default: the smaller number.")
+    private Optional<Integer> bits;
+
+    @Option(names = "--exposure", paramLabel = "STOPS", description = "Brightens the picture as it is written; each stop doubles the light. Default: 0.")
+    private Optional<Double> exposure;
+
+    @Option(names = "--tone", paramLabel = "TONE", completionCandidates = Tones.class, description = {
+        "How light is fitted to a screen: ${COMPLETION-CANDIDATES}. Default: none, what is brighter than white is white.",
+        "filmic bends highlights towards white as film does, and darkens shadows a little."})
+    private Optional<Tone> tone;
 
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height in pixels, each 1-32768. Default: the scene's.")
     private Optional<Size> size;
@@ -135,9 +150,11 @@ final class RenderCommand implements Callable<Integer> {
         }
         Wishes wishes = new Wishes(size, maxDepth, samples, region, threads);
         List<Target> targets = new Targets(output, format, raw).of(sources());
+        Writing writing = new Writing(bits, exposure, tone);
+        writing.check(targets);
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
         View view = new View(mode, light, !noLegend);
-        return new RenderBatch(terminal, stop, wishes, view, resume, progress, Report.of(terminal, json, quiet)).run(targets);
+        return new RenderBatch(terminal, stop, wishes, view, writing, resume, progress, Report.of(terminal, json, quiet)).run(targets);
     }
 
     private List<SceneSource> sources() {

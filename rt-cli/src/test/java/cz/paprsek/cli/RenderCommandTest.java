@@ -51,7 +51,7 @@ class RenderCommandTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"png", "jpg", "bmp", "tif", "ppm", "pgm", "pfm", "ppm16", "txt", "lum"})
+    @ValueSource(strings = {"bmp", "ppm", "pgm", "pfm", "ppm16", "txt", "lum"})
     void theEndingSaysTheFormat(String ending) throws Exception {
         Path picture = folder.resolve("a." + ending);
         assertThat(Run.cli("render", ball, "-o", picture, "--quiet")).matches(run -> run.out().isEmpty() && run.err().isEmpty());

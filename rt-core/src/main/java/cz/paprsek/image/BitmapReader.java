@@ -41,8 +41,8 @@ final class BitmapReader {
                 reader.dispose();
             }
         } catch (RuntimeException broken) {
-            // The platform's readers are written for good files; of damaged ones they throw what they stumble over.
-            throw new IOException("the picture is damaged: " + PlainSentence.of(broken), broken);
+            // The platform's readers are written for good files; of damaged ones they throw what they stumble over, in words of their own.
+            throw new IOException("the picture is damaged", broken);
         } catch (IOException refused) {
             throw new IOException(PlainSentence.of(refused), refused);
         }

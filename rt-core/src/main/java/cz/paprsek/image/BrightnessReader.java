@@ -1,6 +1,7 @@
 package cz.paprsek.image;
 
 import cz.paprsek.image.StoredImage.Precision;
+import cz.paprsek.io.PlainText;
 import cz.paprsek.material.Rgb;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -8,6 +9,8 @@ import java.util.List;
 
 /** Reads brightness as text: one image row a line, values separated by blanks. */
 final class BrightnessReader {
+    private static final int LONGEST_SHOWN = 40;
+
     private BrightnessReader() {}
 
     /** Whole numbers 0–255, sRGB-encoded. */
@@ -53,6 +56,6 @@ final class BrightnessReader {
         } catch (NumberFormatException notANumber) {
             // Answered below, like a number out of range.
         }
-        throw new IOException("row " + (y + 1) + " should have " + (isEncoded ? "numbers 0-255" : "numbers") + ", but has \"" + word + "\"");
+        throw new IOException("row " + (y + 1) + " should have " + (isEncoded ? "numbers 0-255" : "numbers") + ", but has \"" + PlainText.of(word, LONGEST_SHOWN) + "\"");
     }
 }

@@ -1,6 +1,8 @@
 package cz.paprsek.image;
 
 import cz.paprsek.io.PlainText;
+import java.io.EOFException;
+import java.io.IOException;
 
 /** What the platform says of a picture, in one line. */
 final class PlainSentence {
@@ -8,8 +10,11 @@ final class PlainSentence {
 
     private PlainSentence() {}
 
-    static String of(Exception failure) {
+    static String of(IOException failure) {
         String message = failure.getMessage();
-        return PlainText.of(message == null ? failure.getClass().getSimpleName() : message.replaceAll("\\s+", " ").strip(), LONGEST);
+        if (message == null || failure instanceof EOFException) {
+            return failure instanceof EOFException ? "the file is cut off" : "the picture is damaged";
+        }
+        return PlainText.of(message.replaceAll("\\s+", " ").strip(), LONGEST);
     }
 }

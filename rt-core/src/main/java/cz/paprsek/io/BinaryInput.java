@@ -1,26 +1,35 @@
 package cz.paprsek.io;
 
-import java.io.BufferedInputStream;
-import java.io.FilterInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
  * The bytes of a stranger's file, one after the other: it may end anywhere, never end, or claim anything. Nothing is kept that has been
  * read, and nothing allocated for bytes that are only promised.
  */
 public final class BinaryInput implements AutoCloseable {
-    private final Counted input;
+    private static final int BUFFER = 1 << 16;
+    private static final int PIECE = 1 << 20;
+
+    private final InputStream input;
     private final long size;
+    private final long limit;
+    // Not a BufferedInputStream: that asks how much is available, which pipes do not answer.
+    private final byte[] buffer = new byte[BUFFER];
+    private int at;
+    private int end;
+    private long read;
 
     /**
      * @param size how many bytes there are, or {@link Long#MAX_VALUE} if nobody knows, as of a pipe
      * @param limit after how many bytes to give up
      */
     public BinaryInput(InputStream input, long size, long limit) {
-        this.input = new Counted(new BufferedInputStream(input, 1 << 16), limit);
+        this.input = input;
         this.size = size;
+        this.limit = limit;
     }
 
     /**
@@ -36,31 +45,25 @@ public final class BinaryInput implements AutoCloseable {
         }
     }
 
-    /** The first bytes, which are still to be read after that; fewer if there are no more. At most 64. */
+    /** The next bytes, which are still to be read after that; fewer if there are no more. At most 64. */
     public byte[] peek(int count) throws IOException {
-        input.mark(64);
-        byte[] bytes = input.readNBytes(count);
-        input.reset();
-        return bytes;
-    }
-
-    /** Whether all bytes are read. */
-    public boolean isAtEnd() throws IOException {
-        return peek(1).length == 0;
+        while (end - at < count && refill()) {
+            // A read may bring less than was asked for.
+        }
+        return Arrays.copyOfRange(buffer, at, Math.min(end, at + count));
     }
 
     /** How many bytes have been read. */
     public long position() {
-        return input.count;
+        return read - (end - at);
     }
 
     /** The next byte, 0–255. */
     public int u8() throws IOException {
-        int read = input.read();
-        if (read < 0) {
+        if (at == end && !refill()) {
             throw cutOff();
         }
-        return read;
+        return buffer[at++] & 0xFF;
     }
 
     /** Two bytes, the high one first. */
@@ -78,103 +81,88 @@ public final class BinaryInput implements AutoCloseable {
         return Integer.reverseBytes((int) u32());
     }
 
-    /** Eight bytes, the lowest first. */
-    public long littleLong() throws IOException {
-        return littleInt() & 0xFFFF_FFFFL | (long) littleInt() << 32;
-    }
-
     /** The next bytes: an array that grows as they come, since many may be claimed. */
     public byte[] bytes(int count) throws IOException {
-        byte[] bytes = input.readNBytes(count);
-        if (bytes.length < count) {
-            throw cutOff();
+        byte[] bytes = new byte[Math.min(count, PIECE)];
+        fill(bytes, 0, bytes.length);
+        for (int known = bytes.length; known < count; known = bytes.length) {
+            bytes = Arrays.copyOf(bytes, (int) Math.min(count, 2L * known));
+            fill(bytes, known, bytes.length - known);
         }
         return bytes;
     }
 
     /** Fills a part of an array. */
     public void fill(byte[] into, int from, int count) throws IOException {
-        if (input.readNBytes(into, from, count) < count) {
-            throw cutOff();
+        for (int done = 0; done < count;) {
+            if (at == end && !refill()) {
+                throw cutOff();
+            }
+            int piece = Math.min(count - done, end - at);
+            System.arraycopy(buffer, at, into, from + done, piece);
+            at += piece;
+            done += piece;
         }
     }
 
     /** Leaves bytes away. */
     public void skip(long count) throws IOException {
-        byte[] scratch = new byte[(int) Math.min(count, 8192)];
-        for (long left = count; left > 0; left -= scratch.length) {
-            fill(scratch, 0, (int) Math.min(left, scratch.length));
+        for (long left = count; left > 0;) {
+            if (at == end && !refill()) {
+                throw cutOff();
+            }
+            int piece = (int) Math.min(left, end - at);
+            at += piece;
+            left -= piece;
         }
     }
 
     /** Text up to a byte, which is read too. */
-    public String textUpTo(int end, int longest) throws IOException {
+    public String textUpTo(int last, int longest) throws IOException {
         StringBuilder text = new StringBuilder();
-        for (int c = u8(); c != end; c = u8()) {
+        for (int c = u8(); c != last; c = u8()) {
             if (text.length() == longest) {
                 throw new IOException("a line or name of more than " + longest + " characters after " + (position() - longest) + " bytes");
             }
-            text.append(new String(new byte[] {(byte) c}, StandardCharsets.ISO_8859_1));
+            text.append((char) c);
         }
         return text.toString();
     }
 
     /** All bytes that are left. */
     public byte[] rest() throws IOException {
-        return input.readAllBytes();
+        ByteArrayOutputStream rest = new ByteArrayOutputStream();
+        do {
+            rest.write(buffer, at, end - at);
+            at = end;
+        } while (refill());
+        return rest.toByteArray();
     }
 
     /** What to throw if the file ends too early. */
-    public IOException cutOff() {
+    private IOException cutOff() {
         return new IOException("the file is cut off after " + position() + " bytes");
+    }
+
+    /** Gets more bytes behind those that are still to be read; false if there are none. */
+    private boolean refill() throws IOException {
+        System.arraycopy(buffer, at, buffer, 0, end - at);
+        end -= at;
+        at = 0;
+        int more = input.read(buffer, end, buffer.length - end);
+        if (more < 0) {
+            return false;
+        }
+        end += more;
+        read += more;
+        if (read > limit) {
+            throw new IOException("this file is larger than the " + limit + " bytes that are read (java -Dpaprsek.largest-file=BYTES allows more)");
+        }
+        return true;
     }
 
     @Override
     public void close() throws IOException {
         input.close();
-    }
-
-    private static final class Counted extends FilterInputStream {
-        private final long limit;
-        private long count;
-        private long marked;
-
-        Counted(InputStream input, long limit) {
-            super(input);
-            this.limit = limit;
-        }
-
-        @Override
-        public int read() throws IOException {
-            int read = super.read();
-            count(read < 0 ? 0 : 1);
-            return read;
-        }
-
-        @Override
-        public int read(byte[] into, int from, int length) throws IOException {
-            int read = super.read(into, from, length);
-            count(Math.max(0, read));
-            return read;
-        }
-
-        @Override
-        public synchronized void mark(int most) {
-            super.mark(most);
-            marked = count;
-        }
-
-        @Override
-        public synchronized void reset() throws IOException {
-            super.reset();
-            count = marked;
-        }
-
-        private void count(int read) throws IOException {
-            count += read;
-            if (count > limit) {
-                throw new IOException("this file is larger than the " + limit + " bytes that are read (java -Dpaprsek.largest-file=BYTES allows more)");
-            }
-        }
     }
 }

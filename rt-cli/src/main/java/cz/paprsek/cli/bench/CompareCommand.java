@@ -26,8 +26,9 @@ import picocli.CommandLine.Parameters;
         name = "compare",
         description = {
             "Says how far two pictures of one size are apart, and by the exit code whether they are the same: 0 if so, 1 if not.",
-            "Any two kinds can be compared: PNG, PPM and PGM of 8 or 16 bits, PFM, JPEG, BMP, TIFF, and text of brightness. They are "
-                    + "compared in steps of the coarser one: 1/255 of sRGB if one has 8 bits, else 1/65535 of linear light; in brightness "
+            "Any two kinds can be compared: PNG, PPM and PGM of 8 or 16 bits, PFM, OpenEXR, Radiance, JPEG, BMP, TIFF, and text of "
+                    + "brightness. They are compared in steps of the coarser one: 1/255 of sRGB if one has 8 bits, 1/2048 of a channel if one has "
+                    + "half floats, else 1/65535 of linear light; in brightness "
                     + "alone if one has no colours."
         },
         footer = {

@@ -11,6 +11,7 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.Renderer;
@@ -22,7 +23,7 @@ import java.nio.file.Path;
 import java.util.List;
 
 /** Renders scenes one after the other, each on all threads; one that fails does not stop the next. */
-public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, boolean resume, Progress.Maker progress, Report report) {
+public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Progress.Maker progress, Report report) {
 
     /** The exit code of the worst. */
     public int run(List<Target> targets) {
@@ -86,7 +87,8 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                     return interrupted(target);
                 }
                 image = view.finished(result.image(), target.format());
-                stop.guard(() -> write(target, image));
+                ImageOptions how = writing.of(scene, options, view, target.format());
+                stop.guard(() -> write(target, image, how));
                 tiles.discard();
             }
         } catch (WrongUsage e) {
@@ -105,12 +107,12 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         return fail(target, Outcome.INTERRUPTED, List.of(target.source().label() + ": interrupted, no picture written"));
     }
 
-    private void write(Target target, Image image) throws IOException {
+    private void write(Target target, Image image, ImageOptions how) throws IOException {
         ImageFormat format = view.written(target.format());
         if (target.file().isPresent()) {
-            ImageFiles.write(image, target.file().get(), format);
+            ImageFiles.write(image, target.file().get(), format, how);
         } else {
-            ImageFiles.write(image, terminal.bytes(), format);
+            ImageFiles.write(image, terminal.bytes(), format, how);
         }
     }
 

@@ -38,7 +38,7 @@ public record View(RenderMode mode, Optional<String> light, boolean legend) {
     }
 
     private boolean isNumbers(ImageFormat format) {
-        return mode.isNumber() && (format == ImageFormat.PFM || format == ImageFormat.TXT || format == ImageFormat.RAW);
+        return mode.isNumber() && (format == ImageFormat.PFM || format == ImageFormat.EXR || format == ImageFormat.TXT || format == ImageFormat.RAW);
     }
 
     /** The picture as it is written. */

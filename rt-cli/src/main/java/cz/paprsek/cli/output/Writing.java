@@ -1,0 +1,87 @@
+package cz.paprsek.cli.output;
+
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.image.ImageFormat;
+import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.Origin;
+import cz.paprsek.image.Tone;
+import cz.paprsek.math.Numbers;
+import cz.paprsek.render.RenderMode;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * How pictures are written, and what they tell of themselves.
+ *
+ * @param exposure in stops
+ */
+public record Writing(Optional<Integer> bits, Optional<Double> exposure, Optional<Tone> tone) {
+    /** To write down more of them would take longer than to render them. */
+    private static final int MOST_DIGESTED = 100_000;
+
+    /** @throws WrongUsage if the exposure is out of range, or a picture's format cannot have as many bits */
+    public void check(List<Target> targets) {
+        try {
+            for (Target target : targets) {
+                options().bitsOf(target.format());
+            }
+        } catch (IllegalArgumentException refused) {
+            throw new WrongUsage(String.valueOf(refused.getMessage()));
+        }
+    }
+
+    ImageOptions of(Scene scene, RenderOptions render, View view, ImageFormat format) {
+        return options().withOrigin(switch (format) {
+            // Portable maps could hold comments, but many a reader of them understands none.
+            case BMP, PFM, TXT, RAW, PPM, PPM16, PGM -> Origin.UNTOLD;
+            case PNG, JPG, TIF, HDR, EXR -> new Origin(scene.name(), digest(scene), program(), settings(render, view));
+        });
+    }
+
+    private ImageOptions options() {
+        ImageOptions options = ImageOptions.DEFAULT.withExposure(exposure.orElse(0.0)).withTone(tone.orElse(Tone.NONE));
+        return bits.isPresent() ? options.withBits(bits.get()) : options;
+    }
+
+    private static String program() {
+        return "Paprsek " + Objects.requireNonNullElse(Writing.class.getPackage().getImplementationVersion(), "(development)");
+    }
+
+    /** Of the scene as {@code convert} writes it: that it was written differently changes no picture. */
+    private static String digest(Scene scene) {
+        if (scene.objects().size() > MOST_DIGESTED) {
+            return "";
+        }
+        try {
+            byte[] text = SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8);
+            return "scene sha256 " + HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(text));
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java has SHA-256", e);
+        }
+    }
+
+    private String settings(RenderOptions render, View view) {
+        RenderSettings settings = render.settings();
+        StringBuilder text = new StringBuilder("--size " + settings.width() + "x" + settings.height() + " --samples " + settings.samples()
+                + " --max-depth " + settings.maxDepth());
+        if (render.region().width() != settings.width() || render.region().height() != settings.height()) {
+            text.append(" --region ").append(render.region().x()).append(',').append(render.region().y()).append(',')
+                    .append(render.region().width()).append(',').append(render.region().height());
+        }
+        text.append(view.mode() == RenderMode.SHADED ? "" : " --mode " + view.mode());
+        view.light().ifPresent(light -> text.append(" --light ").append(light));
+        exposure.ifPresent(stops -> text.append(" --exposure ").append(Numbers.text(stops)));
+        tone.ifPresent(curve -> text.append(" --tone ").append(curve.name().toLowerCase(Locale.ROOT)));
+        return text.toString();
+    }
+}
