@@ -21,7 +21,7 @@ public final class EditorApp extends Application {
         Thread.setDefaultUncaughtExceptionHandler((thread, fault) -> Platform.runLater(() -> editor.fault(fault)));
         List<String> arguments = getParameters().getRaw();
         editor.start(StartFile.find(arguments, Path.of("").toAbsolutePath(), StartFile.programFolder()), Templates.read("showcase"));
-        Sizes.mostOfTheScreen(stage, WIDTH, HEIGHT);
+        WindowPlace.keep(stage, editor.settings(), "window", () -> Sizes.mostOfTheScreen(stage, WIDTH, HEIGHT));
         stage.show();
     }
 }

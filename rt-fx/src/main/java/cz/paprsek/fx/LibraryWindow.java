@@ -12,6 +12,7 @@ import cz.paprsek.fx.view.library.LibraryPane;
 import cz.paprsek.fx.view.library.Worker;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
@@ -21,6 +22,9 @@ import org.jspecify.annotations.Nullable;
 
 /** The window of the scene database; made when it is first needed. The library itself lives as long as the editor. */
 final class LibraryWindow implements Desk {
+    /** The key of the settings for the database that was open last. */
+    private static final String LAST = "library";
+
     private final Editor editor;
     private final Dialogs dialogs;
     private final Library library = new Library();
@@ -34,7 +38,10 @@ final class LibraryWindow implements Desk {
         this.editor = editor;
         this.dialogs = dialogs;
         this.link = new LibraryLink(library, document);
-        library.fileProperty().addListener((property, old, now) -> showTitle());
+        library.fileProperty().addListener((property, old, now) -> {
+            showTitle();
+            remember();
+        });
     }
 
     Library library() {
@@ -46,7 +53,7 @@ final class LibraryWindow implements Desk {
         return Optional.ofNullable(stage);
     }
 
-    /** Shows the window; with the database of the scene that is edited, if none is open. */
+    /** Shows the window; if no database is open, with that of the scene that is edited, or else with the last one. */
     void show() {
         Stage open = stage;
         if (open == null) {
@@ -54,11 +61,12 @@ final class LibraryWindow implements Desk {
             open.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1160, 740));
             open.focusedProperty().addListener((property, old, now) -> store.checkDisk());
             stage = open;
+            WindowPlace.keep(open, editor.settings(), "window.library", () -> {});
             fill();
         }
         if (library.file().isEmpty()) {
-            editor.document().sourceProperty().get().filter(source -> source.inDatabase().isPresent())
-                    .ifPresent(source -> store.open(source.file(), editor::say));
+            editor.document().sourceProperty().get().filter(source -> source.inDatabase().isPresent()).map(SceneSource::file)
+                    .or(this::remembered).ifPresent(file -> store.open(file, editor::say));
         }
         open.show();
         open.toFront();
@@ -141,6 +149,15 @@ final class LibraryWindow implements Desk {
     @Override
     public void insert(Scene scene) {
         editor.model().editState(Label.of(Label.Edit.PASTE, scene.name()), state -> Clipboard.insert(state, scene));
+    }
+
+    private void remember() {
+        library.path().map(Path::toString).filter(path -> !editor.settings().get(LAST).equals(Optional.of(path)))
+                .ifPresent(path -> editor.settings().set(LAST, path));
+    }
+
+    private Optional<Path> remembered() {
+        return editor.settings().get(LAST).map(Path::of).filter(Files::isRegularFile);
     }
 
     private void showTitle() {

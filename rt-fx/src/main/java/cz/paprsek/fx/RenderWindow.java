@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.render.RenderPane;
+import java.util.Optional;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.value.ObservableValue;
@@ -74,7 +75,7 @@ final class RenderWindow {
             scene.getStylesheets().setAll(editor.stage().getScene().getStylesheets());
             scene.getAccelerators().put(KeyCombination.valueOf("Shortcut+W"), window::hide);
             open.setScene(scene);
-            Sizes.opened(open, 1000, 740);
+            WindowPlace.keep(window, editor.settings(), "window.renders", () -> Sizes.opened(window, 1000, 740, Optional.empty()));
             pane = content;
             stage = open;
         }

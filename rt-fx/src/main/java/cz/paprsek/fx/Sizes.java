@@ -1,5 +1,6 @@
 package cz.paprsek.fx;
 
+import java.util.Optional;
 import javafx.application.Platform;
 import javafx.event.EventHandler;
 import javafx.geometry.Rectangle2D;
@@ -19,20 +20,26 @@ final class Sizes {
         if (width >= screen.getWidth() || height >= screen.getHeight()) {
             stage.setMaximized(true);
         } else {
-            opened(stage, Math.max(width, SHARE * screen.getWidth()), Math.max(height, SHARE * screen.getHeight()));
+            opened(stage, Math.max(width, SHARE * screen.getWidth()), Math.max(height, SHARE * screen.getHeight()), Optional.empty());
         }
     }
 
-    /** Gives a window a size in pixels when it is shown for the first time. Some window managers make it as small as can be if that is told before. */
-    static void opened(Stage stage, double width, double height) {
+    /** Gives a window a size in pixels, and a place if it has one, when it is shown for the first time. Some window managers make it as small as can be if that is told before. */
+    static void opened(Stage stage, double width, double height, Optional<Rectangle2D> place) {
         stage.addEventHandler(WindowEvent.WINDOW_SHOWN, new EventHandler<>() {
             @Override
             public void handle(WindowEvent event) {
                 stage.removeEventHandler(WindowEvent.WINDOW_SHOWN, this);
                 Platform.runLater(() -> {
+                    if (stage.isMaximized()) {
+                        return;
+                    }
                     stage.setWidth(width);
                     stage.setHeight(height);
-                    stage.centerOnScreen();
+                    place.ifPresentOrElse(known -> {
+                        stage.setX(known.getMinX());
+                        stage.setY(known.getMinY());
+                    }, stage::centerOnScreen);
                 });
             }
         });

@@ -9,15 +9,22 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import javafx.application.Platform;
+import javafx.event.Event;
+import javafx.event.EventHandler;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.TextArea;
+import javafx.scene.input.InputEvent;
 import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
+import javafx.stage.Modality;
 import javafx.stage.Window;
+import javafx.stage.WindowEvent;
 
 /** The questions as dialogs of the system and of JavaFX. */
 final class SystemDialogs implements Dialogs {
@@ -64,8 +71,38 @@ final class SystemDialogs implements Dialogs {
         alert.initOwner(owner);
         alert.setTitle("Paprsek");
         alert.setHeaderText(texts.get().of("dialog.unsaved.header", title));
-        ButtonType answer = alert.showAndWait().orElse(stay);
+        ButtonType answer = ask(alert).orElse(stay);
         return answer.equals(save) ? Unsaved.SAVE : answer.equals(discard) ? Unsaved.DISCARD : Unsaved.STAY;
+    }
+
+    /** Some window managers put what is not modal into a corner. */
+    private void centre(Alert alert) {
+        Window dialog = alert.getDialogPane().getScene().getWindow();
+        dialog.setX(owner.getX() + (owner.getWidth() - dialog.getWidth()) / 2);
+        dialog.setY(owner.getY() + (owner.getHeight() - dialog.getHeight()) / 3);
+    }
+
+    /**
+     * Shows a question, and lets nothing else be done until it is answered. By itself, and not as JavaFX's modal dialogs do: these fix the size of
+     * the window behind, which takes a maximised one out of that state.
+     */
+    private Optional<ButtonType> ask(Alert alert) {
+        alert.initModality(Modality.NONE);
+        alert.setOnShown(event -> Platform.runLater(() -> centre(alert)));
+        List<Window> behind = List.copyOf(Window.getWindows());
+        EventHandler<Event> deaf = Event::consume;
+        behind.forEach(window -> {
+            window.addEventFilter(InputEvent.ANY, deaf);
+            window.addEventFilter(WindowEvent.WINDOW_CLOSE_REQUEST, deaf);
+        });
+        try {
+            return alert.showAndWait();
+        } finally {
+            behind.forEach(window -> {
+                window.removeEventFilter(InputEvent.ANY, deaf);
+                window.removeEventFilter(WindowEvent.WINDOW_CLOSE_REQUEST, deaf);
+            });
+        }
     }
 
     @Override
@@ -91,6 +128,7 @@ final class SystemDialogs implements Dialogs {
         ButtonType goOn = new ButtonType(texts.get().of("dialog.fault.continue"), ButtonData.OK_DONE);
         Alert alert = new Alert(Alert.AlertType.ERROR, texts.get().of("dialog.fault.text"), save, goOn);
         alert.initOwner(owner);
+        alert.initModality(Modality.NONE);
         alert.setTitle("Paprsek");
         alert.setHeaderText(texts.get().of("dialog.fault.header"));
         TextArea details = new TextArea(trace.toString());
@@ -101,6 +139,7 @@ final class SystemDialogs implements Dialogs {
                 saveCopy.run();
             }
         });
+        alert.setOnShown(event -> Platform.runLater(() -> centre(alert)));
         alert.show();
     }
 }

@@ -73,6 +73,13 @@ class FocusTest {
     }
 
     @Test
+    void atFirstTheKeyboardIsInAView() {
+        assertThat(owner()).isEqualTo("live-picture");
+        editor.gui.keys(KeyCode.ENTER);
+        assertThat(editor.model().scene().objects()).hasSize(1);
+    }
+
+    @Test
     void aClickOnThePaletteLeavesTheKeyboardWhereItIs() {
         focus("#projection-top");
         editor.gui.click("#add-block");

@@ -89,6 +89,14 @@ class LibraryWindowTest {
     }
 
     @Test
+    void theLastLibraryIsOpenedAgain() {
+        editor.close();
+        editor = new EditorGui(folder.resolve("settings"), Scene.EMPTY);
+        editor.menu("file-library");
+        editor.gui.until("it is there", () -> editor.editor.library().library().path().equals(Optional.of(path.toAbsolutePath())));
+    }
+
+    @Test
     void scenesHavePicturesInBothThemesAndLanguages() {
         gui.click(tiles().get(1));
         picturesAreThere();

@@ -28,6 +28,8 @@ public enum Theme {
             scene.getRoot().getStyleClass().remove(theme.styleClass());
         }
         scene.getRoot().getStyleClass().add(styleClass());
+        // What a window shows before it is painted first.
+        scene.setFill(palette().background());
     }
 
     private String styleClass() {

@@ -46,7 +46,7 @@ public final class FocusOrder {
         if (is == null) {
             return;
         }
-        boolean isLost = was != null && (was.getScene() != scene || !isSeen(was));
+        boolean isLost = was == null || was.getScene() != scene || !isSeen(was);
         if (isLost && (is instanceof ButtonBase || is instanceof AddPalette)) {
             home.run();
             return;

@@ -1,0 +1,71 @@
+package cz.paprsek.fx;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.model.file.Settings;
+import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicBoolean;
+import javafx.scene.Scene;
+import javafx.scene.layout.StackPane;
+import javafx.stage.Stage;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class WindowPlaceTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void aWindowOpensWhereItWasClosed() {
+        try (Gui first = open(new AtomicBoolean())) {
+            first.pulse();
+            first.act(() -> {
+                first.stage().setX(60);
+                first.stage().setY(40);
+                first.stage().setWidth(700);
+                first.stage().setHeight(500);
+            });
+        }
+        AtomicBoolean unknown = new AtomicBoolean();
+        try (Gui second = open(unknown)) {
+            second.until("it has its size and place", () -> second.stage().getWidth() == 700 && second.stage().getHeight() == 500
+                    && second.stage().getX() == 60 && second.stage().getY() == 40);
+        }
+        assertThat(unknown.get()).isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "far away", "1 2 3", "-5000 0 800 600", "9000 9000 800 600"})
+    void aPlaceThatIsNoneIsPassedOver(String text) {
+        Gui.on(() -> {
+            settings().set("window", text);
+            return true;
+        });
+        AtomicBoolean unknown = new AtomicBoolean();
+        open(unknown).close();
+        assertThat(unknown.get()).isTrue();
+    }
+
+    @Test
+    void textsAreReadBack() {
+        assertThat(WindowPlace.parse("10 -20 800 600 maximized")).get().extracting(WindowPlace::text).isEqualTo("10 -20 800 600 maximized");
+        assertThat(WindowPlace.parse("10 -20 800 600")).get().extracting(WindowPlace::maximized).isEqualTo(false);
+    }
+
+    private Settings settings() {
+        return new Settings(folder, fault -> {
+            throw new AssertionError(fault);
+        });
+    }
+
+    private Gui open(AtomicBoolean unknown) {
+        return Gui.open(() -> {
+            Stage stage = new Stage();
+            stage.setScene(new Scene(new StackPane(), 300, 200));
+            WindowPlace.keep(stage, settings(), "window", () -> unknown.set(true));
+            return stage;
+        });
+    }
+}
