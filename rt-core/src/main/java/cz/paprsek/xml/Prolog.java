@@ -52,7 +52,7 @@ final class Prolog {
         byte[] start = input.readNBytes(LONGEST);
         input.reset();
         Charset charset = charset(start);
-        return new Prolog(new String(start, charset), charset == StandardCharsets.UTF_8 ? "" : charset.name().substring(0, "UTF-16".length()));
+        return new Prolog(new String(start, charset), charset.equals(StandardCharsets.UTF_8) ? "" : charset.name().substring(0, "UTF-16".length()));
     }
 
     private static Charset charset(byte[] start) {
