@@ -33,6 +33,7 @@ class ArchitectureTest {
             .layer("explain").definedBy("cz.paprsek.render.explain")
             .layer("drawing").definedBy("cz.paprsek.drawing")
             .layer("xml").definedBy("cz.paprsek.xml")
+            .layer("text").definedBy("cz.paprsek.xml.text")
             .layer("pov").definedBy("cz.paprsek.pov")
             .whereLayer("io").mayOnlyBeAccessedByLayers("query", "image", "explain", "xml", "pov")
             .whereLayer("tree").mayOnlyBeAccessedByLayers("shape", "render")
@@ -45,6 +46,7 @@ class ArchitectureTest {
             .whereLayer("drawing").mayNotBeAccessedByAnyLayer()
             .whereLayer("render").mayNotBeAccessedByAnyLayer()
             .whereLayer("xml").mayNotBeAccessedByAnyLayer()
+            .whereLayer("text").mayOnlyBeAccessedByLayers("xml")
             .whereLayer("pov").mayNotBeAccessedByAnyLayer();
 
     @ArchTest

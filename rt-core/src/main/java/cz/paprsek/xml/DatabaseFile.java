@@ -2,7 +2,6 @@ package cz.paprsek.xml;
 
 import cz.paprsek.io.FileLock;
 import cz.paprsek.scene.SceneDatabase;
-import cz.paprsek.xml.SceneFiles.Contents;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -13,23 +12,28 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A database as it was in a file when it was read or written. What others change in the file after that is never overwritten: a scene that
- * only they changed stays as they made it, and where both changed one, nothing is written.
+ * only they changed stays as they made it, and where both changed one, nothing is written. The text of the file is changed where its scenes have
+ * changed: comments, order, wording and every other byte stay.
  */
 public final class DatabaseFile {
-    private static final long PATIENCE_MILLIS = 60_000;
+    static final long PATIENCE_MILLIS = 60_000;
 
     private final Path path;
     private final SceneDatabase database;
     /** Of the file's bytes; tells whether it is still the same. Empty if there was no file. */
     private final byte[] digest;
+    /** The file as it was opened, which later saves start from, too; null if there was none. */
+    private final @Nullable OriginalText text;
 
-    private DatabaseFile(Path path, SceneDatabase database, byte[] digest) {
+    private DatabaseFile(Path path, SceneDatabase database, byte[] digest, @Nullable OriginalText text) {
         this.path = path;
         this.database = database;
         this.digest = digest;
+        this.text = text;
     }
 
     /**
@@ -39,23 +43,16 @@ public final class DatabaseFile {
      * @throws IOException if it cannot be read
      */
     public static DatabaseFile open(Path path) throws SceneFileException, IOException {
-        SceneFiles.checkReadable(path);
-        MessageDigest digest = newDigest();
-        try (Source source = Source.of(path)) {
-            Contents contents = SceneReader.read(source, input -> {
-                digest.reset();
-                return new DigestInputStream(input, digest);
-            }, path.toString());
-            if (!contents.isDatabase()) {
-                throw new IOException(path + ": this is a scene, not a database; it can be added to one");
-            }
-            return new DatabaseFile(path, SceneDatabase.of(contents.scenes()), digest.digest());
+        OriginalText text = OriginalText.read(path, ReadMonitor.NONE);
+        if (!text.contents().isDatabase()) {
+            throw new IOException(path + ": this is a scene, not a database; it can be added to one");
         }
+        return new DatabaseFile(path, SceneDatabase.of(text.contents().scenes()), newDigest().digest(text.bytes()), text);
     }
 
     /** A database that is to be a new file; there is none yet. */
     public static DatabaseFile create(Path path) {
-        return new DatabaseFile(path, SceneDatabase.EMPTY, new byte[0]);
+        return new DatabaseFile(path, SceneDatabase.EMPTY, new byte[0], null);
     }
 
     /**
@@ -70,6 +67,22 @@ public final class DatabaseFile {
         requireFile(path);
         try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
             DatabaseFile file = open(path);
+            SceneDatabase changed = change.apply(file.database);
+            return changed.equals(file.database) ? file : file.write(changed);
+        }
+    }
+
+    /**
+     * As {@link #update(Path, UnaryOperator)}; if the file is as it was when this was read or written, it need not be read once more.
+     *
+     * @throws SceneFileException as {@link #open}
+     * @throws IOException if it cannot be read or written
+     */
+    @SuppressWarnings("try")
+    public DatabaseFile update(UnaryOperator<SceneDatabase> change) throws SceneFileException, IOException {
+        requireFile(path);
+        try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
+            DatabaseFile file = Arrays.equals(digest(path), digest) ? this : open(path);
             SceneDatabase changed = change.apply(file.database);
             return changed.equals(file.database) ? file : file.write(changed);
         }
@@ -105,7 +118,7 @@ public final class DatabaseFile {
     }
 
     /** A pipe gives once what it has, and keeps nothing. */
-    private static void requireFile(Path path) throws IOException {
+    static void requireFile(Path path) throws IOException {
         if (Files.exists(path) && !Files.isDirectory(path) && !Files.isRegularFile(path)) {
             throw new IOException(path + ": a database that is to be changed must be a file, not a pipe or a device");
         }
@@ -121,12 +134,12 @@ public final class DatabaseFile {
     }
 
     private DatabaseFile write(SceneDatabase changed) throws IOException {
-        byte[] bytes = SceneFiles.bytes(changed.scenes());
+        byte[] bytes = text == null ? SceneFiles.bytes(changed.scenes()) : text.with(changed.scenes());
         SceneFiles.write(path, bytes);
-        return new DatabaseFile(path, changed, newDigest().digest(bytes));
+        return new DatabaseFile(path, changed, newDigest().digest(bytes), text);
     }
 
-    private static byte[] digest(Path path) throws IOException {
+    static byte[] digest(Path path) throws IOException {
         if (!Files.exists(path)) {
             return new byte[0];
         }
@@ -137,7 +150,7 @@ public final class DatabaseFile {
         return digest.digest();
     }
 
-    private static MessageDigest newDigest() {
+    static MessageDigest newDigest() {
         try {
             return MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {

@@ -68,6 +68,25 @@ public final class SceneFiles {
         return only(contents(file, monitor), file.toString());
     }
 
+    /**
+     * Opens a file with one scene, to change it and save it again: what is saved keeps all that has not changed byte by byte, comments too.
+     *
+     * @throws SceneFileException if it is not a valid scene, with every problem found
+     * @throws IOException if it cannot be read
+     */
+    public static SceneFile open(Path file) throws SceneFileException, IOException {
+        return open(file, ReadMonitor.NONE);
+    }
+
+    /**
+     * As {@link #open(Path)}, telling how far it is.
+     *
+     * @throws java.util.concurrent.CancellationException if the monitor cancels
+     */
+    public static SceneFile open(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
+        return SceneFile.open(file, monitor);
+    }
+
     /** As {@link #read(Path)}, from a stream, which is not closed; the name is used in messages only. */
     public static Scene read(InputStream input, String fileName) throws SceneFileException, IOException {
         return only(SceneReader.read(input, fileName), fileName);
@@ -136,7 +155,7 @@ public final class SceneFiles {
     }
 
     /**
-     * Writes a scene; the file is replaced as a whole or not at all, and keeps its permissions.
+     * Writes a scene in a form of its own, which {@link SceneFile#save} does not; the file is replaced as a whole or not at all, and keeps its permissions.
      *
      * @throws IllegalArgumentException as {@link #format}
      */
@@ -217,7 +236,7 @@ public final class SceneFiles {
         }
     }
 
-    private static Scene only(Contents contents, String file) throws SceneFileException {
+    static Scene only(Contents contents, String file) throws SceneFileException {
         List<Scene> scenes = contents.scenes();
         if (scenes.size() != 1) {
             throw new SceneFileException(List.of(new Problem(file, 1, 1,

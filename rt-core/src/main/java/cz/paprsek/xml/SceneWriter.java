@@ -28,6 +28,7 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Torus;
 import java.util.List;
+import java.util.Map;
 
 /** Writes scenes in a fixed order and form: one element a line, attributes equal to their default left out. */
 final class SceneWriter {
@@ -47,6 +48,31 @@ final class SceneWriter {
         scenes.forEach(scene -> scene(scene, false));
         xml.close("database");
         return xml.toString();
+    }
+
+    /** A scene without lights, materials and objects. */
+    static String head(Scene scene, boolean isRoot) {
+        SceneWriter writer = new SceneWriter();
+        writer.scene(scene.withLights(List.of()).withObjects(List.of()).withMaterials(Map.of()), isRoot);
+        return writer.xml.toString();
+    }
+
+    static String text(Light light) {
+        SceneWriter writer = new SceneWriter();
+        writer.lamp(light);
+        return writer.xml.toString();
+    }
+
+    static String text(String name, Material material) {
+        SceneWriter writer = new SceneWriter();
+        writer.material(name, material);
+        return writer.xml.toString();
+    }
+
+    static String text(SceneObject object) {
+        SceneWriter writer = new SceneWriter();
+        writer.object(object);
+        return writer.xml.toString();
     }
 
     private void scene(Scene scene, boolean isRoot) {

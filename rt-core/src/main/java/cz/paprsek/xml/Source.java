@@ -32,6 +32,11 @@ abstract class Source implements Closeable {
         return new Kept(new Unclosable(input));
     }
 
+    /** Bytes that are in memory already. */
+    static Source of(byte[] bytes) {
+        return new Held(bytes);
+    }
+
     /** All bytes from the first one on; to be asked for twice at most, and the first stream is not read any more after that. */
     abstract InputStream fromStart() throws IOException;
 
@@ -59,6 +64,29 @@ abstract class Source implements Closeable {
         @Override
         public void close() throws IOException {
             channel.close();
+        }
+    }
+
+    private static final class Held extends Source {
+        private final byte[] bytes;
+
+        Held(byte[] bytes) {
+            this.bytes = bytes;
+        }
+
+        @Override
+        InputStream fromStart() {
+            return new ByteArrayInputStream(bytes);
+        }
+
+        @Override
+        long size() {
+            return bytes.length;
+        }
+
+        @Override
+        public void close() {
+            // There is nothing open.
         }
     }
 

@@ -45,6 +45,21 @@ class DbCommandTest {
     }
 
     @Test
+    void commentsStayWhateverIsDoneToOtherScenes() throws Exception {
+        String text = Files.readString(database).replace("  <scene name=\"Blue", "  <!-- blue -->\n  <scene  name=\"Blue").replace("<scene name=\"blue:2\"", "<scene name='blue:2'");
+        Files.writeString(database, text + "<!-- end -->\n");
+        Run.cli("db", "add", database, ball, "--name", "ball");
+        Run.cli("db", "rename", database, "blue:2", "it's");
+        Path other = folder.resolve("other.xml");
+        SceneFiles.writeAll(List.of(scene("Blue/2", "other")), other);
+        Run.cli("db", "merge", database, other, "--replace");
+        assertThat(names()).containsExactly("red one", "Blue/2", "it's", "ball");
+        Run.cli("db", "remove", database, "ball");
+        assertThat(database).hasContent(text.replace("'blue:2'", "'it&apos;s'").replace("\"Blue/2\" tags=\"blu\">", "\"Blue/2\" tags=\"blu\">\n    <description>other</description>")
+                + "<!-- end -->\n");
+    }
+
+    @Test
     void scenesAreListedInThreeForms() {
         assertThat(Run.cli("db", "list", database).out()).isEqualTo("""
                 name     tag  objects  lights  description

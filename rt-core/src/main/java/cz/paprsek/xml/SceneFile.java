@@ -1,0 +1,93 @@
+package cz.paprsek.xml;
+
+import cz.paprsek.io.FileLock;
+import cz.paprsek.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * A scene and the text of the file that it was read from. What is saved is that text, changed where the scene has changed: comments, order,
+ * wording, encoding and every other byte stay. A scene that is changed back gives the old bytes back. Immutable.
+ */
+public final class SceneFile {
+    private final Path path;
+    private final Scene scene;
+    /** The file as it was opened, which later saves start from, too. */
+    private final OriginalText text;
+    /** Of the file as it was read or written last. */
+    private final byte[] digest;
+
+    private SceneFile(Path path, Scene scene, OriginalText text, byte[] digest) {
+        this.path = path;
+        this.scene = scene;
+        this.text = text;
+        this.digest = digest;
+    }
+
+    static SceneFile open(Path path, ReadMonitor monitor) throws SceneFileException, IOException {
+        OriginalText text = OriginalText.read(path, monitor);
+        return new SceneFile(path, SceneFiles.only(text.contents(), path.toString()), text, DatabaseFile.newDigest().digest(text.bytes()));
+    }
+
+    /**
+     * Writes a scene into a new file, or over an old one whatever that holds.
+     *
+     * @throws IOException if it cannot be written
+     * @throws IllegalArgumentException as {@link SceneFiles#format}
+     */
+    public static SceneFile create(Path path, Scene scene) throws IOException {
+        OriginalText text = OriginalText.of(scene);
+        SceneFiles.write(path, text.bytes());
+        return new SceneFile(path, scene, text, DatabaseFile.newDigest().digest(text.bytes()));
+    }
+
+    public Path path() {
+        return path;
+    }
+
+    /** The scene that is in the file. */
+    public Scene scene() {
+        return scene;
+    }
+
+    /**
+     * Writes what the scene has become; the file is replaced as a whole or not at all. If others have changed the text meanwhile, but not the
+     * scene, it is theirs that is changed.
+     *
+     * @return the file as it is now
+     * @throws DatabaseConflictException if others have changed the scene in the file since; nothing is written
+     * @throws SceneFileException if others left the file so that it cannot be read; nothing is written
+     * @throws IOException if it cannot be written
+     * @throws IllegalArgumentException as {@link SceneFiles#format}
+     */
+    @SuppressWarnings("try") // The lock is held, not used.
+    public SceneFile save(Scene changed) throws SceneFileException, IOException {
+        DatabaseFile.requireFile(path);
+        try (FileLock lock = FileLock.of(path, DatabaseFile.PATIENCE_MILLIS)) {
+            if (!Files.exists(path) || Arrays.equals(DatabaseFile.digest(path), digest)) {
+                return saveAs(changed, path);
+            }
+            SceneFile theirs = open(path, ReadMonitor.NONE);
+            if (!theirs.scene.equals(scene)) {
+                throw new DatabaseConflictException(path + ": somebody else has changed this file since it was read; nothing is written");
+            }
+            return theirs.saveAs(changed, path);
+        }
+    }
+
+    /**
+     * Writes what the scene has become into another file, whatever that holds.
+     *
+     * @return that file
+     * @throws IOException if it cannot be written
+     * @throws IllegalArgumentException as {@link SceneFiles#format}
+     */
+    public SceneFile saveAs(Scene changed, Path elsewhere) throws IOException {
+        byte[] bytes = text.with(List.of(changed));
+        SceneFiles.write(elsewhere, bytes);
+        return new SceneFile(elsewhere, changed, text, DatabaseFile.newDigest().digest(bytes));
+    }
+}

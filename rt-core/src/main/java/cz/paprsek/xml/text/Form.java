@@ -1,0 +1,106 @@
+package cz.paprsek.xml.text;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/** An element in the form that is written when there is no text yet; worked out when it is looked into. Equal if it stands for equal things. */
+public final class Form {
+    /** The elements that are no bodies. All bodies are one group, whose order matters. */
+    static final List<String> GROUPS = List.of("description", "render", "background", "ambient", "camera", "point-light", "material",
+            "checkerboard", "checker", "scene", "body");
+    private static final Set<String> NAMES = Set.copyOf(GROUPS);
+
+    private final String group;
+    private final Object value;
+    private final Supplier<Body> maker;
+    private @Nullable Body body;
+
+    /**
+     * What makes the element.
+     *
+     * @param attributes by name, in the order in which they are written, their values as they stand between double quotes
+     * @param content the text of an element that has no others inside, as it stands between its tags
+     */
+    public record Body(String name, Map<String, String> attributes, List<Form> children, String content) {
+        Body nameless() {
+            Map<String, String> others = new LinkedHashMap<>(attributes);
+            others.remove("name");
+            return new Body(name, others, children, content);
+        }
+
+        String attribute(String wanted) {
+            return attributes.getOrDefault(wanted, "");
+        }
+    }
+
+    private Form(String group, Object value, Supplier<Body> maker) {
+        this.group = group;
+        this.value = value;
+        this.maker = maker;
+    }
+
+    /**
+     * An element that stands for something.
+     *
+     * @param element its name, or that of any other body if it is one
+     * @param value what it stands for
+     */
+    public static Form of(String element, Object value, Supplier<Body> maker) {
+        return new Form(group(element), value, maker);
+    }
+
+    /** The element of such a text. */
+    public static Form parse(String xml) {
+        Source source = new Source(xml.getBytes(StandardCharsets.UTF_8));
+        return of(source, source.root());
+    }
+
+    static Form of(Body body) {
+        return new Form(group(body.name()), body, () -> body);
+    }
+
+    private static Form of(Source source, Element element) {
+        Map<String, String> attributes = new LinkedHashMap<>();
+        source.attributes(element).forEach(found -> attributes.put(found.name(), source.text(found.valueFrom(), found.valueTo())));
+        List<Form> children = new ArrayList<>();
+        source.children(element).forEach(child -> children.add(of(source, child)));
+        String content = children.isEmpty() && !element.isEmpty() ? source.text(element.inside(), element.insideTo()) : "";
+        return of(new Body(element.name(), attributes, children, content));
+    }
+
+    static String group(String element) {
+        return NAMES.contains(element) ? element : "body";
+    }
+
+    String group() {
+        return group;
+    }
+
+    public Body body() {
+        if (body == null) {
+            body = maker.get();
+        }
+        return body;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return this == other || (other instanceof Form form && group.equals(form.group) && value.equals(form.value));
+    }
+
+    @Override
+    public int hashCode() {
+        return value.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return group + " " + value;
+    }
+}

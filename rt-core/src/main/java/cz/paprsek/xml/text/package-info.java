@@ -1,0 +1,5 @@
+/**
+ * A file's own text, changed where its content has changed and nowhere else: comments, order and wording stay. Knows elements and attributes,
+ * but not what they mean: that comes in as {@link cz.paprsek.xml.text.Form}s.
+ */
+package cz.paprsek.xml.text;
