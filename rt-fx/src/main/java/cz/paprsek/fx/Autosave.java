@@ -1,6 +1,7 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.file.Document;
+import cz.paprsek.fx.model.file.KeptText;
 import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.scene.Scene;
@@ -46,9 +47,10 @@ final class Autosave {
         }
         kept = scene;
         Optional<SceneSource> source = document.sourceProperty().get();
+        KeptText text = document.text();
         writer.execute(() -> {
             try {
-                recovery.keep(source, scene);
+                recovery.keep(source, scene, text);
             } catch (IOException | IllegalArgumentException e) {
                 Platform.runLater(() -> onFault.accept(String.valueOf(e.getMessage())));
             }

@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.file.Document;
+import cz.paprsek.fx.model.file.KeptText;
 import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.fx.model.file.Settings;
@@ -23,7 +24,7 @@ import java.util.function.Supplier;
 /** New, open, save and reload. What is asked, and what goes wrong, is said here; the files themselves are the model's business. */
 final class FileActions {
     /** A scene with where it came from. */
-    private record Loaded(SceneSource source, Scene scene, Optional<Path> left, Optional<DatabaseFile> database) {}
+    private record Loaded(SceneSource.Kept kept, Optional<Path> left, Optional<DatabaseFile> database) {}
 
     private final Document document;
     private final Settings settings;
@@ -70,7 +71,7 @@ final class FileActions {
     /** Opens a scene that is kept in a database, as it was read from there. */
     void open(SceneSource source, Scene scene) {
         if (mayLeave()) {
-            load(() -> new Loaded(source, scene, recovery.left(Optional.of(source)), Optional.empty()), source.file());
+            load(() -> new Loaded(new SceneSource.Kept(source, scene, KeptText.NONE), recovery.left(Optional.of(source)), Optional.empty()), source.file());
         }
     }
 
@@ -95,22 +96,23 @@ final class FileActions {
     private Loaded read(Path file) throws IOException, SceneFileException {
         if (!SceneFiles.isDatabase(file)) {
             SceneSource source = SceneSource.file(file);
-            return new Loaded(source, source.read(), recovery.left(Optional.of(source)), Optional.empty());
+            return new Loaded(source.read(), recovery.left(Optional.of(source)), Optional.empty());
         }
         DatabaseFile database = DatabaseFile.open(file);
         Scene first = database.database().scenes().stream().findFirst()
                 .orElseThrow(() -> new IOException(file + ": there is no scene in this database"));
         SceneSource source = SceneSource.inDatabase(file, first.name());
-        return new Loaded(source, first, recovery.left(Optional.of(source)), Optional.of(database));
+        return new Loaded(new SceneSource.Kept(source, first, KeptText.of(database)), recovery.left(Optional.of(source)), Optional.of(database));
     }
 
     private void opened(Loaded loaded) {
         forgetCopy();
-        document.opened(loaded.source(), loaded.scene());
-        settings.addRecent(loaded.source().file());
+        SceneSource source = loaded.kept().source();
+        document.opened(loaded.kept());
+        settings.addRecent(source.file());
         notices.quiet();
-        notices.say(texts.get().of("file.opened", loaded.source().title()));
-        loaded.left().ifPresent(copy -> offer(Optional.of(loaded.source()), copy));
+        notices.say(texts.get().of("file.opened", source.title()));
+        loaded.left().ifPresent(copy -> offer(Optional.of(source), copy));
         loaded.database().ifPresent(onDatabase);
     }
 
@@ -196,35 +198,35 @@ final class FileActions {
         if (document.hasChangedOnDisk()) {
             document.noticeDisk();
             document.sourceProperty().get().ifPresent(source -> Background.run("paprsek-reload", source::read,
-                    scene -> changedOnDisk(source, scene), fault -> failed(source.file(), fault)));
+                    this::changedOnDisk, fault -> failed(source.file(), fault)));
         }
     }
 
     /** In a database, only other scenes may have changed. */
-    private void changedOnDisk(SceneSource source, Scene scene) {
-        if (document.knows(scene) || !document.sourceProperty().get().equals(Optional.of(source))) {
+    private void changedOnDisk(SceneSource.Kept read) {
+        if (document.knows(read.scene()) || !document.sourceProperty().get().equals(Optional.of(read.source()))) {
             return;
         }
         if (document.model().unsavedProperty().get()) {
             String title = document.sourceProperty().get().map(SceneSource::title).orElse("");
             notices.ask(texts.get().of("file.changed", title), List.of(
                     new MessageBar.Choice("disk-reload", texts.get().of("file.reload"), this::reload),
-                    new MessageBar.Choice("disk-keep", texts.get().of("file.keep"), () -> document.noticeDisk(scene))));
+                    new MessageBar.Choice("disk-keep", texts.get().of("file.keep"), () -> document.noticeDisk(read))));
         } else {
-            reloaded(source, scene);
+            reloaded(read);
         }
     }
 
     /** Takes over what is on disk, as a step that can be undone. */
     void reload() {
-        document.sourceProperty().get().ifPresent(source -> Background.run("paprsek-reload", source::read, scene ->
-                reloaded(source, scene), fault -> failed(source.file(), fault)));
+        document.sourceProperty().get().ifPresent(source -> Background.run("paprsek-reload", source::read,
+                this::reloaded, fault -> failed(source.file(), fault)));
     }
 
-    private void reloaded(SceneSource source, Scene scene) {
-        document.reloaded(Label.of(Label.Edit.RELOAD, source.title()), scene);
+    private void reloaded(SceneSource.Kept read) {
+        document.reloaded(Label.of(Label.Edit.RELOAD, read.source().title()), read);
         notices.quiet();
-        notices.say(texts.get().of("file.reloaded", source.title()));
+        notices.say(texts.get().of("file.reloaded", read.source().title()));
     }
 
     /** Whether this scene may be left: nothing is unsaved, or the user saves it or gives it up. */

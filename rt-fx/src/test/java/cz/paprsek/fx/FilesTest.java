@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.file.Recovery;
+import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
@@ -64,6 +66,36 @@ class FilesTest {
         editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
         assertThat(editor.dialogs.asked).hasSize(1);
         assertThat(SceneFiles.read(file)).isEqualTo(BALL);
+    }
+
+    @Test
+    void commentsStayWhereTheyWereAndUndoGivesTheOldFileBack() throws IOException, SceneFileException {
+        String text = """
+                <!-- exam 3 -->
+                <scene xmlns="urn:paprsek:scene:1">
+                  <camera direction="0 0 -1" position='0 0 5'/> <!-- do not move -->
+                  <sphere radius="1.0"/> <!-- radius in cm -->
+                </scene>
+                """;
+        Path file = Files.writeString(folder.resolve("exam.xml"), text);
+        editor.gui.act(() -> editor.editor.files().open(file));
+        editor.gui.until("the scene is there", () -> editor.gui.stage().getTitle().startsWith("exam.xml"));
+        moveBall();
+        Recovery recovery = new Recovery(folder);
+        Gui.on(() -> {
+            recovery.keep(editor.editor.document().sourceProperty().get(), editor.model().scene(), editor.editor.document().text());
+            return true;
+        });
+        String moved = text.replace("radius=\"1.0\"", "radius=\"1.0\" position=\"1 0 0\"");
+        assertThat(recovery.place(Optional.of(SceneSource.file(file)))).hasContent(moved);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        assertThat(file).hasContent(moved);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        assertThat(file).hasContent(text);
+        editor.dialogs.save = Optional.of(folder.resolve("copy.xml"));
+        editor.gui.act(editor.editor.files()::saveAs);
+        assertThat(folder.resolve("copy.xml")).hasContent(text);
     }
 
     @Test
@@ -149,7 +181,7 @@ class FilesTest {
         moveBall();
         touch(write("two.xml", BALL.plus(Light.at(1, 2, 3))));
         editor.gui.act(() -> editor.editor.files().checkDisk());
-        assertThat(editor.text("#message")).contains("two.xml was changed on disk");
+        editor.gui.until("it is asked about", () -> editor.text("#message").contains("two.xml was changed on disk"));
         assertThat(editor.model().scene().lights()).isEmpty();
         editor.gui.click("#disk-reload");
         editor.gui.until("it is reloaded", () -> editor.model().scene().lights().size() == 1);

@@ -16,6 +16,7 @@ public final class Document {
     private Optional<FileStamp> stamp = Optional.empty();
     /** The scene as the file had it when that was looked at last; empty if there is no file. */
     private Optional<Scene> known = Optional.empty();
+    private KeptText text = KeptText.NONE;
 
     public Document(EditorModel model) {
         this.model = model;
@@ -30,12 +31,18 @@ public final class Document {
         return source.getReadOnlyProperty();
     }
 
-    /** Takes a scene that was read from a source. */
-    public void opened(SceneSource from, Scene scene) {
-        source.set(Optional.of(from));
-        stamp = FileStamp.of(from.file());
-        known = Optional.of(scene);
-        model.open(scene);
+    /** The text that the scene has where it is kept; none if it has never been saved. */
+    public KeptText text() {
+        return text;
+    }
+
+    /** Takes a scene that was read from its source. */
+    public void opened(SceneSource.Kept read) {
+        source.set(Optional.of(read.source()));
+        stamp = FileStamp.of(read.source().file());
+        known = Optional.of(read.scene());
+        text = read.text();
+        model.open(read.scene());
     }
 
     /** Takes a scene that is in no file. */
@@ -43,11 +50,13 @@ public final class Document {
         source.set(Optional.empty());
         stamp = Optional.empty();
         known = Optional.empty();
+        text = KeptText.NONE;
         model.open(scene);
     }
 
     /** Takes a scene that was to be saved at a source, or at none, and was not. */
     public void recovered(Optional<SceneSource> from, Scene scene) {
+        text = from.equals(source.get()) ? text : KeptText.NONE;
         source.set(from);
         stamp = from.flatMap(place -> FileStamp.of(place.file()));
         known = Optional.empty();
@@ -58,15 +67,16 @@ public final class Document {
      * Saves the scene where it is kept from now on.
      *
      * @throws IOException if it cannot be written; the old file is still there
-     * @throws SceneFileException if it is to go into a database that is not valid
+     * @throws SceneFileException if it is to go into a file that others have changed and that is not valid
      * @throws IllegalArgumentException if the scene has what no file can hold
      */
     public void save(SceneSource to) throws IOException, SceneFileException {
         Scene scene = model.scene();
-        SceneSource written = to.write(scene, source.get().equals(Optional.of(to)) ? known : Optional.empty());
-        source.set(Optional.of(written));
+        SceneSource.Kept written = to.write(scene, source.get().equals(Optional.of(to)) ? known : Optional.empty(), text);
+        source.set(Optional.of(written.source()));
         stamp = FileStamp.of(to.file());
-        known = Optional.of(written.inDatabase().map(scene::withName).orElse(scene));
+        known = Optional.of(written.scene());
+        text = written.text();
         model.saved(scene);
     }
 
@@ -74,6 +84,7 @@ public final class Document {
     public void kept(SceneSource at, Scene scene) {
         source.set(Optional.of(at));
         known = Optional.of(scene);
+        text = KeptText.NONE;
         model.saved(scene);
     }
 
@@ -106,8 +117,9 @@ public final class Document {
     }
 
     /** Takes note of the file as it is on disk now, and of the scene that it has. */
-    public void noticeDisk(Scene onDisk) {
-        known = Optional.of(onDisk);
+    public void noticeDisk(SceneSource.Kept onDisk) {
+        known = Optional.of(onDisk.scene());
+        text = onDisk.text();
         noticeDisk();
     }
 
@@ -117,8 +129,8 @@ public final class Document {
     }
 
     /** Takes the scene as it is on disk now in the place of this one, as a step that can be undone. */
-    public void reloaded(Label label, Scene scene) {
-        noticeDisk(scene);
-        model.reload(label, scene);
+    public void reloaded(Label label, SceneSource.Kept read) {
+        noticeDisk(read);
+        model.reload(label, read.scene());
     }
 }

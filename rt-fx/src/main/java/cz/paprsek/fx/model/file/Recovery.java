@@ -34,13 +34,17 @@ public final class Recovery {
                 .orElseGet(() -> folder.resolve(".untitled." + process + ENDING));
     }
 
-    /** Keeps a copy, replacing the last one. */
-    public void keep(Optional<SceneSource> source, Scene scene) throws IOException {
+    /** Keeps a copy, replacing the last one; it can take the place of the file that has that text. */
+    public void keep(Optional<SceneSource> source, Scene scene, KeptText text) throws IOException {
         Path place = place(source);
         if (source.isEmpty()) {
             Files.createDirectories(folder);
         }
-        SceneFiles.write(scene, place);
+        if (text.file().isPresent()) {
+            text.file().get().saveAs(scene, place);
+        } else {
+            SceneFiles.write(scene, place);
+        }
     }
 
     /** Forgets the copy, because the scene was saved or given up. */

@@ -2,12 +2,15 @@ package cz.paprsek.fx.model.file;
 
 import cz.paprsek.math.Require;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.xml.DatabaseFile;
+import cz.paprsek.xml.SceneFile;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 
 /**
  * Where a scene is kept.
@@ -36,41 +39,55 @@ public record SceneSource(Path file, Optional<String> inDatabase) {
                 .orElseThrow(() -> new IOException(file + ": there is no scene in this database"));
     }
 
+    /** A scene where it is kept, and its text there. */
+    public record Kept(SceneSource source, Scene scene, KeptText text) {}
+
     /**
      * Reads the scene.
      *
      * @throws SceneFileException if the file is not valid
      * @throws IOException if it cannot be read
      */
-    public Scene read() throws IOException, SceneFileException {
+    public Kept read() throws IOException, SceneFileException {
         if (inDatabase.isEmpty()) {
-            return SceneFiles.read(file);
+            SceneFile opened = SceneFiles.open(file);
+            return new Kept(this, opened.scene(), KeptText.of(opened));
         }
-        return SceneFiles.readDatabase(file).find(inDatabase.get())
+        return SceneFiles.readDatabase(file).find(inDatabase.get()).map(scene -> new Kept(this, scene, KeptText.NONE))
                 .orElseThrow(() -> new IOException(file + ": there is no scene named \"" + inDatabase.get() + "\" any more"));
     }
 
     /**
-     * Writes the scene; in a database it takes the place of the one that was read, and the others stay.
+     * Writes the scene; in a database it takes the place of the one that was read, and the others stay. What has not changed keeps its text.
      *
-     * @param known the scene as it was read from there; if a database has another one now, nothing is written. Empty for whatever there is
+     * @param known the scene as it was read from there; if the file has another one now, nothing is written. Empty for whatever there is
+     * @param text that it was read with, there or elsewhere
      * @return where it is now: in a database, under its own name
-     * @throws SceneFileException if the database is no longer valid
+     * @throws SceneFileException if the file is no longer valid
      * @throws IOException if the file cannot be written
      */
-    public SceneSource write(Scene scene, Optional<Scene> known) throws IOException, SceneFileException {
+    public Kept write(Scene scene, Optional<Scene> known, KeptText text) throws IOException, SceneFileException {
         if (inDatabase.isEmpty()) {
-            SceneFiles.write(scene, file);
-            return this;
+            return new Kept(this, scene, KeptText.of(writeFile(scene, known, text.file())));
         }
         Scene named = scene.name().isEmpty() ? scene.withName(inDatabase.get()) : scene;
-        DatabaseFile.update(file, database -> {
+        UnaryOperator<SceneDatabase> change = database -> {
             Optional<Scene> there = database.find(inDatabase.get());
             Require.that(there.isEmpty() || known.isEmpty() || there.equals(known) || there.get().equals(named),
                     "somebody else has changed the scene \"" + inDatabase.get() + "\" since it was read; nothing is written");
             return there.isPresent() ? database.replace(inDatabase.get(), named) : database.plus(named);
-        });
-        return inDatabase(file, named.name());
+        };
+        Optional<DatabaseFile> before = text.database().filter(database -> database.path().equals(file));
+        DatabaseFile written = before.isPresent() ? before.get().update(change) : DatabaseFile.update(file, change);
+        return new Kept(inDatabase(file, named.name()), named, KeptText.of(written));
+    }
+
+    private SceneFile writeFile(Scene scene, Optional<Scene> known, Optional<SceneFile> text) throws IOException, SceneFileException {
+        if (text.isEmpty()) {
+            return SceneFile.create(file, scene);
+        }
+        boolean isThere = known.isPresent() && text.get().path().equals(file);
+        return isThere ? text.get().save(scene) : text.get().saveAs(scene, file);
     }
 
     /** For titles: "lens.xml", or "database.xml · lens". */

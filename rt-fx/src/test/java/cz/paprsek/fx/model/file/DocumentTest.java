@@ -34,17 +34,17 @@ class DocumentTest {
         SceneFiles.writeAll(List.of(kitchen, Scene.EMPTY.withName("empty")), file);
         SceneSource source = SceneSource.of(file);
         assertThat(source.title()).isEqualTo("d.xml · kitchen");
-        assertThat(source.read()).isEqualTo(kitchen);
+        assertThat(source.read().scene()).isEqualTo(kitchen);
     }
 
     @Test
     void renamedSceneStaysAtItsPlaceInADatabase() throws IOException, SceneFileException {
         Path file = folder.resolve("d.xml");
         SceneFiles.writeAll(List.of(kitchen, Scene.EMPTY.withName("empty")), file);
-        SceneSource after = SceneSource.of(file).write(kitchen.withName("cellar"), Optional.of(kitchen));
+        SceneSource after = SceneSource.of(file).write(kitchen.withName("cellar"), Optional.of(kitchen), KeptText.NONE).source();
         assertThat(after.inDatabase()).contains("cellar");
         assertThat(SceneFiles.readDatabase(file).names()).containsExactlyInAnyOrder("cellar", "empty");
-        assertThat(after.read().name()).isEqualTo("cellar");
+        assertThat(after.read().scene().name()).isEqualTo("cellar");
     }
 
     @Test
@@ -69,9 +69,9 @@ class DocumentTest {
     void copyOfAnUnsavedSceneIsFoundOnceItsWriterIsDead() throws IOException, SceneFileException {
         Optional<SceneSource> source = Optional.of(SceneSource.file(folder.resolve("lens.xml")));
         Recovery alive = new Recovery(folder);
-        alive.keep(source, kitchen);
+        alive.keep(source, kitchen, KeptText.NONE);
         assertThat(alive.left(source)).isEmpty();
-        new Recovery(folder, DEAD).keep(source, kitchen);
+        new Recovery(folder, DEAD).keep(source, kitchen, KeptText.NONE);
         Path left = alive.left(source).orElseThrow();
         assertThat(SceneFiles.read(left)).isEqualTo(kitchen);
         assertThat(alive.left(Optional.of(SceneSource.file(folder.resolve("other.xml"))))).isEmpty();
@@ -83,14 +83,14 @@ class DocumentTest {
     @Test
     void sceneWithoutAFileHasItsCopyInTheProgramsFolder() throws IOException {
         Path own = folder.resolve("made/when/needed");
-        new Recovery(own, DEAD).keep(Optional.empty(), kitchen);
+        new Recovery(own, DEAD).keep(Optional.empty(), kitchen, KeptText.NONE);
         assertThat(new Recovery(own).left(Optional.empty())).isPresent();
     }
 
     @Test
     void scenesOfADatabaseHaveCopiesOfTheirOwn() throws IOException {
         Path file = folder.resolve("d.xml");
-        new Recovery(folder, DEAD).keep(Optional.of(SceneSource.inDatabase(file, "a")), kitchen);
+        new Recovery(folder, DEAD).keep(Optional.of(SceneSource.inDatabase(file, "a")), kitchen, KeptText.NONE);
         assertThat(new Recovery(folder).left(Optional.of(SceneSource.inDatabase(file, "b")))).isEmpty();
         assertThat(new Recovery(folder).left(Optional.of(SceneSource.inDatabase(file, "a")))).isPresent();
     }

@@ -204,7 +204,7 @@ class LibraryStoreTest {
     void theSceneInTheEditorFollowsItsNameInTheLibrary() throws Exception {
         Document document = new Document(new EditorModel(Scene.EMPTY));
         LibraryLink link = new LibraryLink(mine, document);
-        document.opened(SceneSource.inDatabase(path, "b"), mine.database().get("b"));
+        document.opened(SceneSource.inDatabase(path, "b").read());
         document.model().edit(Label.of(Label.Edit.ADD), scene -> scene.plus(Light.at(1, 2, 3)));
         mine.rename("b", "beach");
         mine.tag(List.of("beach"), "sun");
@@ -225,7 +225,7 @@ class LibraryStoreTest {
     void aSceneThatOthersChangedIsNotOverwrittenByTheEditor() throws Exception {
         Document document = new Document(new EditorModel(Scene.EMPTY));
         SceneSource source = SceneSource.inDatabase(path, "b");
-        document.opened(source, source.read());
+        document.opened(source.read());
         document.model().edit(Label.of(Label.Edit.ADD), scene -> scene.plus(Light.at(1, 2, 3)));
         others("b", Scene.EMPTY.withName("b").withDescription("theirs"));
         assertThatIllegalArgumentException().isThrownBy(() -> document.save(source)).withMessageContaining("somebody else has changed the scene \"b\"");
