@@ -49,6 +49,13 @@ class ValidateCommandTest {
                 Arguments.of(LIGHT + "<union><sphere radius=\"1\"><material transparency=\"0.8\" diffusion=\"0\" refractive-index=\"1.5\"/>"
                         + "</sphere><sphere radius=\"2\"><material transparency=\"0.8\" diffusion=\"0\" refractive-index=\"1.3\"/></sphere></union>",
                         "union #1 is transparent, but its operands have different refractive indices"),
+                Arguments.of(LIGHT + glass("block", "min='0 0 0' max='1 1 1'", 1.5) + glass("block", "min='0 1 0' max='1 2 1'", 1.33),
+                        "block #1 and block #2 touch near "),
+                Arguments.of(LIGHT + glass("sphere", "radius='1'", 1.5) + glass("block", "min='0.5 0 0' max='2 1 1'", 1.33),
+                        "sphere #1 and block #2 reach into each other near "),
+                Arguments.of(LIGHT + "<difference name='tumbler'><material transparency='0.8' diffusion='0' refractive-index='1.5'/>"
+                        + "<cylinder radius='0.9' height='1.7'/><cylinder radius='0.8' height='2' position='0 0.2 0'/></difference>"
+                        + glass("cylinder", "radius='0.8' height='1' position='0 0.2 0'", 1.33), "difference \"tumbler\" and cylinder #2 touch near "),
                 Arguments.of("<sphere radius=\"1\"/>", "there is no light and no ambient light"),
                 Arguments.of("<point-light position=\"0 0 0\" intensity=\"0\"/><disc radius=\"1\"/>", "there is no light"),
                 Arguments.of(LIGHT, "there are no objects"));
@@ -58,6 +65,17 @@ class ValidateCommandTest {
     @MethodSource("suspiciousScenes")
     void whatIsHardlyMeantIsWarnedOfOnce(String content, String warning) throws Exception {
         assertThat(warnings(content)).singleElement().asString().startsWith(warning);
+    }
+
+    private static String glass(String kind, String attributes, double index) {
+        return "<" + kind + " " + attributes + "><material transparency='0.8' diffusion='0' refractive-index='" + index + "'/></" + kind + ">";
+    }
+
+    @Test
+    void bodiesOfGlassMayLieWithinOthersApartOrBeOfOneIndex() throws Exception {
+        assertThat(warnings(LIGHT + glass("sphere", "radius='1'", 1.5) + glass("sphere", "radius='0.5' position='0.1 0 0'", 1.33)
+                + glass("sphere", "radius='1' position='2.1 0 0'", 1.4) + glass("block", "min='-9 -9 -9' max='-8 -8 -8'", 1.5)
+                + glass("block", "min='-8 -9 -9' max='-7 -8 -8'", 1.5))).isEmpty();
     }
 
     @Test

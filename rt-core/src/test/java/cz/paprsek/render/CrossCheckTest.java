@@ -34,7 +34,7 @@ class CrossCheckTest {
 
     @Test
     void thereIsASceneForEveryFeature() throws IOException {
-        assertThat(scenes()).hasSizeGreaterThanOrEqualTo(44);
+        assertThat(scenes()).hasSizeGreaterThanOrEqualTo(45);
     }
 
     @ParameterizedTest

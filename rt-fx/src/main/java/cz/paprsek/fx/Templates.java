@@ -14,7 +14,7 @@ final class Templates {
     static final List<String> NEW = List.of("plain", "studio", "test");
     /** To look at: scenes of the project. */
     static final List<String> EXAMPLES = List.of(
-            "showcase", "primitives", "csg", "glass", "lens", "mirrors", "checkers", "lights", "placement", "dice", "chess");
+            "showcase", "primitives", "csg", "glass", "lens", "mirrors", "checkers", "lights", "placement", "dice", "tumbler", "chess");
 
     private Templates() {}
 

@@ -5,6 +5,7 @@ import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Numbers;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -12,6 +13,9 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Csg.Operation;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Surface;
+import cz.paprsek.shape.Volume;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -24,6 +28,7 @@ public final class SceneWarnings {
 
     private final Scene scene;
     private final List<SceneWarning> warnings = new ArrayList<>();
+    private final List<GlassContacts.Body> transparent = new ArrayList<>();
 
     private SceneWarnings(Scene scene) {
         this.scene = scene;
@@ -39,6 +44,7 @@ public final class SceneWarnings {
         for (int i = 0; i < scene.objects().size(); i++) {
             check.object(scene.objects().get(i), SceneParts.of(scene, i));
         }
+        check.glass();
         return check.warnings;
     }
 
@@ -108,6 +114,10 @@ public final class SceneWarnings {
             add("indices", label, label + " is transparent, but its operands have different refractive indices; one body has one index");
         }
         Surface placed = Solids.place(object.shape(), object.placement());
+        if (!isOpaque && placed instanceof Volume volume) {
+            double index = made.stream().filter(material -> material.transparency() > 0).findFirst().orElseThrow().refractiveIndex();
+            transparent.add(new GlassContacts.Body(label, volume, index));
+        }
         if (Solids.holds(placed, scene.camera().position())) {
             add("camera-inside", label, "the camera is inside " + label + (isOpaque ? ", which is opaque; it will see nothing else" : ""));
         }
@@ -118,5 +128,25 @@ public final class SceneWarnings {
                 add("light-inside", lamp, lamp + " is inside " + label + ", which is opaque; it lights nothing outside");
             }
         }
+    }
+
+    private void glass() {
+        for (GlassContacts.Contact contact : GlassContacts.among(transparent, scene.camera().position())) {
+            GlassContacts.Body first = contact.first();
+            GlassContacts.Body second = contact.second();
+            add(contact.overlap() ? "glass-overlaps" : "glass-touches", first.label(), first.label() + " and " + second.label()
+                    + (contact.overlap() ? " reach into each other" : " touch") + " near " + rounded(contact.point()) + ", with the refractive indices "
+                    + Numbers.text(first.index()) + " and " + Numbers.text(second.index())
+                    + (contact.overlap() ? "; where both are, that of the one entered last counts" : "; there light goes straight from the one to the other")
+                    + " (found by trying " + GlassContacts.RAYS + " rays)");
+        }
+    }
+
+    private static String rounded(Vec3 p) {
+        return Numbers.text(new Vec3(rounded(p.x()), rounded(p.y()), rounded(p.z())));
+    }
+
+    private static double rounded(double x) {
+        return x == 0 || Math.abs(x) < 1e-9 ? 0 : new BigDecimal(x).round(new MathContext(4)).doubleValue();
     }
 }
