@@ -54,7 +54,8 @@ final class MainWindow {
         VBox.setVgrow(tree, Priority.ALWAYS);
         VBox left = new VBox(palette, tree);
         left.setMinWidth(120);
-        sheet.setMinWidth(200);
+        // Three numbers beside each other, none of them cut off.
+        sheet.setMinWidth(290);
         SplitPane.setResizableWithParent(left, false);
         SplitPane.setResizableWithParent(sheet, false);
         SplitPane center = new SplitPane(left, views.root(), sheet);

@@ -51,6 +51,8 @@ final class Views {
         grid = new PaneGrid(titled);
         explaining = new ExplainMode(model, camera, projections, new ExplainPane(texts, theme, editor.treeChooser()));
         titled.get(1).addTool(explainButton(texts));
+        camera.acceptMaterials(commands.edits());
+        projections.forEach(pane -> pane.acceptMaterials(commands.edits()));
         camera.setContextMenu(commands.contextMenu());
         projections.forEach(pane -> pane.setContextMenu(commands.contextMenu()));
         last = camera;

@@ -55,6 +55,13 @@ public final class Materials {
                 body.material().equals(own) ? body.madeOf(reference) : body);
     }
 
+    /** Makes bodies of a named material, which the scene gets if it has none like it; under a free name if another one has that. */
+    public static Scene give(Scene scene, Collection<BodyAt> places, String name, Material material) {
+        String free = material.equals(scene.materials().get(name)) ? name : Names.free(name, scene.materials().keySet());
+        MaterialName reference = new MaterialName(free);
+        return Bodies.with(scene.plus(free, material), places, (at, body) -> body.madeOf(reference));
+    }
+
     /** Adds a material with a free name. */
     public static Scene add(Scene scene, String name, Material material) {
         return scene.plus(Names.free(name, scene.materials().keySet()), material);

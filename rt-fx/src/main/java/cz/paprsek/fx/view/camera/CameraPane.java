@@ -6,10 +6,13 @@ import cz.paprsek.fx.model.edit.Visible;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureStyle;
 import cz.paprsek.fx.view.rays.DrawnRays;
 import java.util.LinkedHashSet;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -24,6 +27,7 @@ import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 
 /**
@@ -50,6 +54,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         Label size = new Label();
         size.getStyleClass().add("picture-size");
         size.setMouseTransparent(true);
+        size.setMinWidth(Region.USE_PREF_SIZE);
         StackPane.setAlignment(size, Pos.BOTTOM_LEFT);
         setId("camera-pane");
         getStyleClass().add("camera-pane");
@@ -80,6 +85,17 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     /** Lets somebody else have a click first: if it returns true, nothing is selected. */
     public void setClickedFirst(Predicate<PicturePoint> listener) {
         clickedFirst = listener;
+    }
+
+    /** Lets materials be dropped on the objects of the picture. */
+    public void acceptMaterials(Edits edits) {
+        MaterialDrop.accept(picture, edits, event -> picture.at(event.getX(), event.getY()).flatMap(PicturePoint::body).map(BodyAt::object).map(visible::original),
+                body -> picture.highlight(body.map(this::seen)));
+    }
+
+    /** Where in the picture's scene a body of the model's scene stands. */
+    private BodyAt seen(BodyAt body) {
+        return visible.places().entrySet().stream().filter(entry -> entry.getValue().equals(body)).map(Map.Entry::getKey).findFirst().orElse(body);
     }
 
     /** Shows a menu where the right button is clicked, or at the corner for a key. */

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.camera;
 
+import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.rays.DrawnRays;
@@ -30,6 +31,7 @@ final class LivePicture extends Region implements AutoCloseable {
     private final ImageView view = new ImageView();
     private final Rectangle frame = new Rectangle();
     private final RayOverlay rays = new RayOverlay();
+    private final Highlight highlight = new Highlight();
     private final ReadOnlyBooleanWrapper complete = new ReadOnlyBooleanWrapper();
     private final Consumer<Throwable> onFault;
     private Runnable onRefreshed = () -> {};
@@ -49,7 +51,7 @@ final class LivePicture extends Region implements AutoCloseable {
         // Else each of them, when it changes, would have the other laid out again.
         view.setManaged(false);
         frame.setManaged(false);
-        getChildren().addAll(view, frame, rays);
+        getChildren().addAll(view, frame, highlight, rays);
         // While nobody can see it, it does not take the processor from what is seen.
         sceneProperty().addListener((property, old, now) -> restart());
         visibleProperty().addListener((property, old, now) -> restart());
@@ -91,6 +93,14 @@ final class LivePicture extends Region implements AutoCloseable {
     /** The point in the middle of the picture. */
     Optional<PicturePoint> middle() {
         return at(frame.getX() + frame.getWidth() / 2, frame.getY() + frame.getHeight() / 2);
+    }
+
+    /** Draws the outline of a body above the picture, or none any more. */
+    void highlight(Optional<BodyAt> body) {
+        highlight.relocate(frame.getX(), frame.getY());
+        highlight.setWidth(frame.getWidth());
+        highlight.setHeight(frame.getHeight());
+        highlight.show(scene, body);
     }
 
     /** Draws rays above the picture. */

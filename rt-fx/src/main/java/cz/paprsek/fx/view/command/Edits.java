@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Clipboard;
+import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.edit.Structure;
 import cz.paprsek.fx.model.item.Item;
@@ -15,6 +16,7 @@ import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.texts.ItemNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.xml.SceneFileException;
@@ -140,6 +142,12 @@ public final class Edits {
         } catch (SceneFileException | IllegalArgumentException noScene) {
             refusal.set(texts.of("edit-problem.clipboard"));
         }
+    }
+
+    /** Makes a body of the material of a scene that has but one. */
+    void give(BodyAt at, Scene scene) {
+        scene.materials().forEach((name, material) -> edit(Edit.CHANGE, Set.of(at), state ->
+                state.withScene(Materials.give(state.scene(), Set.of(at), name, material)).withSelection(Set.of(at))));
     }
 
     public void rename(Item item, String name) {

@@ -81,6 +81,17 @@ final class Painter {
         }
     }
 
+    /** What something that is dragged would be dropped on. */
+    void highlighted(Figure figure) {
+        List<Figure> ghosts = new ArrayList<>();
+        g.setLineWidth(3.5);
+        g.beginPath();
+        whole(figure, ghosts);
+        g.setStroke(palette.selected());
+        g.stroke();
+        ghosts(ghosts, palette.selected());
+    }
+
     void handles(Box box, boolean canTurn) {
         if (box.isEmpty()) {
             return;

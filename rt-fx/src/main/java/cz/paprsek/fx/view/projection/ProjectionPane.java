@@ -5,7 +5,10 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.rays.DrawnRays;
 import cz.paprsek.fx.view.rays.RayPainter;
@@ -66,6 +69,7 @@ public final class ProjectionPane extends Region {
     private @Nullable Drag drag;
     private Point2D mouse = Point2D.ZERO;
     private Optional<ContextMenu> menu = Optional.empty();
+    private Optional<BodyAt> highlighted = Optional.empty();
 
     /**
      * @param snapping whether drags keep to the grid and to other objects
@@ -183,6 +187,15 @@ public final class ProjectionPane extends Region {
 
     boolean snaps() {
         return snapping.get();
+    }
+
+    /** Lets materials be dropped on bodies. */
+    public void acceptMaterials(Edits edits) {
+        MaterialDrop.accept(this, edits, event -> picker().at(model.state(), view, event.getX(), event.getY()).stream()
+                .filter(BodyAt.class::isInstance).map(BodyAt.class::cast).findFirst(), body -> {
+            highlighted = body;
+            requestLayout();
+        });
     }
 
     boolean isProportional() {
@@ -318,6 +331,7 @@ public final class ProjectionPane extends Region {
         g.clearRect(0, 0, upper.getWidth(), upper.getHeight());
         Painter painter = new Painter(g, view, axes, theme().palette());
         painter.camera(state.scene(), state.selection().contains(Item.CAMERA));
+        highlighted.filter(body -> EditorState.exists(state.scene(), body)).ifPresent(body -> painter.highlighted(figures.of(body)));
         if (!state.selection().isEmpty()) {
             painter.selected(state, figures);
             painter.handles(handleBox(), true);

@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.texts.Texts;
@@ -65,6 +66,8 @@ public final class ObjectTree extends BorderPane {
         new TreeKeys(this, selection, state, edits, find).attach(list);
         new TreeMouse(this, selection, state, edits, model).attach(list);
         list.setContextMenu(commands.contextMenu());
+        MaterialDrop.accept(list, edits, event -> TreeMouse.row(event.getPickResult()).flatMap(row ->
+                row.item() instanceof BodyAt at ? Optional.of(at) : Optional.empty()), this::highlight);
         refusal.getStyleClass().add("refusal");
         refusal.setWrapText(true);
         refusal.textProperty().bind(edits.refusalProperty());
@@ -82,6 +85,10 @@ public final class ObjectTree extends BorderPane {
     /** Begins to give what is selected another name. */
     public void rename() {
         model.selection().stream().findFirst().ifPresent(state::rename);
+    }
+
+    private void highlight(Optional<BodyAt> body) {
+        state.setDrop(body.flatMap(at -> rows().stream().filter(row -> row.item().equals(at)).findFirst()).map(row -> new Drop(row, Drop.Where.INTO)));
     }
 
     /** The lines as they are now. */

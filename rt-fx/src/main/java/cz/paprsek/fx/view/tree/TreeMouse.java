@@ -15,6 +15,7 @@ import javafx.scene.control.ListView;
 import javafx.scene.control.TextField;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
+import javafx.scene.input.PickResult;
 import org.jspecify.annotations.Nullable;
 
 /** The tree by mouse: clicks select, open, hide and lock; drags reorder and regroup. */
@@ -133,8 +134,17 @@ final class TreeMouse {
         return selection.contains(row) ? model.selection() : Set.of(row.item());
     }
 
+    /** The line under the mouse. */
+    static Optional<TreeRow> row(PickResult pick) {
+        return cell(pick).map(RowCell::getItem);
+    }
+
     private static Optional<RowCell> cell(MouseEvent event) {
-        for (Node node = event.getPickResult().getIntersectedNode(); node != null; node = node.getParent()) {
+        return cell(event.getPickResult());
+    }
+
+    private static Optional<RowCell> cell(PickResult pick) {
+        for (Node node = pick.getIntersectedNode(); node != null; node = node.getParent()) {
             if (node instanceof TextField) {
                 return Optional.empty();
             }

@@ -6,10 +6,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.fx.model.TestScenes;
 import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Sphere;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -56,5 +59,18 @@ class MaterialsTest {
         assertThat(after.objects().get(3).material()).isEqualTo(Material.DEFAULT);
         assertThatThrownBy(() -> Materials.name(kitchen, List.of(body(2)), "x")).hasMessageContaining("material of its own");
         assertThat(kitchen.objects().get(2).material()).isEqualTo(Inherited.INHERITED);
+    }
+
+    @Test
+    void aMaterialThatIsGivenComesUnderItsNameOrAFreeOneAndOnlyOnce() {
+        Material gold = ReadyMaterial.GOLD.material();
+        Scene scene = Scene.EMPTY.plus("gold", gold).plus(SceneObject.of(new Sphere(1)), SceneObject.of(new Sphere(2)));
+        Scene same = Materials.give(scene, List.of(Item.body(1)), "gold", gold);
+        assertThat(same.materials()).containsOnlyKeys("gold");
+        assertThat(same.objects().get(1).material()).isEqualTo(new MaterialName("gold"));
+        assertThat(same.objects().get(0)).isSameAs(scene.objects().get(0));
+        Scene other = Materials.give(scene, List.of(Item.body(0)), "gold", ReadyMaterial.STEEL.material());
+        assertThat(other.materials()).containsEntry("gold", gold).containsEntry("gold 2", ReadyMaterial.STEEL.material());
+        assertThat(other.objects().get(0).material()).isEqualTo(new MaterialName("gold 2"));
     }
 }

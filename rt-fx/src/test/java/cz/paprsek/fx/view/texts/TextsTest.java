@@ -27,6 +27,8 @@ class TextsTest {
     private static final List<String> MADE = List.of(
             "kind.", "edit.", "format.", "field.", "alternative.", "template.", "theme.", "ready.", "mode.", "explain.save.", "edit-menu.undo-", "edit-menu.redo-");
     static final List<String> PARTS = Texts.PARTS;
+    /** Texts that are the same in every language. */
+    private static final List<String> INTERNATIONAL = List.of("explain.save.txt", "explain.save.json", "render.actual", "unit.degrees", "unit.pixels");
 
     @ParameterizedTest
     @FieldSource("PARTS")
@@ -37,6 +39,7 @@ class TextsTest {
         for (String key : english.stringPropertyNames()) {
             assertThat(czech.getProperty(key)).as(key).isNotBlank();
             assertThat(placeholders(czech.getProperty(key))).as(key).isEqualTo(placeholders(english.getProperty(key)));
+            assertThat(czech.getProperty(key).equals(english.getProperty(key))).as("%s is not translated", key).isEqualTo(INTERNATIONAL.contains(key));
         }
     }
 

@@ -1,0 +1,52 @@
+package cz.paprsek.fx.view.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.edit.ReadyMaterial;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFiles;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+
+class MaterialDropTest {
+    private static final Scene GOLD = Scene.EMPTY.plus("gold", ReadyMaterial.GOLD.material());
+
+    private final EditorModel model = new EditorModel(Scene.EMPTY.plus(SceneObject.of(new Sphere(1)).named("ball")));
+    private final Edits edits = new Edits(model, Texts.in(Locale.ENGLISH));
+
+    @Test
+    void onlyOneMaterialAndNothingElseIsDroppedOnABody() {
+        assertThat(MaterialDrop.material(SceneFiles.format(GOLD))).get().extracting(Scene::materials).isEqualTo(GOLD.materials());
+        assertThat(MaterialDrop.material(SceneFiles.format(GOLD.plus("steel", ReadyMaterial.STEEL.material())))).isEmpty();
+        assertThat(MaterialDrop.material(SceneFiles.format(GOLD.plus(SceneObject.of(new Sphere(1)))))).isEmpty();
+        assertThat(MaterialDrop.material("gold")).isEmpty();
+        assertThat(MaterialDrop.material("")).isEmpty();
+    }
+
+    @Test
+    void theBodyIsMadeOfItInOneStepAndSelected() {
+        Scene before = model.scene();
+        edits.give(Item.body(0), GOLD);
+        assertThat(model.scene().objects().get(0).material()).isEqualTo(new MaterialName("gold"));
+        assertThat(model.selection()).containsExactly(Item.body(0));
+        model.undo();
+        assertThat(model.scene()).isSameAs(before);
+    }
+
+    @Test
+    void whatABodyCannotBeMadeOfIsRefusedInASentence() {
+        Material board = Material.DEFAULT.withPattern(new Pattern.Checkerboard(2, 2, Rgb.WHITE, Rgb.BLACK));
+        edits.give(Item.body(0), Scene.EMPTY.plus("board", board));
+        assertThat(edits.refusalProperty().get()).contains("checkerboard");
+        assertThat(model.scene().materials()).isEmpty();
+    }
+}
