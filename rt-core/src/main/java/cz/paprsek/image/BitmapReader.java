@@ -53,8 +53,8 @@ final class BitmapReader {
         if (start.length < 4) {
             return false;
         }
-        int two = (start[0] & 0xFF) << 8 | start[1] & 0xFF;
-        return two == 0xFFD8 || two == ('B' << 8 | 'M') || two == ('I' << 8 | 'I') || two == ('M' << 8 | 'M') || two == ('G' << 8 | 'I');
+        int two = (start[0] & 0xFF) << 8 | (start[1] & 0xFF);
+        return two == 0xFFD8 || two == (('B' << 8) | 'M') || two == (('I' << 8) | 'I') || two == (('M' << 8) | 'M') || two == (('G' << 8) | 'I');
     }
 
     private static StoredImage read(ImageReader reader) throws IOException {

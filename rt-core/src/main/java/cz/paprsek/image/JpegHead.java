@@ -25,7 +25,7 @@ final class JpegHead {
         int at = 2;
         while (at + 4 <= file.length) {
             int marker = file[at + 1] & 0xFF;
-            if ((file[at] & 0xFF) != 0xFF || marker == 0 || marker >= 0xD0 && marker <= 0xD8 || marker == 0xFF || marker == 0x01) {
+            if ((file[at] & 0xFF) != 0xFF || marker == 0 || (marker >= 0xD0 && marker <= 0xD8) || marker == 0xFF || marker == 0x01) {
                 // Between markers lie the coded pixels, in which FF is followed by 00 or a restart.
                 at++;
                 continue;
@@ -51,6 +51,6 @@ final class JpegHead {
     }
 
     private static int number(byte[] file, int at) {
-        return (file[at] & 0xFF) << 8 | file[at + 1] & 0xFF;
+        return (file[at] & 0xFF) << 8 | (file[at + 1] & 0xFF);
     }
 }

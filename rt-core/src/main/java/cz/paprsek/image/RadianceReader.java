@@ -97,7 +97,7 @@ final class RadianceReader {
             readOld(start, row, number);
             return;
         }
-        if ((start[2] << 8 | start[3] & 0xFF) != width) {
+        if ((start[2] << 8 | (start[3] & 0xFF)) != width) {
             throw damaged(number);
         }
         for (int channel = 0; channel < 4; channel++) {

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * Reads OpenEXR files of one part in rows, compressed without loss by runs or ZIP. Other kinds are refused by their names.
@@ -165,9 +166,10 @@ public final class ExrReader {
             case "compression" -> {
                 requireSize(name, value, 1);
                 int number = value[0] & 0xFF;
-                refuse(number >= Packing.values().length, "it is compressed by "
+                Optional<Packing> known = Packing.of(number);
+                refuse(known.isEmpty(), "it is compressed by "
                         + (number < PACKINGS.length ? PACKINGS[number] : "method " + number) + "; none, RLE, ZIPS and ZIP can be read");
-                packing = Packing.values()[number];
+                packing = known.orElseThrow();
             }
             case "dataWindow" -> {
                 requireSize(name, value, 16);
@@ -202,11 +204,14 @@ public final class ExrReader {
             }
             int type = bytes.getInt();
             bytes.getInt();
-            refuse(bytes.getInt() != 1 | bytes.getInt() != 1, "its channel " + PlainText.of(name.toString(), 40) + " has fewer pixels than the picture");
-            if (type < 0 || type >= ExrType.values().length) {
+            int stepX = bytes.getInt();
+            int stepY = bytes.getInt();
+            refuse(stepX != 1 || stepY != 1, "its channel " + PlainText.of(name.toString(), 40) + " has fewer pixels than the picture");
+            Optional<ExrType> known = ExrType.of(type);
+            if (known.isEmpty()) {
                 throw new IOException("the picture is damaged: its channel " + PlainText.of(name.toString(), 40) + " is of type " + type);
             }
-            channels.add(new ExrChannel(name.toString(), ExrType.values()[type]));
+            channels.add(new ExrChannel(name.toString(), known.get()));
         }
     }
 

@@ -60,7 +60,7 @@ public final class ExrWriter {
         int blocks = (height + packing.rows() - 1) / packing.rows();
         // The table of blocks comes before them, so that those that are compressed must wait for the last.
         List<byte[]> body = new ArrayList<>();
-        ByteBuffer table = little(8 * blocks);
+        ByteBuffer table = ByteBuffer.allocate(8 * blocks).order(ByteOrder.LITTLE_ENDIAN);
         long at = head.length + 8L * blocks;
         for (int i = 0; i < blocks; i++) {
             table.putLong(at);
@@ -80,7 +80,7 @@ public final class ExrWriter {
     private byte[] block(int first) {
         int count = Math.min(packing.rows(), height - first);
         int pixel = channels.stream().mapToInt(channel -> channel.type().bytes()).sum();
-        ByteBuffer block = little(count * width * pixel);
+        ByteBuffer block = ByteBuffer.allocate(count * width * pixel).order(ByteOrder.LITTLE_ENDIAN);
         float[] row = new float[width];
         for (int y = first; y < first + count; y++) {
             for (ExrChannel channel : channels) {
@@ -103,7 +103,7 @@ public final class ExrWriter {
         ByteArrayOutputStream head = new ByteArrayOutputStream();
         head.write(little(8).putInt(MAGIC).putInt(VERSION | (hasLongNames ? LONG_NAMES : 0)).array());
         attribute(head, "channels", "chlist", channelList());
-        attribute(head, "compression", "compression", new byte[] {(byte) packing.ordinal()});
+        attribute(head, "compression", "compression", new byte[] {(byte) packing.number()});
         byte[] window = little(16).putInt(0).putInt(0).putInt(width - 1).putInt(height - 1).array();
         attribute(head, "dataWindow", "box2i", window);
         attribute(head, "displayWindow", "box2i", window);
@@ -122,7 +122,7 @@ public final class ExrWriter {
         ByteArrayOutputStream list = new ByteArrayOutputStream();
         for (ExrChannel channel : channels) {
             name(list, channel.name());
-            list.write(little(16).putInt(channel.type().ordinal()).putInt(0).putInt(1).putInt(1).array());
+            list.write(little(16).putInt(channel.type().number()).putInt(0).putInt(1).putInt(1).array());
         }
         list.write(0);
         return list.toByteArray();

@@ -25,10 +25,10 @@ public final class Half {
         if (magnitude < MAGIC) {
             // Less than the smallest that has all ten bits: adding a half lets the hardware shift and round.
             float shifted = Float.intBitsToFloat(magnitude) + 0.5f;
-            return (short) (sign | Float.floatToRawIntBits(shifted) - Float.floatToRawIntBits(0.5f));
+            return (short) (sign | (Float.floatToRawIntBits(shifted) - Float.floatToRawIntBits(0.5f)));
         }
         int odd = magnitude >>> 13 & 1;
-        return (short) (sign | magnitude - (112 << 23) + 0xFFF + odd >>> 13);
+        return (short) (sign | ((magnitude - (112 << 23) + 0xFFF + odd) >>> 13));
     }
 
     /** The number that a half stands for, exactly. */
@@ -40,7 +40,7 @@ public final class Half {
             float tiny = mantissa * 0x1p-24f;
             return sign == 0 ? tiny : -tiny;
         }
-        int shifted = exponent == 0x1F ? 0x7F80_0000 : exponent + 112 << 23;
+        int shifted = exponent == 0x1F ? 0x7F80_0000 : (exponent + 112) << 23;
         return Float.intBitsToFloat(sign | shifted | mantissa << 13);
     }
 }

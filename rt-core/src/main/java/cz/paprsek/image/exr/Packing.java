@@ -2,26 +2,38 @@ package cz.paprsek.image.exr;
 
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.zip.DataFormatException;
 import java.util.zip.Deflater;
 import java.util.zip.Inflater;
 
 /**
- * How blocks of rows are compressed; the number in a file is the constant's place. Before it is compressed, every other byte of a block is
+ * How blocks of rows are compressed. Before it is compressed, every other byte of a block is
  * moved behind the others, and then each is replaced by its difference from the one before.
  *
  * @source OpenEXR, Technical Introduction, and ImfZip.cpp, ImfRle.cpp for the details it leaves out
  */
 enum Packing {
-    NONE(1),
-    RLE(1),
-    ZIPS(1),
-    ZIP(16);
+    NONE(0, 1),
+    RLE(1, 1),
+    ZIPS(2, 1),
+    ZIP(3, 16);
 
+    private final int number;
     private final int rows;
 
-    Packing(int rows) {
+    Packing(int number, int rows) {
+        this.number = number;
         this.rows = rows;
+    }
+
+    /** The one that a file means by a number. */
+    static Optional<Packing> of(int number) {
+        return Arrays.stream(values()).filter(packing -> packing.number == number).findFirst();
+    }
+
+    int number() {
+        return number;
     }
 
     /** Rows in a block. */

@@ -30,7 +30,7 @@ final class Chunks {
         byte[] letters = input.bytes(4);
         type = new String(letters, StandardCharsets.ISO_8859_1);
         for (byte letter : letters) {
-            if (!(letter >= 'A' && letter <= 'Z' || letter >= 'a' && letter <= 'z')) {
+            if (!((letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z'))) {
                 throw new IOException("the picture is damaged: after " + (input.position() - 8) + " bytes should be a part with a name of four letters, but is "
                         + PlainText.of(type, 4));
             }

@@ -4,13 +4,12 @@ package cz.paprsek.image.png;
  * What is done to a row's bytes so that they compress better: each is written as its difference from a prediction made of the byte before it
  * in the same channel, the one above, and the one before that.
  *
- * <p>Rows lie in arrays behind as many zeros as a pixel has bytes, so that the first pixel has a neighbour too. The order of the constants is
- * that of their numbers in a file.
+ * <p>Rows lie in arrays behind as many zeros as a pixel has bytes, so that the first pixel has a neighbour too.
  *
  * @source PNG Specification (Third Edition), 9.2 Filter types for filter method 0
  */
 enum Filter {
-    NONE {
+    NONE(0) {
         @Override
         void apply(byte[] row, byte[] above, int pixel, int from, int to, byte[] filtered) {
             System.arraycopy(row, from, filtered, from - pixel, to - from);
@@ -19,7 +18,7 @@ enum Filter {
         @Override
         void undo(byte[] row, byte[] above, int pixel) {}
     },
-    SUB {
+    SUB(1) {
         @Override
         void apply(byte[] row, byte[] above, int pixel, int from, int to, byte[] filtered) {
             for (int i = from; i < to; i++) {
@@ -34,7 +33,7 @@ enum Filter {
             }
         }
     },
-    UP {
+    UP(2) {
         @Override
         void apply(byte[] row, byte[] above, int pixel, int from, int to, byte[] filtered) {
             for (int i = from; i < to; i++) {
@@ -49,22 +48,22 @@ enum Filter {
             }
         }
     },
-    AVERAGE {
+    AVERAGE(3) {
         @Override
         void apply(byte[] row, byte[] above, int pixel, int from, int to, byte[] filtered) {
             for (int i = from; i < to; i++) {
-                filtered[i - pixel] = (byte) (row[i] - ((row[i - pixel] & 0xFF) + (above[i] & 0xFF) >> 1));
+                filtered[i - pixel] = (byte) (row[i] - (((row[i - pixel] & 0xFF) + (above[i] & 0xFF)) >> 1));
             }
         }
 
         @Override
         void undo(byte[] row, byte[] above, int pixel) {
             for (int i = pixel; i < row.length; i++) {
-                row[i] += (byte) ((row[i - pixel] & 0xFF) + (above[i] & 0xFF) >> 1);
+                row[i] += (byte) (((row[i - pixel] & 0xFF) + (above[i] & 0xFF)) >> 1);
             }
         }
     },
-    PAETH {
+    PAETH(4) {
         @Override
         void apply(byte[] row, byte[] above, int pixel, int from, int to, byte[] filtered) {
             for (int i = from; i < to; i++) {
@@ -90,6 +89,17 @@ enum Filter {
             return toAbove <= toCorner ? above : corner;
         }
     };
+
+    private final int number;
+
+    Filter(int number) {
+        this.number = number;
+    }
+
+    /** What stands for it in a file. */
+    int number() {
+        return number;
+    }
 
     /**
      * Filters a part of a row.

@@ -174,11 +174,12 @@ public final class PngReader {
 
     private int sample(byte[] row, int from, int index) {
         return switch (head.bits()) {
-            case 16 -> (row[from + 2 * index] & 0xFF) << 8 | row[from + 2 * index + 1] & 0xFF;
+            case 16 -> (row[from + 2 * index] & 0xFF) << 8 | (row[from + 2 * index + 1] & 0xFF);
             case 8 -> row[from + index] & 0xFF;
             default -> {
                 int bit = index * head.bits();
-                yield row[from + bit / 8] >> 8 - head.bits() - bit % 8 & (1 << head.bits()) - 1;
+                int shift = 8 - head.bits() - bit % 8;
+                yield (row[from + bit / 8] >> shift) & ((1 << head.bits()) - 1);
             }
         };
     }
@@ -203,6 +204,6 @@ public final class PngReader {
     }
 
     private static int number(byte[] bytes, int at) {
-        return (bytes[at] & 0xFF) << 24 | (bytes[at + 1] & 0xFF) << 16 | (bytes[at + 2] & 0xFF) << 8 | bytes[at + 3] & 0xFF;
+        return (bytes[at] & 0xFF) << 24 | (bytes[at + 1] & 0xFF) << 16 | (bytes[at + 2] & 0xFF) << 8 | (bytes[at + 3] & 0xFF);
     }
 }

@@ -140,7 +140,7 @@ final class Stripe implements Callable<Stripe> {
             Filter best = best(row, above, pixel, filtered);
             best.apply(row, above, pixel, pixel, row.length, filtered);
             int at = (y - first) * stride;
-            all[at] = (byte) best.ordinal();
+            all[at] = (byte) best.number();
             System.arraycopy(filtered, 0, all, at + 1, stride - 1);
             byte[] swap = above;
             above = row;
