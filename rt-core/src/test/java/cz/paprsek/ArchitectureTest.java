@@ -3,6 +3,7 @@ package cz.paprsek;
 import static com.tngtech.archunit.core.domain.JavaCall.Predicates.target;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.equivalentTo;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackages;
 import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameMatching;
 import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
@@ -23,6 +24,7 @@ class ArchitectureTest {
     static final ArchRule ROOMS = Architectures.layeredArchitecture().consideringOnlyDependenciesInLayers()
             .layer("io").definedBy("cz.paprsek.io")
             .layer("math").definedBy("cz.paprsek.math")
+            .layer("attribute").definedBy("cz.paprsek.attribute")
             .layer("tree").definedBy("cz.paprsek.tree")
             .layer("material").definedBy("cz.paprsek.material")
             .layer("shape").definedBy("cz.paprsek.shape")
@@ -37,6 +39,7 @@ class ArchitectureTest {
             .layer("pov").definedBy("cz.paprsek.pov")
             .whereLayer("io").mayOnlyBeAccessedByLayers("query", "image", "explain", "xml", "pov")
             .whereLayer("tree").mayOnlyBeAccessedByLayers("shape", "render")
+            .whereLayer("attribute").mayOnlyBeAccessedByLayers("material", "shape", "scene", "query", "explain", "xml")
             .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "query", "image", "render", "explain", "drawing", "xml", "pov")
             .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "drawing", "xml", "pov")
             .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "drawing", "xml", "pov")
@@ -52,6 +55,10 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule MATH_KNOWS_NOTHING = noClasses().that().resideInAPackage("cz.paprsek.math")
             .should().dependOnClassesThat().resideInAnyPackage("cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.io");
+
+    @ArchTest
+    static final ArchRule ATTRIBUTES_KNOW_NOBODY = noClasses().that().resideInAPackage("cz.paprsek.attribute")
+            .should().dependOnClassesThat(resideInAPackage("cz.paprsek..").and(resideOutsideOfPackage("cz.paprsek.attribute")));
 
     @ArchTest
     static final ArchRule TREE_SEES_ONLY_MATH = noClasses().that().resideInAPackage("cz.paprsek.tree")

@@ -1,5 +1,7 @@
 package cz.paprsek.material;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 
 /**
@@ -15,12 +17,12 @@ import cz.paprsek.math.Require;
  */
 public record Material(
         Pattern pattern,
-        double diffusion,
-        double specular,
-        double shininess,
-        double reflection,
-        double transparency,
-        double refractiveIndex) implements MaterialSource {
+        @Attribute(value = Kind.SHARE, means = "Share of diffusely reflected light", otherwise = "0.8") double diffusion,
+        @Attribute(value = Kind.SHARE, means = "Strength of the highlight", otherwise = "0") double specular,
+        @Attribute(value = Kind.EXPONENT, means = "Exponent of the highlight", otherwise = "30") double shininess,
+        @Attribute(value = Kind.SHARE, means = "Share of mirrored light", otherwise = "0") double reflection,
+        @Attribute(value = Kind.SHARE, means = "Share of transmitted light", otherwise = "0") double transparency,
+        @Attribute(value = Kind.REFRACTIVE_INDEX, means = "Index of the medium inside", otherwise = "1") double refractiveIndex) implements MaterialSource {
 
     /** Matte white: what an object without a material is made of. */
     public static final Material DEFAULT = new Material(new Pattern.Plain(Rgb.WHITE), 0.8, 0, 30, 0, 0, 1);

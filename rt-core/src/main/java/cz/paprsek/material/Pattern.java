@@ -1,5 +1,7 @@
 package cz.paprsek.material;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 
@@ -13,7 +15,11 @@ public sealed interface Pattern {
      * A board of columns × rows squares over a rectangle or disc; the square at the minimum corner is even.
      * Columns run along the surface's x, rows along its y. At most {@value #MOST} each way.
      */
-    record Checkerboard(int columns, int rows, Rgb even, Rgb odd) implements Pattern {
+    record Checkerboard(
+            @Attribute(value = Kind.SQUARES, means = "Squares along x") int columns,
+            @Attribute(value = Kind.SQUARES, means = "Squares along y") int rows,
+            @Attribute(value = Kind.COLOR, means = "Colour of the even ones", otherwise = "255 255 255") Rgb even,
+            @Attribute(value = Kind.COLOR, means = "Colour of the odd ones", otherwise = "0 0 0") Rgb odd) implements Pattern {
         public static final int MOST = 1_000_000;
 
         public Checkerboard {
@@ -26,7 +32,11 @@ public sealed interface Pattern {
      * Cubes of alternating colour filling space, for any shape. The cubes have the given edge and one has its corner at
      * {@code origin}, in the space of the object that declares the material, before its placement; that one is even.
      */
-    record Checker(double size, Vec3 origin, Rgb even, Rgb odd) implements Pattern {
+    record Checker(
+            @Attribute(value = Kind.POSITIVE, means = "Edge of a cube") double size,
+            @Attribute(value = Kind.VECTOR, means = "A corner of an even cube", otherwise = "0 0 0") Vec3 origin,
+            @Attribute(value = Kind.COLOR, means = "Colour of the even ones", otherwise = "255 255 255") Rgb even,
+            @Attribute(value = Kind.COLOR, means = "Colour of the odd ones", otherwise = "0 0 0") Rgb odd) implements Pattern {
         public Checker {
             Require.size("checker size", size);
             Require.place("checker origin", origin);

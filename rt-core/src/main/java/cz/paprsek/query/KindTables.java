@@ -1,5 +1,6 @@
 package cz.paprsek.query;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePart;
@@ -68,7 +69,7 @@ final class KindTables {
 
     /** The column of a measure; a list of things is counted. */
     private static Optional<Column<ScenePart>> measure(RecordComponent component) {
-        String name = component.getName().replaceAll("([A-Z])", "-$1").toLowerCase(Locale.ROOT);
+        String name = Described.name(component);
         Method getter = component.getAccessor();
         Class<?> type = component.getType();
         return Optional.ofNullable(

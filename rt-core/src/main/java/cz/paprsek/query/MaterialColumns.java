@@ -1,7 +1,9 @@
 package cz.paprsek.query;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -12,15 +14,16 @@ final class MaterialColumns {
     private MaterialColumns() {}
 
     static <R> List<Column<R>> of(Function<R, Material> of) {
-        return List.of(
+        List<Column<R>> columns = new ArrayList<>(List.of(
                 Column.text("pattern", row -> pattern(of.apply(row))),
-                Column.color("color", row -> of.apply(row).pattern() instanceof Pattern.Plain plain ? Optional.of(plain.color()) : Optional.empty()),
-                Column.number("diffusion", row -> of.apply(row).diffusion()),
-                Column.number("specular", row -> of.apply(row).specular()),
-                Column.number("shininess", row -> of.apply(row).shininess()),
-                Column.number("reflection", row -> of.apply(row).reflection()),
-                Column.number("transparency", row -> of.apply(row).transparency()),
-                Column.number("refractive-index", row -> of.apply(row).refractiveIndex()));
+                Column.color("color", row -> of.apply(row).pattern() instanceof Pattern.Plain plain ? Optional.of(plain.color()) : Optional.empty())));
+        columns.addAll(numbers(Material.class, of));
+        return columns;
+    }
+
+    /** A column for each attribute of a record that is one number. */
+    static <R, T> List<Column<R>> numbers(Class<T> record, Function<R, T> of) {
+        return Described.of(record).stream().filter(Described::isNumber).map(one -> Column.<R>number(one.name(), row -> one.number(of.apply(row)))).toList();
     }
 
     /** The kind of a material's pattern, as its element in a scene file: {@code checker}; {@code plain} for one colour. */

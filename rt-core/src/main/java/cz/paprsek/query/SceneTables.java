@@ -4,6 +4,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePart;
 import cz.paprsek.scene.Similar;
@@ -48,20 +49,19 @@ public final class SceneTables {
     }
 
     private static Table<Scene> scene() {
-        return new Table<>("scene", List.of(
+        List<Column<Scene>> columns = new ArrayList<>(List.of(
                 Column.text("name", Scene::name),
                 Column.texts("tag", Scene::tags),
                 Column.number("lights", scene -> scene.lights().size()),
                 Column.number("materials", scene -> scene.materials().size()),
                 Column.number("objects", scene -> scene.objects().size()),
-                Column.number("operands", scene -> ScenePart.all(scene).filter(part -> part.depth() > 0).count()),
-                Column.number("width", scene -> scene.settings().width()),
-                Column.number("height", scene -> scene.settings().height()),
-                Column.number("max-depth", scene -> scene.settings().maxDepth()),
-                Column.number("samples", scene -> scene.settings().samples()),
+                Column.number("operands", scene -> ScenePart.all(scene).filter(part -> part.depth() > 0).count())));
+        columns.addAll(MaterialColumns.numbers(RenderSettings.class, Scene::settings));
+        columns.addAll(List.of(
                 Column.color("background", scene -> Optional.of(scene.background())),
                 Column.color("ambient", scene -> Optional.of(scene.ambient())),
-                Column.text("description", Scene::description)), PARTS);
+                Column.text("description", Scene::description)));
+        return new Table<>("scene", columns, PARTS);
     }
 
     private static List<Relation<Scene, ?>> parts() {

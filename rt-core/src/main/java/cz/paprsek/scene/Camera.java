@@ -1,5 +1,7 @@
 package cz.paprsek.scene;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 
@@ -11,7 +13,11 @@ import cz.paprsek.math.Vec3;
  * @param up the direction that is up in the picture; need not be perpendicular to the view
  * @param fovy vertical field of view in degrees, above 0 and below 180
  */
-public record Camera(Vec3 position, Aim aim, Vec3 up, double fovy) {
+public record Camera(
+        @Attribute(value = Kind.VECTOR, means = "Where it stands") Vec3 position,
+        Aim aim,
+        @Attribute(value = Kind.VECTOR, means = "The direction that is up in the picture, not parallel to the view", otherwise = "0 1 0") Vec3 up,
+        @Attribute(value = Kind.FOVY, means = "Vertical field of view in degrees", otherwise = "45") double fovy) {
     /** How nearly parallel up and view may be: the sine of the smallest angle allowed between them. */
     private static final double PARALLEL = 1e-9;
 

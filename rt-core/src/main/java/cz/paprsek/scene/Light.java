@@ -1,5 +1,7 @@
 package cz.paprsek.scene;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
@@ -12,7 +14,11 @@ import cz.paprsek.math.Vec3;
  * @param color its colour
  * @param intensity factor on the linear colour, 0 to {@link #BRIGHTEST}
  */
-public record Light(String name, Vec3 position, Rgb color, double intensity) {
+public record Light(
+        String name,
+        @Attribute(value = Kind.VECTOR, means = "Where it is") Vec3 position,
+        @Attribute(value = Kind.COLOR, means = "sRGB, 0-255", otherwise = "255 255 255") Rgb color,
+        @Attribute(value = Kind.INTENSITY, means = "Factor on the colour", otherwise = "1") double intensity) {
     /** The greatest intensity: no picture of floats holds much more. */
     public static final double BRIGHTEST = 1e12;
 

@@ -1,5 +1,7 @@
 package cz.paprsek.scene;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 
 /**
@@ -10,7 +12,11 @@ import cz.paprsek.math.Require;
  * @param maxDepth levels of rays, the eye ray being level 1; 1–{@value #DEEPEST}
  * @param samples rays along each side of a pixel: 1 for one ray through its centre, n for a regular grid of n × n; 1–16
  */
-public record RenderSettings(int width, int height, int maxDepth, int samples) {
+public record RenderSettings(
+        @Attribute(value = Kind.PIXELS, means = "Picture width in pixels", otherwise = "800") int width,
+        @Attribute(value = Kind.PIXELS, means = "Picture height in pixels", otherwise = "600") int height,
+        @Attribute(value = Kind.DEPTH, means = "Levels of rays, the eye ray being level 1", otherwise = "5") int maxDepth,
+        @Attribute(value = Kind.SAMPLES, means = "Rays along each side of a pixel", otherwise = "1") int samples) {
     public static final int LARGEST_SIDE = 32_768;
     public static final int DEEPEST = 250;
     public static final RenderSettings DEFAULT = new RenderSettings(800, 600, 5, 1);

@@ -1,5 +1,8 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Numbers;
@@ -8,7 +11,10 @@ import cz.paprsek.math.Vec3;
 import java.util.List;
 
 /** A box with faces perpendicular to the axes, from its minimum to its maximum corner. */
-public record Block(Vec3 min, Vec3 max) implements Solid {
+@Element("A box from its minimum to its maximum corner.")
+public record Block(
+        @Attribute(value = Kind.VECTOR, means = "Below max along every axis") Vec3 min,
+        @Attribute(value = Kind.VECTOR, means = "Above min along every axis") Vec3 max) implements Solid {
     public Block {
         Require.place("block min", min);
         Require.place("block max", max);

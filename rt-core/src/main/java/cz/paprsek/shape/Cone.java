@@ -1,5 +1,8 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
@@ -7,7 +10,11 @@ import cz.paprsek.math.Vec3;
 import java.util.List;
 
 /** A closed cone about the y axis: {@code radius} at y = 0, {@code topRadius} at y = height; pointed if that is 0. */
-public record Cone(double radius, double topRadius, double height) implements Solid {
+@Element("A closed cone about its y axis, from y = 0.")
+public record Cone(
+        @Attribute(value = Kind.NOT_NEGATIVE, means = "At y = 0") double radius,
+        @Attribute(value = Kind.NOT_NEGATIVE, means = "At y = height; not both radii 0", otherwise = "0") double topRadius,
+        @Attribute(value = Kind.POSITIVE, means = "Above 0") double height) implements Solid {
     public Cone {
         Require.sizeOrZero("cone radius", radius);
         Require.sizeOrZero("cone top-radius", topRadius);

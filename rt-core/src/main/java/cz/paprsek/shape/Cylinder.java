@@ -1,5 +1,8 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
@@ -7,7 +10,10 @@ import cz.paprsek.math.Vec3;
 import java.util.List;
 
 /** A closed cylinder about the y axis, from y = 0 to y = height. */
-public record Cylinder(double radius, double height) implements Solid {
+@Element("A closed cylinder about its y axis, from y = 0.")
+public record Cylinder(
+        @Attribute(value = Kind.POSITIVE, means = "Above 0") double radius,
+        @Attribute(value = Kind.POSITIVE, means = "Above 0") double height) implements Solid {
     public Cylinder {
         Require.size("cylinder radius", radius);
         Require.size("cylinder height", height);

@@ -1,5 +1,8 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
@@ -7,7 +10,8 @@ import cz.paprsek.math.Vec3;
 import java.util.List;
 
 /** A disc in the plane z = 0 about the origin, facing +z, seen from both sides. It has no inside. */
-public record Disc(double radius) implements Shape {
+@Element("A disc in its plane z = 0, facing +z, seen from both sides. It has no inside.")
+public record Disc(@Attribute(value = Kind.POSITIVE, means = "Above 0") double radius) implements Shape {
     public Disc {
         Require.size("disc radius", radius);
     }

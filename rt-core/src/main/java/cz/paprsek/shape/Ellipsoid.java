@@ -1,5 +1,8 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
@@ -7,7 +10,8 @@ import cz.paprsek.math.Vec3;
 import java.util.List;
 
 /** An ellipsoid about the origin with semi-axes along x, y and z. */
-public record Ellipsoid(Vec3 semiAxes) implements Solid {
+@Element("An ellipsoid about its origin.")
+public record Ellipsoid(@Attribute(value = Kind.POSITIVE_VECTOR, means = "Along x, y and z") Vec3 semiAxes) implements Solid {
     public Ellipsoid {
         Require.size("ellipsoid semi-axis x", semiAxes.x());
         Require.size("ellipsoid semi-axis y", semiAxes.y());

@@ -1,5 +1,7 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
@@ -11,7 +13,10 @@ import cz.paprsek.math.Vec3;
  * @param rotation degrees about x, then y, then z, each counter-clockwise seen from the positive end of its axis
  * @param scale factor along each of the shape's own axes; not 0, negative mirrors
  */
-public record Placement(Vec3 position, Vec3 rotation, Vec3 scale) {
+public record Placement(
+        @Attribute(value = Kind.VECTOR, means = "Where its own origin goes", otherwise = "0 0 0") Vec3 position,
+        @Attribute(value = Kind.ROTATION, means = "Degrees about x, then y, then z", otherwise = "0 0 0") Vec3 rotation,
+        @Attribute(value = Kind.SCALE, means = "Applied before the rotation", otherwise = "1") Vec3 scale) {
     public static final Placement NONE = new Placement(Vec3.ZERO, Vec3.ZERO, Vec3.ONE);
 
     /** @throws IllegalArgumentException if a scale is 0, or a number is out of all proportion ({@link Require#LARGEST}) */

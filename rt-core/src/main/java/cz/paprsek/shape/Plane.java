@@ -1,11 +1,13 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Element;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import java.util.List;
 
 /** The solid half-space y ≤ 0: ground without end, or a knife for CSG. */
+@Element("The solid half-space y at most 0.")
 public record Plane() implements Solid {
     /** How far its outline is drawn, own units. */
     private static final double FAR = 1e5;

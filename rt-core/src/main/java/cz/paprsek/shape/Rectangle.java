@@ -1,5 +1,6 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Element;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Numbers;
@@ -8,6 +9,7 @@ import cz.paprsek.math.Vec3;
 import java.util.List;
 
 /** A rectangle in the plane z = 0, facing +z, seen from both sides. It has no inside. */
+@Element("A rectangle in its plane z = 0, facing +z, seen from both sides. It has no inside.")
 public record Rectangle(double minX, double minY, double maxX, double maxY) implements Shape {
     public Rectangle {
         Require.coordinate("rectangle min x", minX);

@@ -1,5 +1,8 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
@@ -7,7 +10,8 @@ import cz.paprsek.math.Vec3;
 import java.util.List;
 
 /** A ball about the origin. */
-public record Sphere(double radius) implements Solid {
+@Element("A ball about its origin.")
+public record Sphere(@Attribute(value = Kind.POSITIVE, means = "Above 0") double radius) implements Solid {
     public Sphere {
         Require.size("sphere radius", radius);
     }

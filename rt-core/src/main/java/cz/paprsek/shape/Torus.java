@@ -1,5 +1,8 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
@@ -12,7 +15,10 @@ import java.util.List;
  * @param majorRadius from the axis to the middle of the tube
  * @param minorRadius of the tube; at most the major radius
  */
-public record Torus(double majorRadius, double minorRadius) implements Solid {
+@Element("A ring about its y axis.")
+public record Torus(
+        @Attribute(value = Kind.POSITIVE, means = "From the axis to the middle of the tube") double majorRadius,
+        @Attribute(value = Kind.POSITIVE, means = "Of the tube; at most the major radius") double minorRadius) implements Solid {
     public Torus {
         Require.size("torus major-radius", majorRadius);
         Require.size("torus minor-radius", minorRadius);

@@ -1,5 +1,7 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
@@ -14,20 +16,13 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SceneRules;
-import cz.paprsek.shape.Block;
-import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
-import cz.paprsek.shape.Cylinder;
-import cz.paprsek.shape.Disc;
-import cz.paprsek.shape.Ellipsoid;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
-import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
-import cz.paprsek.shape.Sphere;
-import cz.paprsek.shape.Torus;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /** Writes scenes in a fixed order and form: one element a line, attributes equal to their default left out. */
@@ -103,14 +98,27 @@ final class SceneWriter {
 
     private void settings(RenderSettings settings) {
         if (!settings.equals(RenderSettings.DEFAULT)) {
-            RenderSettings standard = RenderSettings.DEFAULT;
-            xml.open("render")
-                    .number("width", settings.width(), standard.width())
-                    .number("height", settings.height(), standard.height())
-                    .number("max-depth", settings.maxDepth(), standard.maxDepth())
-                    .number("samples", settings.samples(), standard.samples())
-                    .close("render");
+            xml.open("render");
+            attributes(settings).close("render");
         }
+    }
+
+    /** What a record has other than by default, in the order of its components. */
+    private XmlText attributes(Record record) {
+        for (Described one : Described.of(record.getClass())) {
+            String text = text(one, one.value(record));
+            if (one.isRequired() || !text.equals(one.says().otherwise())) {
+                xml.attribute(one.name(), text);
+            }
+        }
+        return xml;
+    }
+
+    private static String text(Described one, Object value) {
+        if (one.says().value() == Kind.SCALE && value instanceof Vec3 scale && scale.x() == scale.y() && scale.x() == scale.z()) {
+            return XmlText.text(scale.x());
+        }
+        return value instanceof Number number ? XmlText.text(number.doubleValue()) : value instanceof Rgb color ? text(color) : XmlText.text((Vec3) value);
     }
 
     private void light(String element, Rgb color) {
@@ -130,40 +138,22 @@ final class SceneWriter {
     }
 
     private void lamp(Light light) {
-        xml.open("point-light").attribute("name", light.name()).attribute("position", XmlText.text(light.position()));
-        if (!light.color().equals(Rgb.WHITE)) {
-            xml.attribute("color", text(light.color()));
-        }
-        xml.number("intensity", light.intensity(), 1).close("point-light");
+        xml.open("point-light").attribute("name", light.name());
+        attributes(light).close("point-light");
     }
 
     private void material(String name, Material material) {
-        Material standard = Material.DEFAULT;
         xml.open("material").attribute("name", name);
-        if (material.pattern() instanceof Pattern.Plain plain && !plain.equals(standard.pattern())) {
+        if (material.pattern() instanceof Pattern.Plain plain && !plain.equals(Material.DEFAULT.pattern())) {
             xml.attribute("color", text(plain.color()));
         }
-        xml.number("diffusion", material.diffusion(), standard.diffusion())
-                .number("specular", material.specular(), standard.specular())
-                .number("shininess", material.shininess(), standard.shininess())
-                .number("reflection", material.reflection(), standard.reflection())
-                .number("transparency", material.transparency(), standard.transparency())
-                .number("refractive-index", material.refractiveIndex(), standard.refractiveIndex());
-        if (material.pattern() instanceof Pattern.Checkerboard board) {
-            xml.open("checkerboard").number("columns", board.columns()).number("rows", board.rows());
-            colors(board.even(), board.odd()).close("checkerboard");
-        } else if (material.pattern() instanceof Pattern.Checker checker) {
-            xml.open("checker").number("size", checker.size()).vector("origin", checker.origin(), Vec3.ZERO);
-            colors(checker.even(), checker.odd()).close("checker");
+        attributes(material);
+        if (!(material.pattern() instanceof Pattern.Plain)) {
+            String element = material.pattern().getClass().getSimpleName().toLowerCase(Locale.ROOT);
+            xml.open(element);
+            attributes((Record) material.pattern()).close(element);
         }
         xml.close("material");
-    }
-
-    private XmlText colors(Rgb even, Rgb odd) {
-        if (!even.equals(Rgb.WHITE)) {
-            xml.attribute("even", text(even));
-        }
-        return odd.equals(Rgb.BLACK) ? xml : xml.attribute("odd", text(odd));
     }
 
     private void object(SceneObject object) {
@@ -178,12 +168,7 @@ final class SceneWriter {
         String element = shape.kind();
         xml.open(element).attribute("name", name);
         measures(shape);
-        xml.vector("position", placement.position(), Vec3.ZERO).vector("rotation", placement.rotation(), Vec3.ZERO);
-        Vec3 scale = placement.scale();
-        if (!scale.equals(Vec3.ONE)) {
-            boolean uniform = scale.x() == scale.y() && scale.x() == scale.z();
-            xml.attribute("scale", uniform ? XmlText.text(scale.x()) : XmlText.text(scale));
-        }
+        attributes(placement);
         if (material instanceof MaterialName reference) {
             xml.attribute("material", reference.name());
         } else if (material instanceof Material own) {
@@ -196,25 +181,11 @@ final class SceneWriter {
     }
 
     private void measures(Shape shape) {
-        if (shape instanceof Sphere sphere) {
-            xml.number("radius", sphere.radius());
-        } else if (shape instanceof Block block) {
-            xml.attribute("min", XmlText.text(block.min())).attribute("max", XmlText.text(block.max()));
-        } else if (shape instanceof Ellipsoid ellipsoid) {
-            xml.attribute("semi-axes", XmlText.text(ellipsoid.semiAxes()));
-        } else if (shape instanceof Rectangle rectangle) {
+        if (shape instanceof Rectangle rectangle) {
             xml.attribute("min", XmlText.text(rectangle.minX()) + " " + XmlText.text(rectangle.minY()))
                     .attribute("max", XmlText.text(rectangle.maxX()) + " " + XmlText.text(rectangle.maxY()));
-        } else if (shape instanceof Disc disc) {
-            xml.number("radius", disc.radius());
-        } else if (shape instanceof Cylinder cylinder) {
-            xml.number("radius", cylinder.radius()).number("height", cylinder.height());
-        } else if (shape instanceof Cone cone) {
-            xml.number("radius", cone.radius()).number("top-radius", cone.topRadius(), 0).number("height", cone.height());
-        } else if (shape instanceof Torus torus) {
-            xml.number("major-radius", torus.majorRadius()).number("minor-radius", torus.minorRadius());
-        } else if (!(shape instanceof Plane || shape instanceof Csg)) {
-            throw new IllegalStateException("a shape that cannot be written: " + shape);
+        } else {
+            attributes((Record) shape);
         }
     }
 

@@ -1,5 +1,6 @@
 package cz.paprsek.cli.describe;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.io.Json;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
@@ -62,9 +63,8 @@ public final class SummaryAsJson {
         } else {
             json.with("pattern", material.pattern() instanceof Pattern.Checkerboard ? "checkerboard" : "checker");
         }
-        return json.with("diffusion", material.diffusion()).with("specular", material.specular()).with("shininess", material.shininess())
-                .with("reflection", material.reflection()).with("transparency", material.transparency())
-                .with("refractive-index", material.refractiveIndex());
+        Described.of(Material.class).forEach(one -> json.with(one.name(), one.number(material)));
+        return json;
     }
 
     private static Json of(Bounds box) {

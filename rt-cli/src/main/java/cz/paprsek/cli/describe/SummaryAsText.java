@@ -1,5 +1,6 @@
 package cz.paprsek.cli.describe;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
@@ -11,6 +12,7 @@ import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** A summary for people: a heading and its value a line, what belongs to it indented below. */
 public final class SummaryAsText {
@@ -85,9 +87,7 @@ public final class SummaryAsText {
     private static String text(Material material) {
         String color = material.pattern() instanceof Pattern.Plain plain ? text(plain.color())
                 : material.pattern() instanceof Pattern.Checkerboard ? "checkerboard" : "checker";
-        return "color " + color + ", diffusion " + Numbers.text(material.diffusion()) + ", specular " + Numbers.text(material.specular())
-                + ", shininess " + Numbers.text(material.shininess()) + ", reflection " + Numbers.text(material.reflection())
-                + ", transparency " + Numbers.text(material.transparency()) + ", refractive-index "
-                + Numbers.text(material.refractiveIndex());
+        return "color " + color + Described.of(Material.class).stream().map(one -> ", " + one.name() + " " + Numbers.text(one.number(material)))
+                .collect(Collectors.joining());
     }
 }

@@ -1,5 +1,6 @@
 package cz.paprsek.render.explain;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.io.Json;
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.LightTerm.Obstacle;
@@ -63,13 +64,9 @@ public final class TreeJson {
     }
 
     private static Json of(Material material) {
-        return new Json()
-                .with("diffusion", material.diffusion())
-                .with("specular", material.specular())
-                .with("shininess", material.shininess())
-                .with("reflection", material.reflection())
-                .with("transparency", material.transparency())
-                .with("refractive-index", material.refractiveIndex());
+        Json json = new Json();
+        Described.of(Material.class).forEach(one -> json.with(one.name(), one.number(material)));
+        return json;
     }
 
     private static Json of(LightTerm term) {
