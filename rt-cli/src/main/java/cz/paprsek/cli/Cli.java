@@ -26,9 +26,14 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import picocli.AutoComplete;
+import picocli.CommandLine.IExecutionExceptionHandler;
+import picocli.CommandLine.IParameterExceptionHandler;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine;
 
 /** The commands put together: what there is, and how a mistake is answered. */
@@ -75,27 +80,52 @@ final class Cli {
     private CommandLine commandLine(List<String> names) {
         CommandLine root = new CommandLine(new RootCommand());
         names.forEach(name -> root.addSubcommand(name, command(name)));
-        root.registerConverter(Size.class, Size::parse);
-        root.registerConverter(RenderMode.class, Modes::parse);
-        root.registerConverter(PixelPlace.class, PixelPlace::parse);
-        root.registerConverter(Tile.class, Region::parse);
-        root.registerConverter(ImageFormat.class, Formats::parse);
-        root.registerConverter(Tone.class, Tones::parse);
-        root.registerConverter(Share.class, Share::parse);
-        root.registerConverter(Path.class, Words::file);
-        root.registerConverter(Integer.class, Words::wholeNumber);
-        root.registerConverter(int.class, Words::wholeNumber);
-        root.registerConverter(Double.class, Words::number);
-        root.registerConverter(double.class, Words::number);
+        register(root, Size.class, Size::parse);
+        register(root, RenderMode.class, Modes::parse);
+        register(root, PixelPlace.class, PixelPlace::parse);
+        register(root, Tile.class, Region::parse);
+        register(root, ImageFormat.class, Formats::parse);
+        register(root, Tone.class, Tones::parse);
+        register(root, Share.class, Share::parse);
+        register(root, Path.class, Words::file);
+        register(root, Integer.class, Words::wholeNumber);
+        register(root, int.class, Words::wholeNumber);
+        register(root, Double.class, Words::number);
+        register(root, double.class, Words::number);
         root.setOut(terminal.out());
         root.setErr(terminal.err());
         root.setUsageHelpWidth(WIDTH);
-        root.setParameterExceptionHandler((mistake, given) -> wrongUsage(mistake.getCommandLine(), Mistakes.sentence(mistake)));
-        root.setExecutionExceptionHandler(this::failed);
+        Answers answers = new Answers();
+        root.setParameterExceptionHandler(answers);
+        root.setExecutionExceptionHandler(answers);
         root.getCommandSpec().addOption(
                 OptionSpec.builder("-V", "--version").versionHelp(true).description("Prints the version and exits.").build());
         describe(root);
         return root;
+    }
+
+    private static <T> void register(CommandLine root, Class<T> type, Function<String, T> parse) {
+        root.registerConverter(type, new Meaning<>(parse));
+    }
+
+    /** No lambda, like {@link Answers}: of those that implement an interface as old as picocli's, Java 17 cannot archive the classes, and dies of it. */
+    private record Meaning<T>(Function<String, T> parse) implements ITypeConverter<T> {
+        @Override
+        public T convert(String word) {
+            return parse.apply(word);
+        }
+    }
+
+    private final class Answers implements IParameterExceptionHandler, IExecutionExceptionHandler {
+        @Override
+        public int handleParseException(ParameterException mistake, String[] given) {
+            return wrongUsage(mistake.getCommandLine(), Mistakes.sentence(mistake));
+        }
+
+        @Override
+        public int handleExecutionException(Exception failure, CommandLine command, CommandLine.ParseResult parsed) {
+            return failed(failure, command);
+        }
     }
 
     private Object command(String name) {
@@ -126,7 +156,7 @@ final class Cli {
         command.getSubcommands().values().forEach(Cli::describe);
     }
 
-    private int failed(Exception failure, CommandLine command, CommandLine.ParseResult parsed) {
+    private int failed(Exception failure, CommandLine command) {
         if (failure instanceof WrongUsage) {
             return wrongUsage(command, String.valueOf(failure.getMessage()));
         }

@@ -42,10 +42,10 @@ import picocli.CommandLine.Parameters;
         footer = {
             "",
             "Examples:",
-            "  paprsek explain scenes/glass.xml 250,300              a pixel on the glass ball",
+            "  paprsek explain scenes/glass.xml 250,300          on the glass ball",
             "  paprsek explain scenes/glass.xml 83,100 --size 320x180 | less",
             "  paprsek explain scenes/glass.xml 250,300 --svg rays.svg",
-            "  paprsek explain scenes/glass.xml 250,300 --json       the tree for a script, numbers in full",
+            "  paprsek explain scenes/glass.xml 250,300 --json   for a script",
             "  paprsek explain scenes/database.xml 400,300 --scene Gears"
         })
 final class ExplainCommand implements Callable<Integer> {

@@ -8,6 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import picocli.CommandLine.MissingParameterException;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -16,6 +18,9 @@ import picocli.CommandLine.UnmatchedArgumentException;
 
 /** What is said of a command line that cannot be understood. */
 final class Mistakes {
+    /** What picocli says of a command that it is asked to explain. */
+    private static final Pattern UNKNOWN_COMMAND = Pattern.compile("^Unknown subcommand '(.*)'");
+
     private Mistakes() {}
 
     static String sentence(ParameterException mistake) {
@@ -27,6 +32,10 @@ final class Mistakes {
         List<String> unmatched = mistake.getCommandLine().getUnmatchedArguments();
         if (mistake instanceof MissingParameterException && !unmatched.isEmpty() && unmatched.get(0).startsWith("-")) {
             return option(mistake.getCommandLine().getCommandSpec(), unmatched.get(0));
+        }
+        Matcher command = UNKNOWN_COMMAND.matcher(String.valueOf(mistake.getMessage()));
+        if (command.find()) {
+            return word(mistake.getCommandLine().getCommandSpec(), command.group(1));
         }
         String threads = mistake.getArgSpec() instanceof OptionSpec option && option.longestName().equals("--threads")
                 ? "; without --threads, all processors are used" : "";

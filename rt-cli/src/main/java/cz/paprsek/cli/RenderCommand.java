@@ -45,13 +45,13 @@ import picocli.CommandLine.Parameters;
         footer = {
             "",
             "Examples:",
-            "  paprsek render showcase.xml                     to showcase.png in the working directory",
+            "  paprsek render showcase.xml                to showcase.png, here",
             "  paprsek render showcase.xml -o a.jpg --size 1920x1080 --samples 3",
             "  paprsek render 'scenes/*.xml' -o 'out/{name}-small.png' --size 320x180",
             "  paprsek render database.xml --where 'exists(torus)' -o pictures/",
-            "  paprsek render a.xml --format ppm16 -o -        16-bit linear light to standard output",
-            "  paprsek render a.xml --mode nodes -o cost.png    where the time goes: nodes visited per pixel",
-            "  paprsek render a.xml b.xml --json --quiet       one JSON object a line, nothing else"
+            "  paprsek render a.xml --format ppm16 -o -   16-bit linear light to stdout",
+            "  paprsek render a.xml --mode nodes -o t.png where the time goes, by pixel",
+            "  paprsek render a.xml b.xml --json --quiet  one JSON object a line"
         })
 final class RenderCommand implements Callable<Integer> {
     private final Terminal terminal;
@@ -107,7 +107,7 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(names = "--mode", paramLabel = "MODE", defaultValue = "shaded", completionCandidates = Modes.class, description = {
         "What the picture shows: ${COMPLETION-CANDIDATES}.",
-        "rays and nodes are counts per pixel, on a scale of colours that is drawn below the picture. In pfm, txt and lum these and depth "
+        "rays and nodes are counts per pixel, on a scale of colours that is drawn below the picture. In exr, pfm, txt and lum these and depth "
                 + "are numbers: counts, and distances in scene units, 0 where nothing is seen."})
     private RenderMode mode;
 

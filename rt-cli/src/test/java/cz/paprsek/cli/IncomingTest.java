@@ -8,6 +8,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -29,7 +30,7 @@ class IncomingTest {
     @BeforeEach
     void makeFiles() throws IOException {
         // With a mark and a processing instruction, so that the quick reader hands it on.
-        ball = ("\uFEFF" + Files.readString(Scenes.ball(folder.resolve("ball.xml"))) + "<?end?>").getBytes("UTF-8");
+        ball = ("\uFEFF" + Files.readString(Scenes.ball(folder.resolve("ball.xml"))) + "<?end?>").getBytes(StandardCharsets.UTF_8);
         broken = Files.readAllBytes(Scenes.broken(folder.resolve("broken.xml")));
         database = Files.readAllBytes(Path.of("../scenes/database.xml"));
     }

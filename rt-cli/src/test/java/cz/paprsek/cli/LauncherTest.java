@@ -2,13 +2,23 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.jar.Attributes;
+import java.util.jar.JarEntry;
+import java.util.jar.JarOutputStream;
+import java.util.jar.Manifest;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -56,15 +66,55 @@ class LauncherTest {
     }
 
     private int call(String... words) throws Exception {
+        return call(folder.resolve("jdk"), words);
+    }
+
+    private int call(Path home, String... words) throws Exception {
         ProcessBuilder builder = new ProcessBuilder(folder.resolve("paprsek").toString()).redirectErrorStream(true);
         builder.command().addAll(List.of(words));
-        builder.environment().put("JAVA_HOME", folder.resolve("jdk").toString());
+        builder.environment().put("JAVA_HOME", home.toString());
         builder.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
         builder.environment().put("LOG", log.toString());
         Process process = builder.start();
         assertThat(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8)).isEmpty();
         assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
         return process.exitValue();
+    }
+
+    /** The program in a jar, which archives want, and not folders; the libraries are where they are. */
+    private static void jar(Path jar) throws IOException {
+        Manifest manifest = new Manifest();
+        manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
+        manifest.getMainAttributes().put(Attributes.Name.MAIN_CLASS, Main.class.getName());
+        List<Path> path = Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator)).map(Path::of).filter(Files::exists).toList();
+        manifest.getMainAttributes().put(Attributes.Name.CLASS_PATH, path.stream().filter(Files::isRegularFile)
+                .map(file -> file.toUri().toString()).collect(Collectors.joining(" ")));
+        Set<String> names = new HashSet<>();
+        try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar), manifest)) {
+            for (Path root : path.stream().filter(Files::isDirectory).toList()) {
+                try (Stream<Path> files = Files.walk(root)) {
+                    for (Path file : files.filter(Files::isRegularFile).filter(file -> file.toString().contains("paprsek")).toList()) {
+                        if (names.add(root.relativize(file).toString())) {
+                            out.putNextEntry(new JarEntry(root.relativize(file).toString()));
+                            Files.copy(file, out);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    @Timeout(180)
+    void thisJavaCanArchiveTheProgram() throws Exception {
+        jar(folder.resolve("rt-cli.jar"));
+        assertThat(call(Path.of(System.getProperty("java.home")), "render", Scenes.ball(folder.resolve("s.xml")).toString(), "-q", "-o", folder.resolve("p.png").toString()))
+                .isZero();
+        while (!Files.isDirectory(cache) || Files.exists(cache.resolve("lock")) || cache.toFile().list().length == 0) {
+            Thread.sleep(100);
+        }
+        assertThat(cache.toFile().list()).hasSize(1).allMatch(name -> name.endsWith(".archive"));
+        assertThat(call(Path.of(System.getProperty("java.home")), "schema", "-o", folder.resolve("x").toString())).isZero();
     }
 
     private void waitForTraining() throws InterruptedException {

@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.cli.input.Size;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -30,7 +31,6 @@ class MistakesTest {
         "render a.xml --samples 99999999999   | 99999999999 is too large",
         "compare a.png b.png --tolerance none | expected a number, but found 'none'",
         "render a.xml -s 3x3                  | unknown option \"-s\"; did you mean \"--size\"?",
-        "render a.xml -t4                     | unknown option \"-t4\"; did you mean \"--threads\"?",
         "render a.xml -size 3x3               | unknown option \"-size\"; did you mean \"--size\"?",
         "render a.xml -O b.png                | unknown option \"-O\"; did you mean \"-o\"?",
         "render -dash.xml                     | unknown option \"-dash.xml\"; if it is a file, say ./-dash.xml",
@@ -38,6 +38,8 @@ class MistakesTest {
         "render a.xml b.png                   | is b.png meant as the output? say -o b.png",
         "render a.xml -o {nme}.png            | there is no {nme}; did you mean \"{name}\"?",
         "--size 3x3 render a.xml              | unknown option \"--size\"; it belongs behind a command: bench, crosscheck, explain, render",
+        "help rendr                           | there is no command \"rendr\"; did you mean \"render\"?",
+        "bench --scene fwe                    | there is no standard scene \"fwe\"; did you mean \"few\"? there are few,",
         "a.xml                                | there is no command \"a.xml\"; to render it, say paprsek render a.xml",
     })
     void wrongUsageIsExplainedInOneSentence(String line, String sentence) {
@@ -53,6 +55,11 @@ class MistakesTest {
         Run run = Run.cli(command, "", "b.xml");
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.err()).contains("an empty name").hasLineCount(2);
+    }
+
+    @Test
+    void aSizeMayHaveTheSignOfMultiplication() {
+        assertThat(Size.parse("640×480")).isEqualTo(new Size(640, 480));
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import cz.paprsek.cli.process.Stop;
+import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.render.Renderer;
@@ -151,5 +152,22 @@ class RenderCommandTest {
     void somebodyAtATerminalSeesABarThatIsGoneAtTheEnd() {
         Run run = Run.watched(true, new Stop(), "render", ball, "-o", folder.resolve("a.png"));
         assertThat(run.err()).contains("\r").endsWith(" \r").doesNotContain("\n");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"pfm", "exr", "txt", "lum"})
+    void depthsAndCountsAreNumbersForPrograms(String ending) throws IOException {
+        Path file = folder.resolve("depth." + ending);
+        assertThat(Run.cli("render", ball, "--mode", "depth", "-o", file).code()).isZero();
+        Path read = ending.equals("txt") ? Files.copy(file, folder.resolve("copy.lum")) : file;
+        Image depth = ImageFiles.read(read);
+        // The ball of radius 1 is seen from 5 away, a little beside the middle.
+        assertThat(depth.red(8, 4)).isBetween(4f, 4.1f);
+        assertThat(depth.red(0, 0)).isZero();
+        Path counts = folder.resolve("rays." + ending);
+        assertThat(Run.cli("render", ball, "--mode", "rays", "-o", counts).code()).isZero();
+        Image rays = ImageFiles.read(ending.equals("txt") ? Files.move(counts, folder.resolve("rays-copy.lum")) : counts);
+        assertThat(rays.height()).as("no legend").isEqualTo(depth.height());
+        assertThat(rays.red(0, 0)).isEqualTo(1);
     }
 }

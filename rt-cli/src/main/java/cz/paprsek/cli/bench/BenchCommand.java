@@ -28,8 +28,8 @@ import picocli.CommandLine.Option;
             "",
             "Examples:",
             "  paprsek bench",
-            "  paprsek bench --against povray                  in turn with POV-Ray, which must be installed",
-            "  paprsek bench --scale --rounds 3                how time and memory grow with the scene",
+            "  paprsek bench --against povray                  in turn with POV-Ray",
+            "  paprsek bench --scale --rounds 3                how time and memory grow",
             "  paprsek bench --scene few --scene cloud1M --threads 2 --json"
         })
 public final class BenchCommand implements Callable<Integer> {

@@ -72,7 +72,7 @@ final class BenchScenes implements Iterable<String> {
     static void check(String name) {
         if (!KNOWN.containsKey(name)) {
             throw new WrongUsage("there is no standard scene \"" + name + "\"" + Similar.suggestion(name, KNOWN.keySet())
-                    + "; there are " + String.join(", ", KNOWN.keySet()));
+                    + (Similar.nearest(name, KNOWN.keySet()).isEmpty() ? ";" : "") + " there are " + String.join(", ", KNOWN.keySet()));
         }
     }
 

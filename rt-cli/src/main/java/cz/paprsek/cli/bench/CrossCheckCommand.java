@@ -6,14 +6,17 @@ import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.input.Share;
 import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Failures;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.ImageFiles;
+import cz.paprsek.io.AtomicFile;
 import cz.paprsek.math.Numbers;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -65,7 +68,7 @@ public final class CrossCheckCommand implements Callable<Integer> {
     private boolean record;
 
     @Option(names = "--heatmaps", paramLabel = "DIR", description =
-            "Writes a map of the differences to this directory, which exists, for every scene that differs.")
+            "Writes a map of the differences to this directory, which is made, for every scene that differs.")
     private Optional<Path> heatmaps;
 
     public CrossCheckCommand(Terminal terminal, Stop stop) {
@@ -79,6 +82,9 @@ public final class CrossCheckCommand implements Callable<Integer> {
         if (live.isEmpty() && (record || size.isPresent())) {
             throw new WrongUsage(recorded ? "--recorded cannot be combined with --record or --size"
                     : "--record and --size need povray, which is not installed");
+        }
+        if (heatmaps.isPresent() && !isMade(heatmaps.get())) {
+            return ExitCode.FAILED;
         }
         terminal.result(live.map(pov -> "POV-Ray " + pov.version() + ", run now").orElse(
                 "POV-Ray 3.7, recorded" + (recorded ? "" : ": povray is not installed here, so nothing is checked live")));
@@ -99,6 +105,18 @@ public final class CrossCheckCommand implements Callable<Integer> {
             }
         }
         return worst;
+    }
+
+    /** Before the first scene is rendered: what cannot be written should be known then. */
+    private boolean isMade(Path folder) {
+        try {
+            Files.createDirectories(folder);
+            AtomicFile.check(folder.resolve("map.png"));
+            return true;
+        } catch (IOException e) {
+            terminal.message("cannot write to the directory " + Failures.sentence(folder.toString(), e));
+            return false;
+        }
     }
 
     private int check(Path file, Scene scene, Optional<PovRay> live) throws InterruptedException {

@@ -22,7 +22,7 @@ import picocli.CommandLine.Spec;
         footer = {
             "",
             "Examples:",
-            "  paprsek db init my.xml                              a database with a test scene and examples",
+            "  paprsek db init my.xml                            one with examples",
             "  paprsek db list my.xml --where 'tag = \"glass\"'",
             "  paprsek db show sphere my.xml --where 'radius > 2 and name like \"gl%%\"' --csv",
             "  paprsek db find my.xml --where 'transparency > 0.5'",

@@ -77,7 +77,7 @@ final class DbExtractCommand extends DbAction {
         }
         for (Path target : files.keySet()) {
             Path folder = target.toAbsolutePath().getParent();
-            if (folder != null && pattern.contains(Targets.NAME)) {
+            if (folder != null) {
                 Files.createDirectories(folder);
             }
         }

@@ -21,7 +21,7 @@ import picocli.CommandLine.Parameters;
         description = "Shows a table of a database: scene, camera, light, material, object, or the objects of one kind, such as sphere. Operands of "
                 + "union, difference and intersection are objects too; their path says where they are, and their depth is above 0.",
         footer = {"", "Examples:", "  paprsek db show material my.xml --where 'transparency > 0'",
-            "  paprsek db show sphere my.xml --scenes 'tag = \"glass\"' --columns scene,path,radius,position.y --sort radius"})
+            "  paprsek db show sphere my.xml --scenes 'tag = \"glass\"' --columns path,radius"})
 final class DbShowCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "TABLE", description = "The name of a table; 'paprsek db tables' lists them.")
     private String table;

@@ -7,7 +7,7 @@ import picocli.CommandLine.TypeConversionException;
 
 /** A picture's width and height in pixels, as in {@code 1280x720}. */
 public record Size(int width, int height) {
-    private static final Pattern FORM = Pattern.compile("(\\d{1,5})[xX](\\d{1,5})");
+    private static final Pattern FORM = Pattern.compile("(\\d{1,5})[xX\u00d7](\\d{1,5})");
 
     public static Size parse(String text) {
         Matcher found = FORM.matcher(text);

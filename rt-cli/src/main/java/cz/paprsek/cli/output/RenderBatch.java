@@ -87,7 +87,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                     return interrupted(target);
                 }
                 image = view.finished(result.image(), target.format());
-                ImageOptions how = writing.of(scene, options, view, target.format());
+                ImageOptions how = view.written(target.format(), writing.of(scene, options, view, target.format()));
                 stop.guard(() -> write(target, image, how));
                 tiles.discard();
             }

@@ -3,6 +3,7 @@ package cz.paprsek.cli.output;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.render.HeatScale;
 import cz.paprsek.render.Legend;
 import cz.paprsek.render.RenderMode;
@@ -37,8 +38,13 @@ public record View(RenderMode mode, Optional<String> light, boolean legend) {
         return format == ImageFormat.TXT && isNumbers(format) ? ImageFormat.RAW : format;
     }
 
+    /** With as many digits as numbers need, unless fewer were asked for. */
+    ImageOptions written(ImageFormat format, ImageOptions how) {
+        return format == ImageFormat.EXR && isNumbers(format) && how.bits().isEmpty() ? how.withBits(Float.SIZE) : how;
+    }
+
     private boolean isNumbers(ImageFormat format) {
-        return mode.isNumber() && (format == ImageFormat.PFM || format == ImageFormat.EXR || format == ImageFormat.TXT || format == ImageFormat.RAW);
+        return mode.isNumber() && (format == ImageFormat.EXR || format == ImageFormat.PFM || format == ImageFormat.EXR || format == ImageFormat.TXT || format == ImageFormat.RAW);
     }
 
     /** The picture as it is written. */

@@ -59,7 +59,7 @@ public final class Columns {
         return switch (Character.getType(character)) {
             case Character.NON_SPACING_MARK, Character.ENCLOSING_MARK -> 0;
             default -> character >= WIDE && (Character.isIdeographic(character) || isWide(Character.UnicodeScript.of(character))
-                    || character >= 0x1F300 && character < 0x20000) ? 2 : 1;
+                    || (character >= 0x1F300 && character < 0x20000)) ? 2 : 1;
         };
     }
 
