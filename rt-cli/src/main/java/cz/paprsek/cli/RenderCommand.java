@@ -79,18 +79,6 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--raw", description = "Text output holds linear luminance as decimals, 1 for white, instead of 0-255: the same as --format lum.")
     private boolean raw;
 
-    @Option(names = "--bits", paramLabel = "N", description =
-            "Bits per channel: 8 or 16 of png, 16 or 32 of exr. Default: the smaller number.")
-    private Optional<Integer> bits;
-
-    @Option(names = "--exposure", paramLabel = "STOPS", description = "Brightens the picture as it is written; each stop doubles the light. Default: 0.")
-    private Optional<Double> exposure;
-
-    @Option(names = "--tone", paramLabel = "TONE", completionCandidates = Tones.class, description = {
-        "How light is fitted to a screen: ${COMPLETION-CANDIDATES}. Default: none, what is brighter than white is white.",
-        "filmic bends highlights towards white as film does, and darkens shadows a little."})
-    private Optional<Tone> tone;
-
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height in pixels, each 1-32768. Default: the scene's.")
     private Optional<Size> size;
 
@@ -120,6 +108,18 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--threads", paramLabel = "N", description =
             "Threads to render with, 1-1024; the picture is the same for any number. Default: all processors.")
     private Optional<Integer> threads;
+
+    @Option(names = "--bits", paramLabel = "N", description =
+            "Bits per channel: 8 or 16 of png, 16 or 32 of exr. Default: the smaller number.")
+    private Optional<Integer> bits;
+
+    @Option(names = "--exposure", paramLabel = "STOPS", description = "Brightens the picture as it is written; each stop doubles the light. Default: 0.")
+    private Optional<Double> exposure;
+
+    @Option(names = "--tone", paramLabel = "TONE", completionCandidates = Tones.class, description = {
+        "How light is fitted to a screen: ${COMPLETION-CANDIDATES}. Default: none, what is brighter than white is white.",
+        "filmic bends highlights towards white as film does, and darkens shadows a little."})
+    private Optional<Tone> tone;
 
     @Option(names = "--resume", description = {
         "Keeps every finished tile in FILE.resume beside the picture, and goes on from there if an earlier render was interrupted or killed. "
