@@ -67,7 +67,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
                 + (picture.completeProperty().get() ? "" : " …"));
         picture.completeProperty().addListener((property, old, now) -> caption.run());
         onState = (property, old, now) -> {
-            if (old.scene() != now.scene() || !old.hidden().equals(now.hidden())) {
+            if (!old.scene().equals(now.scene()) || !old.hidden().equals(now.hidden())) {
                 visible = Visible.of(now);
                 picture.show(visible.scene());
                 caption.run();

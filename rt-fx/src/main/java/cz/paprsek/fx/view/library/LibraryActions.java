@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.library.LibraryStore;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.List;
 import javafx.scene.control.Button;
+import javafx.scene.layout.Region;
 import javafx.stage.Window;
 
 /** What buttons and keys of the library do. */
@@ -31,6 +32,7 @@ final class LibraryActions {
     static Button button(Texts texts, String key, Runnable action) {
         Button button = new Button(texts.of(key));
         button.setId(key.replace('.', '-'));
+        button.setMinWidth(Region.USE_PREF_SIZE);
         button.setOnAction(event -> action.run());
         return button;
     }

@@ -166,6 +166,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
         choice.setOnAction(event -> showTab());
         Label hint = new Label(texts.of("library.table-hint"));
         hint.getStyleClass().add("hint");
+        hint.setWrapText(true);
         HBox above = new HBox(choice, LibraryActions.button(texts, "library.export", this::export), hint);
         above.getStyleClass().add("table-tools");
         BorderPane pane = new BorderPane(table);

@@ -39,6 +39,7 @@ final class SceneDetails extends VBox {
         description.setPrefRowCount(7);
         description.setMaxHeight(USE_PREF_SIZE);
         facts.setWrapText(true);
+        facts.setMinHeight(USE_PREF_SIZE);
         facts.getStyleClass().add("hint");
         getChildren().addAll(new Label(texts.of("library.name")), name, new Label(texts.of("library.tags")), tags,
                 new Label(texts.of("library.description")), description, facts, button("library.edit", actions::openSelected),
