@@ -46,7 +46,7 @@ final class ResizeDrag implements Drag {
         double alongU = factor(handle.alongU(), box.minU(), box.maxU(), (x - startX) / view.scale(), snap);
         double alongV = factor(handle.alongV(), box.minV(), box.maxV(), (startY - y) / view.scale(), snap);
         boolean corner = handle.alongU() != 0 && handle.alongV() != 0;
-        boolean even = keys.straight() != proportional && corner;
+        boolean even = corner && keys.straight() != proportional;
         double evenly = Math.abs(alongU - 1) > Math.abs(alongV - 1) ? alongU : alongV;
         width = (box.maxU() - box.minU()) * (even ? evenly : alongU);
         height = (box.maxV() - box.minV()) * (even ? evenly : alongV);

@@ -57,7 +57,7 @@ public final class FocusOrder {
     private void pressed(KeyEvent event) {
         boolean isTab = event.getCode() == KeyCode.TAB && !event.isShortcutDown() && !event.isAltDown();
         boolean isF6 = event.getCode() == KeyCode.F6 && !event.isShortcutDown() && !event.isAltDown();
-        if (!isTab && !isF6 || !(event.getTarget() instanceof Node at)) {
+        if ((!isTab && !isF6) || !(event.getTarget() instanceof Node at)) {
             return;
         }
         List<Node> order = now();
