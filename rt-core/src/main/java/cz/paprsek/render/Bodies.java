@@ -156,7 +156,8 @@ final class Bodies {
             for (int i = end - 1; i >= first; i--) {
                 surfaces[i].nearest(ray);
             }
-            return ray.max - back;
+            // What lies in one place with the hit may still replace it.
+            return ray.max + ray.touch(ray.max) - back;
         }
 
         @Override

@@ -42,7 +42,7 @@ final class BinaryTree extends Tree {
         Probe probe = search.probe;
         search.reserve(depth);
         if (entries.haveBoxes()) {
-            search.aim(ray);
+            search.aimAtBoxes(ray);
         }
         double reach = end;
         for (int i = 0; i < entries.size && entries.near[i] < reach; i++) {
@@ -98,7 +98,7 @@ final class BinaryTree extends Tree {
         Probe probe = search.probe;
         search.reserve(depth);
         if (entries.haveBoxes()) {
-            search.aim(ray);
+            search.aimAtBoxes(ray);
         }
         for (int i = 0; i < entries.size; i++) {
             if ((entries.box[i] == Entries.ANYWHERE || probe.enter(boxes, entries.box[i]) != Probe.MISS) && any(search, ray, entries.node[i])) {

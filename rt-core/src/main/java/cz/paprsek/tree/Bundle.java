@@ -72,11 +72,15 @@ public final class Bundle {
 
     /** A t before which no line meets the box whose six numbers start at b; infinite if none does at all. */
     double enter(double[] boxes, int b) {
+        return enter(boxes[b], boxes[b + 1], boxes[b + 2], boxes[b + 3], boxes[b + 4], boxes[b + 5]);
+    }
+
+    double enter(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
         near = 0;
         far = end;
-        clip(boxes[b] - ox, boxes[b + 3] - ox, lowX, highX);
-        clip(boxes[b + 1] - oy, boxes[b + 4] - oy, lowY, highY);
-        clip(boxes[b + 2] - oz, boxes[b + 5] - oz, lowZ, highZ);
+        clip(minX - ox, maxX - ox, lowX, highX);
+        clip(minY - oy, maxY - oy, lowY, highY);
+        clip(minZ - oz, maxZ - oz, lowZ, highZ);
         return near <= far ? near : Double.POSITIVE_INFINITY;
     }
 

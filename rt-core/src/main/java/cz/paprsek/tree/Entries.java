@@ -13,16 +13,29 @@ public final class Entries {
     int size;
     private int boxes;
 
+    /** For a tree of {@linkplain WideNodes wide nodes}: all but leaves that are searched without asking, as if children of a few nodes. */
+    float[] planes = {};
+    int[] names = {};
+    int groups;
+    /** Up to which t no line meets anything in a group. */
+    final double[] groupNear;
+
     /** @param most how many subtrees are kept apart at most */
     public Entries(int most) {
         // One more: a subtree that is opened gives way only after its halves have been added.
         node = new int[most + 1];
         box = new int[most + 1];
         near = new double[most + 1];
+        groupNear = new double[(most + WideNodes.WIDTH - 1) / WideNodes.WIDTH];
     }
 
     boolean isFull() {
-        return size == node.length - 1;
+        return !haveRoomFor(2);
+    }
+
+    /** Whether a subtree could be opened that has so many children. */
+    boolean haveRoomFor(int children) {
+        return size + children <= node.length;
     }
 
     /** Whether a search of these subtrees can find nothing at all. */
@@ -59,6 +72,49 @@ public final class Entries {
         size--;
         for (int i = at; i < size; i++) {
             copy(i + 1, i);
+        }
+    }
+
+    /** Whether this is a leaf that is searched without asking. */
+    boolean isLeafAnywhere(int at) {
+        return box[at] == ANYWHERE && node[at] < 0;
+    }
+
+    /** Makes one group of a node. */
+    void point(float[] itsPlanes, int[] itsNames) {
+        planes = itsPlanes;
+        names = itsNames;
+        groups = size;
+    }
+
+    /** Puts the boxes side by side. */
+    void gather(float[] from) {
+        if (planes.length == 0) {
+            planes = new float[WideNodes.STRIDE * groupNear.length];
+            names = new int[WideNodes.WIDTH * groupNear.length];
+        }
+        int count = 0;
+        for (int i = 0; i < size; i++) {
+            if (box[i] != ANYWHERE) {
+                int group = count / WideNodes.WIDTH;
+                int slot = count % WideNodes.WIDTH;
+                if (slot == 0) {
+                    groupNear[group] = near[i];
+                }
+                for (int k = 0; k < 6; k++) {
+                    planes[WideNodes.STRIDE * group + WideNodes.WIDTH * k + slot] = from[box[i] + WideNodes.WIDTH * k];
+                }
+                names[WideNodes.WIDTH * group + slot] = node[i];
+                count++;
+            }
+        }
+        groups = (count + WideNodes.WIDTH - 1) / WideNodes.WIDTH;
+        for (; count % WideNodes.WIDTH != 0; count++) {
+            int at = WideNodes.STRIDE * (groups - 1) + count % WideNodes.WIDTH;
+            for (int k = 0; k < 3; k++) {
+                planes[at + WideNodes.WIDTH * k] = Float.POSITIVE_INFINITY;
+                planes[at + WideNodes.WIDTH * (k + 3)] = Float.NEGATIVE_INFINITY;
+            }
         }
     }
 

@@ -1,5 +1,7 @@
 package cz.paprsek.tree;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Scratch of one worker: a line o + t·d as trees ask about boxes, the nodes still to be visited, and what is done at the leaves.
  *
@@ -8,6 +10,9 @@ package cz.paprsek.tree;
  */
 public abstract class Search<R> {
     final Probe probe = new Probe();
+    private final WideProbe wide = new WideProbe();
+    /** The tree that is to know the line, if it has wide nodes. */
+    private @Nullable WideNodes nodes;
     int[] node = {};
     int[] near = {};
     long visits;
@@ -32,7 +37,29 @@ public abstract class Search<R> {
 
     /** Sets the line: its origin, its reciprocal direction, which must be finite, and between which t it counts. */
     protected final void along(double ox, double oy, double oz, double rx, double ry, double rz, double min, double max) {
-        probe.set(ox, oy, oz, rx, ry, rz, min, max);
+        if (nodes == null) {
+            probe.set(ox, oy, oz, rx, ry, rz, min, max);
+        } else {
+            wide.set(nodes, ox, oy, oz, rx, ry, rz, min, max);
+        }
+    }
+
+    /** Tells a tree of wide nodes the line. */
+    final WideProbe aimAt(WideNodes among, R ray) {
+        if (nodes != among) {
+            nodes = among;
+            wide.reserve(among.mostToVisit());
+        }
+        aim(ray);
+        return wide;
+    }
+
+    /** Tells a binary tree the line. */
+    final void aimAtBoxes(R ray) {
+        if (nodes != null) {
+            nodes = null;
+        }
+        aim(ray);
     }
 
     /** Makes room for a tree. */

@@ -83,11 +83,11 @@ public final class TreeBuilder {
      */
     public Tree build() {
         if (record.length == 0) {
-            return new BinaryTree(boxes, child, 0, 0);
+            return Kernel.suitedTo(0, 0).tree(boxes, child, 0, 0);
         }
         Subtree whole = new Subtree(0, record.length, 0, 0);
         whole.invoke();
-        return new BinaryTree(boxes, child, whole.name, whole.depth);
+        return Kernel.suitedTo(record.length, cost(0, record.length)).tree(boxes, child, whole.name, whole.depth);
     }
 
     /** One task: the records from {@code from} to {@code to} become a subtree with nodes from {@code base} on. */
@@ -124,7 +124,7 @@ public final class TreeBuilder {
             }
             putBox(start, middle, 12 * node);
             putBox(middle, end, 12 * node + 6);
-            int larger = Bins.halfArea(boxes, 12 * node) >= Bins.halfArea(boxes, 12 * node + 6) ? 0 : 1;
+            int larger = halfArea(boxes, 12 * node) >= halfArea(boxes, 12 * node + 6) ? 0 : 1;
             if (larger == 1) {
                 putBox(middle, end, 12 * node);
                 putBox(start, middle, 12 * node + 6);
@@ -158,6 +158,14 @@ public final class TreeBuilder {
             }
         }
         return count <= Tree.LEAF ? start : start + count / 2;
+    }
+
+    /** Half the surface of a box; 0 if it is empty. */
+    static double halfArea(double[] boxes, int b) {
+        double x = boxes[b + 3] - boxes[b];
+        double y = boxes[b + 4] - boxes[b + 1];
+        double z = boxes[b + 5] - boxes[b + 2];
+        return x < 0 ? 0 : x * y + y * z + z * x;
     }
 
     private double cost(int start, int end) {
@@ -315,11 +323,5 @@ public final class TreeBuilder {
             }
         }
 
-        private static double halfArea(double[] boxes, int b) {
-            double x = boxes[b + 3] - boxes[b];
-            double y = boxes[b + 4] - boxes[b + 1];
-            double z = boxes[b + 5] - boxes[b + 2];
-            return x < 0 ? 0 : x * y + y * z + z * x;
-        }
     }
 }

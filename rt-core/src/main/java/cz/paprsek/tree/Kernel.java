@@ -1,0 +1,69 @@
+package cz.paprsek.tree;
+
+/** What makes trees and searches them: one for any machine, and one for those whose vectors hold eight floats. Both find the same. */
+public abstract class Kernel {
+    /** What was asked for: {@code scalar} or {@code vector} for all trees; else each gets what suits it. */
+    private static final String WISH = System.getProperty("paprsek.kernel", "");
+    private static final Kernel SCALAR = new Scalar();
+    private static final Kernel BEST = best();
+    /** Below so many items for each unit of what one costs, a binary tree is searched as fast, and at once: vectors are slow until compiled. */
+    private static final int MANY = 256;
+
+    /** How the one for large trees is called in reports. */
+    public static String inUse() {
+        return BEST.name();
+    }
+
+    /** The one for a tree over so many items which cost so much to meet, all together. */
+    static Kernel suitedTo(int items, double cost) {
+        return items == 0 || (items < MANY * (cost / items) && !"vector".equals(WISH)) ? SCALAR : BEST;
+    }
+
+    abstract String name();
+
+    /** Makes a tree from a binary one, given as {@link BinaryTree} has it; its root is inner node 0 unless it is a leaf. */
+    abstract Tree tree(double[] boxes, int[] child, int root, int depth);
+
+    /**
+     * The one with vectors needs a module that is there only if Java was told so, and a compiler that makes machine code of vectors: else each
+     * of them is an object.
+     */
+    private static Kernel best() {
+        String machine = System.getProperty("java.vm.name", "");
+        String compiler = System.getProperty("java.vm.info", "");
+        boolean compiles = machine.endsWith("64-Bit Server VM") && compiler.startsWith("mixed mode") && !compiler.contains("emulated-client")
+                && !System.getProperty("java.vm.version", "").contains("jvmci");
+        if (!compiles || "scalar".equals(WISH)) {
+            return SCALAR;
+        }
+        return ModuleLayer.boot().findModule("jdk.incubator.vector").map(Kernel::wide).orElse(SCALAR);
+    }
+
+    private static Kernel wide(Module vectors) {
+        Kernel.class.getModule().addReads(vectors);
+        try {
+            Kernel wide = Class.forName("cz.paprsek.tree.WideKernel").asSubclass(Kernel.class).getDeclaredConstructor().newInstance();
+            return wide.isFast() ? wide : SCALAR;
+        } catch (ReflectiveOperationException | LinkageError e) {
+            // Not compiled into this jar, or against other vectors than this Java has.
+            return SCALAR;
+        }
+    }
+
+    /** Whether this machine's vectors are wide enough. */
+    boolean isFast() {
+        return true;
+    }
+
+    private static final class Scalar extends Kernel {
+        @Override
+        String name() {
+            return "scalar";
+        }
+
+        @Override
+        Tree tree(double[] boxes, int[] child, int root, int depth) {
+            return new BinaryTree(boxes, child, root, depth);
+        }
+    }
+}

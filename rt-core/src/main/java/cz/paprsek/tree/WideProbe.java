@@ -1,0 +1,103 @@
+package cz.paprsek.tree;
+
+import java.util.Arrays;
+
+/**
+ * Scratch of one worker: a line as a tree of wide nodes asks about boxes, in floats. Relative to the tree's centre and scale, rounded so that
+ * no box is missed: where the origin lies is taken as twice, once for the planes crossed first and once for those crossed last. Values of t
+ * are compared as integers, see {@link Probe}.
+ */
+final class WideProbe {
+    /** By so many units in the last place t may be wrong on the near and the far side together, rounded up generously. */
+    static final int SLACK = 8;
+    /** From farther away than so many times the tree's size all boxes are taken as met: floats could not tell. */
+    private static final double FAR = 1e30;
+    /** More than what rounding to a float changes, relatively. */
+    private static final float ROUNDING = 1.2e-7f;
+
+    float nearX;
+    float nearY;
+    float nearZ;
+    float farX;
+    float farY;
+    float farZ;
+    float rx;
+    float ry;
+    float rz;
+    int begin;
+    int end;
+    /** Where in a node the planes begin that the line crosses first and last, by axis. */
+    int firstX;
+    int firstY;
+    int firstZ;
+    private double scale = 1;
+
+    /** Nodes and leaves to visit, the nearest on top: where the line enters, and in the lower half its name. */
+    long[] stack = {};
+    int top;
+    final int[] lanes = new int[8];
+
+    /** Makes room for so many nodes to visit. */
+    void reserve(int most) {
+        if (stack.length < most) {
+            stack = Arrays.copyOf(stack, most);
+        }
+    }
+
+    /** Takes over the line, as seen in the space of a tree. */
+    void set(WideNodes nodes, double ox, double oy, double oz, double reciprocalX, double reciprocalY, double reciprocalZ, double min, double max) {
+        scale = nodes.scale;
+        begin = Math.max(0, order(min));
+        end = order(max);
+        double x = (ox - nodes.centreX) * scale;
+        double y = (oy - nodes.centreY) * scale;
+        double z = (oz - nodes.centreZ) * scale;
+        if (!(Math.abs(x) + Math.abs(y) + Math.abs(z) < FAR)) {
+            meetAll();
+            return;
+        }
+        firstX = reciprocalX < 0 ? 24 : 0;
+        firstY = reciprocalY < 0 ? 32 : 8;
+        firstZ = reciprocalZ < 0 ? 40 : 16;
+        rx = finite(reciprocalX);
+        ry = finite(reciprocalY);
+        rz = finite(reciprocalZ);
+        float widerX = Math.abs((float) x) * (rx < 0 ? -ROUNDING : ROUNDING);
+        float widerY = Math.abs((float) y) * (ry < 0 ? -ROUNDING : ROUNDING);
+        float widerZ = Math.abs((float) z) * (rz < 0 ? -ROUNDING : ROUNDING);
+        nearX = (float) x + widerX;
+        nearY = (float) y + widerY;
+        nearZ = (float) z + widerZ;
+        farX = (float) x - widerX;
+        farY = (float) y - widerY;
+        farZ = (float) z - widerZ;
+        top = 0;
+    }
+
+    /** Takes note that the line has become shorter. */
+    void end(double max) {
+        if (rx != Float.MIN_VALUE) {
+            end = order(max);
+        }
+    }
+
+    private int order(double t) {
+        return Float.floatToRawIntBits((float) (t * scale));
+    }
+
+    /** From everywhere between −1 and 1 to −2 it is less than {@link #SLACK} of the smallest floats, so that all boxes are met. */
+    private void meetAll() {
+        nearX = nearY = nearZ = farX = farY = farZ = -2;
+        rx = ry = rz = Float.MIN_VALUE;
+        firstX = 0;
+        firstY = 8;
+        firstZ = 16;
+        begin = 0;
+        end = Integer.MAX_VALUE - SLACK;
+        top = 0;
+    }
+
+    private static float finite(double r) {
+        return r > Float.MAX_VALUE ? Float.MAX_VALUE : r < -Float.MAX_VALUE ? -Float.MAX_VALUE : (float) r;
+    }
+}

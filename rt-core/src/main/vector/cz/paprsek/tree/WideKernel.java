@@ -1,0 +1,22 @@
+package cz.paprsek.tree;
+
+import jdk.incubator.vector.FloatVector;
+
+/** Trees of eight children a node, all asked about at once. Loaded by name, and only where the module {@code jdk.incubator.vector} is present. */
+final class WideKernel extends Kernel {
+    @Override
+    Tree tree(double[] boxes, int[] child, int root, int depth) {
+        return new WideTree(new WideNodes(boxes, child, root, depth));
+    }
+
+    @Override
+    String name() {
+        return "vectors of " + WideNodes.WIDTH + " floats";
+    }
+
+    /** Vectors that are wider than the machine's are objects, thousands of times slower. */
+    @Override
+    boolean isFast() {
+        return FloatVector.SPECIES_PREFERRED.length() >= WideNodes.WIDTH;
+    }
+}

@@ -1,0 +1,192 @@
+package cz.paprsek.tree;
+
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/** The tree for machines with vectors of eight floats: all children of a node are asked about at once. */
+final class WideTree extends Tree {
+    private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
+    private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
+    private static final int WIDTH = WideNodes.WIDTH;
+    private static final int STRIDE = WideNodes.STRIDE;
+    /** What is visited next if nothing is left; no leaf has that name. */
+    private static final int NOTHING = 0;
+    /** In place of a node: goes on with those to visit. */
+    private static final int NEXT = -1;
+    /** A bit for each lane. */
+    private static final int[] LANES = {1, 2, 4, 8, 16, 32, 64, 128};
+
+    private final WideNodes nodes;
+    private final float[] planes;
+    private final int[] child;
+
+    WideTree(WideNodes nodes) {
+        super(0, nodes.depth);
+        this.nodes = nodes;
+        this.planes = nodes.planes;
+        this.child = nodes.child;
+        whole().point(planes, child);
+    }
+
+    /** The nearest inner node is opened again and again until all are leaves, or there would be too many. */
+    @Override
+    public void enter(Bundle bundle, Entries entries) {
+        double unit = bundle.shortest();
+        entries.startWith(whole());
+        int i = 0;
+        while (i < entries.size) {
+            int node = entries.node[i];
+            if (node < 0 || !entries.haveRoomFor(WIDTH)) {
+                i++;
+                continue;
+            }
+            entries.remove(i);
+            for (int slot = 0; slot < WIDTH && child[WIDTH * node + slot] != NOTHING; slot++) {
+                int subtree = child[WIDTH * node + slot];
+                double near = nodes.enter(bundle, STRIDE * node + slot);
+                if (near < Double.POSITIVE_INFINITY) {
+                    entries.add(subtree, isQuick(subtree) ? Entries.ANYWHERE : STRIDE * node + slot, near * unit);
+                }
+            }
+        }
+        entries.gather(planes);
+    }
+
+    @Override
+    public <R> void nearest(Search<R> search, R ray, Entries entries, double end) {
+        double reach = end;
+        for (int i = 0; i < entries.size && entries.near[i] < reach; i++) {
+            if (entries.isLeafAnywhere(i)) {
+                search.visits++;
+                reach = search.meet(ray, first(entries.node[i]), end(entries.node[i]));
+            }
+        }
+        if (entries.groups == 0) {
+            return;
+        }
+        WideProbe probe = search.aimAt(nodes, ray);
+        for (int group = 0; group < entries.groups && entries.groupNear[group] < reach; group++) {
+            int leaf = next(probe, search, entries.planes, entries.names, group, true);
+            while (leaf != NOTHING) {
+                reach = search.meet(ray, first(leaf), end(leaf));
+                probe.end(reach);
+                leaf = next(probe, search, planes, child, NEXT, true);
+            }
+        }
+    }
+
+    @Override
+    public <R> boolean any(Search<R> search, R ray, Entries entries) {
+        for (int i = 0; i < entries.size; i++) {
+            if (entries.isLeafAnywhere(i)) {
+                search.visits++;
+                if (search.stopsAt(ray, first(entries.node[i]), end(entries.node[i]))) {
+                    return true;
+                }
+            }
+        }
+        if (entries.groups == 0) {
+            return false;
+        }
+        WideProbe probe = search.aimAt(nodes, ray);
+        for (int group = 0; group < entries.groups; group++) {
+            int leaf = next(probe, search, entries.planes, entries.names, group, false);
+            while (leaf != NOTHING) {
+                if (search.stopsAt(ray, first(leaf), end(leaf))) {
+                    return true;
+                }
+                leaf = next(probe, search, planes, child, NEXT, false);
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Visits nodes up to the next leaf, and returns its name, or {@link #NOTHING}. Vectors live in this method only: handed on, they would
+     * become objects.
+     *
+     * @param firstPlanes of the node to begin with
+     * @param firstNames of its children
+     * @param first its number, or {@link #NEXT} to go on with those that are left to visit
+     * @param nearestFirst whether children are visited in order; else there is no need to know where they are entered
+     */
+    private int next(WideProbe probe, Search<?> search, float[] firstPlanes, int[] firstNames, int first, boolean nearestFirst) {
+        FloatVector nearX = FloatVector.broadcast(FLOATS, probe.nearX);
+        FloatVector nearY = FloatVector.broadcast(FLOATS, probe.nearY);
+        FloatVector nearZ = FloatVector.broadcast(FLOATS, probe.nearZ);
+        FloatVector farX = FloatVector.broadcast(FLOATS, probe.farX);
+        FloatVector farY = FloatVector.broadcast(FLOATS, probe.farY);
+        FloatVector farZ = FloatVector.broadcast(FLOATS, probe.farZ);
+        FloatVector rx = FloatVector.broadcast(FLOATS, probe.rx);
+        FloatVector ry = FloatVector.broadcast(FLOATS, probe.ry);
+        FloatVector rz = FloatVector.broadcast(FLOATS, probe.rz);
+        IntVector begin = IntVector.broadcast(INTS, probe.begin);
+        IntVector end = IntVector.broadcast(INTS, probe.end);
+        IntVector lanes = IntVector.fromArray(INTS, LANES, 0);
+        int firstX = probe.firstX;
+        int firstY = probe.firstY;
+        int firstZ = probe.firstZ;
+        long[] stack = probe.stack;
+        int[] enters = probe.lanes;
+        int farthest = probe.end + WideProbe.SLACK;
+        float[] box = firstPlanes;
+        int[] names = firstNames;
+        int node = first;
+        int top = probe.top;
+        int visits = node == NEXT ? 0 : -1;
+        while (true) {
+            if (node == NEXT) {
+                long entered;
+                do {
+                    if (top == 0) {
+                        probe.top = 0;
+                        search.visits += visits;
+                        return NOTHING;
+                    }
+                    entered = stack[--top];
+                } while ((int) (entered >> 32) > farthest);
+                node = (int) entered;
+                if (node < 0) {
+                    probe.top = top;
+                    search.visits += visits + 1;
+                    return node;
+                }
+                box = planes;
+                names = child;
+            }
+            visits++;
+            int at = STRIDE * node;
+            IntVector in = FloatVector.fromArray(FLOATS, box, at + firstX).sub(nearX).mul(rx).reinterpretAsInts()
+                    .max(FloatVector.fromArray(FLOATS, box, at + firstY).sub(nearY).mul(ry).reinterpretAsInts())
+                    .max(FloatVector.fromArray(FLOATS, box, at + firstZ).sub(nearZ).mul(rz).reinterpretAsInts())
+                    .max(begin);
+            IntVector out = FloatVector.fromArray(FLOATS, box, at + 24 - firstX).sub(farX).mul(rx).reinterpretAsInts()
+                    .min(FloatVector.fromArray(FLOATS, box, at + 40 - firstY).sub(farY).mul(ry).reinterpretAsInts())
+                    .min(FloatVector.fromArray(FLOATS, box, at + 56 - firstZ).sub(farZ).mul(rz).reinterpretAsInts())
+                    .min(end).max(-1 - WideProbe.SLACK);
+            // All bits where in ≤ out + slack: no mask, whose way to an integer Java 17 does not compile.
+            int hits = in.sub(out).sub(WideProbe.SLACK + 1).lanewise(VectorOperators.ASHR, 31).and(lanes).reduceLanes(VectorOperators.OR);
+            int at8 = WIDTH * node;
+            node = NEXT;
+            if (!nearestFirst) {
+                for (; hits != 0; hits &= hits - 1) {
+                    stack[top++] = names[at8 + Integer.numberOfTrailingZeros(hits)] & 0xFFFFFFFFL;
+                }
+            } else if (hits != 0) {
+                in.intoArray(enters, 0);
+                int bottom = top;
+                for (; hits != 0; hits &= hits - 1) {
+                    int slot = Integer.numberOfTrailingZeros(hits);
+                    long entry = (long) enters[slot] << 32 | names[at8 + slot] & 0xFFFFFFFFL;
+                    int place = top++;
+                    for (; place > bottom && stack[place - 1] < entry; place--) {
+                        stack[place] = stack[place - 1];
+                    }
+                    stack[place] = entry;
+                }
+            }
+        }
+    }
+}
