@@ -107,14 +107,14 @@ class DamagedPicturesTest {
     private static void mend(byte[] png) {
         int at = 8;
         while (at + 12 <= png.length) {
-            int length = (png[at] & 0xFF) << 24 | (png[at + 1] & 0xFF) << 16 | (png[at + 2] & 0xFF) << 8 | png[at + 3] & 0xFF;
+            int length = ((png[at] & 0xFF) << 24) | ((png[at + 1] & 0xFF) << 16) | ((png[at + 2] & 0xFF) << 8) | (png[at + 3] & 0xFF);
             if (length < 0 || length > png.length - at - 12) {
                 return;
             }
             CRC32 crc = new CRC32();
             crc.update(png, at + 4, length + 4);
             for (int i = 0; i < 4; i++) {
-                png[at + 8 + length + i] = (byte) (crc.getValue() >> 24 - 8 * i);
+                png[at + 8 + length + i] = (byte) (crc.getValue() >> (24 - 8 * i));
             }
             at += 12 + length;
         }

@@ -121,7 +121,7 @@ class ExrTest {
             double error = Math.abs((double) Half.toFloat(half) - value);
             for (int other : new int[] {half - 1, half + 1}) {
                 double otherError = other < 0 || other >= 0x7C00 ? Double.MAX_VALUE : Math.abs((double) Half.toFloat((short) other) - value);
-                assertThat(error < otherError || error == otherError && half % 2 == 0).as("%s", value).isTrue();
+                assertThat(error < otherError || (error == otherError && half % 2 == 0)).as("%s", value).isTrue();
             }
         }
     }

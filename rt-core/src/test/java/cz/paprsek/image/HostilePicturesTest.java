@@ -130,8 +130,8 @@ class HostilePicturesTest {
         byte[] bad = exr.clone();
         int at = new String(bad, StandardCharsets.ISO_8859_1).indexOf("dataWindow\0box2i\0") + 17 + 4 + 8;
         for (int i = 0; i < 4; i++) {
-            bad[at + i] = (byte) (right >> 8 * i);
-            bad[at + 4 + i] = (byte) (bottom >> 8 * i);
+            bad[at + i] = (byte) (right >> (8 * i));
+            bad[at + 4 + i] = (byte) (bottom >> (8 * i));
         }
         return bad;
     }

@@ -21,6 +21,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class DamagedFilesTest {
     private static final int WAYS = Integer.getInteger("paprsek.damages", 10_000);
     private static final List<Damage> DAMAGES = List.of(Damage.values());
+    private static final List<WayIn> WAYS_IN = List.of(WayIn.values());
 
     static Stream<Path> scenes() throws IOException {
         try (Stream<Path> files = Files.list(Path.of("../scenes"))) {
@@ -41,8 +42,8 @@ class DamagedFilesTest {
             byte[] bad = damage.apply(good, random);
             long begin = System.nanoTime();
             try {
-                if (seed % 50 < WayIn.values().length && WayIn.values()[seed % 50].takes(bad)) {
-                    WayIn.values()[seed % 50].readAlone(bad);
+                if (seed % 50 < WAYS_IN.size() && WAYS_IN.get(seed % 50).takes(bad)) {
+                    WAYS_IN.get(seed % 50).readAlone(bad);
                 } else {
                     SceneReader.read(new ByteArrayInputStream(bad), "x");
                 }

@@ -67,8 +67,14 @@ class DatabaseTextTest {
         assertThat(changed(TEXT, database -> database.without(List.of("one")))).isEqualTo(TEXT.replace("  <scene name='one'>" + CAMERA + "</scene> <!-- good -->\n", ""));
         assertThat(changed(TEXT, database -> database.merge(SceneDatabase.EMPTY.plus(four, Scene.EMPTY.withName("one").withDescription("other")), Clash.REPLACE)))
                 .isEqualTo(TEXT.replace("three'>" + CAMERA + "</scene>", expected).replace("'one'>", "'one'><description>other</description>"));
-        assertThat(changed(TEXT, database -> SceneDatabase.EMPTY)).isEqualTo("<!-- mine -->\n<database xmlns=\"urn:paprsek:scene:1\">\n\n  <!-- first -->\n  <!-- last -->\n"
-                + "</database><!-- end -->\n");
+        assertThat(changed(TEXT, database -> SceneDatabase.EMPTY)).isEqualTo("""
+                <!-- mine -->
+                <database xmlns="urn:paprsek:scene:1">
+
+                  <!-- first -->
+                  <!-- last -->
+                </database><!-- end -->
+                """);
         assertThat(changed("<database xmlns='urn:paprsek:scene:1'/><!-- empty -->", database -> database.plus(four, four.withName("five")))).isEqualTo("""
                 <database xmlns='urn:paprsek:scene:1'>
                   <scene name="four">

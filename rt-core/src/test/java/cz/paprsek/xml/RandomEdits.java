@@ -20,6 +20,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Random;
 import java.util.function.UnaryOperator;
 
@@ -144,7 +145,7 @@ final class RandomEdits {
     }
 
     private static boolean isBoard(Scene scene, SceneObject object) {
-        return object.material() instanceof MaterialName name && scene.materials().get(name.name()).pattern() instanceof Pattern.Checkerboard;
+        return object.material() instanceof MaterialName name && Objects.requireNonNull(scene.materials().get(name.name())).pattern() instanceof Pattern.Checkerboard;
     }
 
     private Scene ungrouped(Scene scene) {

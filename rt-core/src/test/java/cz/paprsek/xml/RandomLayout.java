@@ -7,6 +7,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Random;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
@@ -91,7 +92,7 @@ final class RandomLayout {
             order.add(group);
         }
         Collections.shuffle(order, random);
-        return order.stream().map(group -> groups.get(group).remove(0)).toList();
+        return order.stream().map(group -> Objects.requireNonNull(groups.get(group)).remove(0)).toList();
     }
 
     private void attributes(Element element, int level) {
@@ -103,7 +104,7 @@ final class RandomLayout {
             String value = escaped(attribute.getNodeValue());
             attributes.add(name + (random.nextInt(5) == 0 ? " = " : "=") + (isDouble ? '"' + value + '"' : "'" + value + "'"));
         }
-        boolean isBody = element.hasAttribute("radius") || element.hasAttribute("height") && !element.getTagName().equals("render");
+        boolean isBody = element.hasAttribute("radius") || (element.hasAttribute("height") && !element.getTagName().equals("render"));
         if (isBody && !element.hasAttribute("position") && random.nextBoolean()) {
             attributes.add("position=\"0  0 0.0\"");
         }

@@ -16,6 +16,7 @@ import java.util.Map;
  *
  * @source OpenEXR, File Layout (version 2 of the format)
  */
+@SuppressWarnings({"EnumOrdinal", "ByteBufferBackingArray"}) // the constants stand in the order of their numbers in a file; every buffer is one that little() has allocated
 public final class ExrWriter {
     static final int MAGIC = 20_000_630;
     private static final int VERSION = 2;

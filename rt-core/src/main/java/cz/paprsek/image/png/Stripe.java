@@ -124,6 +124,7 @@ final class Stripe implements Callable<Stripe> {
     }
 
     /** Rows of the stripe, each in the filter that leaves the least to say. */
+    @SuppressWarnings("EnumOrdinal") // the order of the filters is that of their numbers in a file
     private byte[] filtered(byte[] plain, int first, int end) {
         int pixel = head.pixelBytes();
         byte[] all = new byte[(end - first) * stride];
