@@ -92,12 +92,13 @@ class SchemaTest {
         String start = "  <xs:complexType name=\"" + name + "\">\n";
         if (!schema.contains(start)) {
             int at = schema.indexOf("  <xs:complexType name=\"Csg\">");
-            return withType(schema.substring(0, at) + start + String.join("\n",
-                    "    <xs:annotation><xs:documentation></xs:documentation></xs:annotation>",
-                    "    <xs:complexContent><xs:extension base=\"s:Object\">",
-                    "      <xs:sequence><xs:element name=\"material\" type=\"s:Material\" minOccurs=\"0\"/></xs:sequence>",
-                    "    </xs:extension></xs:complexContent>",
-                    "  </xs:complexType>\n") + schema.substring(at), name, record);
+            return withType(schema.substring(0, at) + start + """
+                        <xs:annotation><xs:documentation></xs:documentation></xs:annotation>
+                        <xs:complexContent><xs:extension base="s:Object">
+                          <xs:sequence><xs:element name="material" type="s:Material" minOccurs="0"/></xs:sequence>
+                        </xs:extension></xs:complexContent>
+                      </xs:complexType>
+                    """ + schema.substring(at), name, record);
         }
         int from = schema.indexOf(start);
         int to = schema.indexOf("  </xs:complexType>\n", from);
@@ -109,7 +110,7 @@ class SchemaTest {
         List<String> made = Described.of(record).stream().map(SchemaTest::line).toList();
         List<String> lines = new ArrayList<>();
         int place = -1;
-        for (String line : type.split("(?<=\n)")) {
+        for (String line : type.lines().map(text -> text + "\n").toList()) {
             boolean isOurs = Described.of(record).stream().anyMatch(one -> line.startsWith("    <xs:attribute name=\"" + one.name() + "\""));
             boolean isEnd = place < 0 && line.startsWith("    </xs:extension>");
             place = place < 0 && (isOurs || isEnd) ? lines.size() : place;
@@ -174,7 +175,7 @@ class SchemaTest {
         for (Described one : Described.of(standard.getClass())) {
             if (!one.isRequired()) {
                 String value = one.value(standard) instanceof Vec3 vector ? XmlText.text(vector) : XmlText.text(one.number(standard));
-                assertThat(one.says().value() == Kind.SCALE ? value.split(" ")[0] : value).as(one.name()).isEqualTo(one.says().otherwise());
+                assertThat(one.says().value() == Kind.SCALE ? value.substring(0, value.indexOf(' ')) : value).as(one.name()).isEqualTo(one.says().otherwise());
             }
         }
     }
