@@ -31,7 +31,7 @@ class ArchitectureTest {
             .layer("scene").definedBy("cz.paprsek.scene")
             .layer("query").definedBy("cz.paprsek.query")
             .layer("image").definedBy("cz.paprsek.image..")
-            .layer("render").definedBy("cz.paprsek.render")
+            .layer("render").definedBy(resideInAPackage("cz.paprsek.render..").and(resideOutsideOfPackage("cz.paprsek.render.explain")))
             .layer("explain").definedBy("cz.paprsek.render.explain")
             .layer("drawing").definedBy("cz.paprsek.drawing")
             .layer("xml").definedBy("cz.paprsek.xml")
@@ -67,6 +67,29 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule NO_CYCLES = slices().matching("cz.paprsek.(*)..").should().beFreeOfCycles();
 
+    /** Of the rooms of the renderer, each sees only those before it. */
+    @ArchTest
+    static final ArchRule RENDER_ROOMS = Architectures.layeredArchitecture().consideringOnlyDependenciesInLayers()
+            .layer("explain").definedBy("cz.paprsek.render.explain")
+            .layer("light").definedBy("cz.paprsek.render.light")
+            .layer("eye").definedBy("cz.paprsek.render.eye")
+            .layer("surface").definedBy("cz.paprsek.render.surface")
+            .layer("integrate").definedBy("cz.paprsek.render.integrate")
+            .layer("mode").definedBy("cz.paprsek.render.mode")
+            .layer("render").definedBy("cz.paprsek.render")
+            .layer("live").definedBy("cz.paprsek.render.live")
+            .whereLayer("explain").mayOnlyBeAccessedByLayers("integrate", "render")
+            .whereLayer("light").mayOnlyBeAccessedByLayers("surface", "integrate", "mode")
+            .whereLayer("eye").mayOnlyBeAccessedByLayers("integrate", "mode", "render", "live")
+            .whereLayer("surface").mayOnlyBeAccessedByLayers("integrate", "mode", "render")
+            .whereLayer("integrate").mayOnlyBeAccessedByLayers("mode", "render")
+            .whereLayer("mode").mayOnlyBeAccessedByLayers("render")
+            .whereLayer("render").mayOnlyBeAccessedByLayers("live")
+            .whereLayer("live").mayNotBeAccessedByAnyLayer();
+
+    @ArchTest
+    static final ArchRule NO_CYCLES_AMONG_RENDER_ROOMS = slices().matching("cz.paprsek.render.(*)..").should().beFreeOfCycles();
+
     @ArchTest
     static final ArchRule JAXB_ONLY_IN_XML = noClasses().that().resideOutsideOfPackage("cz.paprsek.xml")
             .should().dependOnClassesThat().resideInAnyPackage("jakarta.xml..", "javax.xml..", "org.xml..");
@@ -77,7 +100,7 @@ class ArchitectureTest {
 
     @ArchTest
     static final ArchRule FILES_ONLY_AT_THE_BORDER = noClasses().that()
-            .resideInAnyPackage("cz.paprsek.math", "cz.paprsek.tree", "cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.query", "cz.paprsek.render")
+            .resideInAnyPackage("cz.paprsek.math", "cz.paprsek.tree", "cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.query", "cz.paprsek.render..")
             .should().dependOnClassesThat().resideInAnyPackage("java.nio..");
 
     @ArchTest

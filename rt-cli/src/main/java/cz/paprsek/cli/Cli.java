@@ -20,7 +20,7 @@ import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.Tone;
-import cz.paprsek.render.RenderMode;
+import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.Tile;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -24,7 +24,7 @@ import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.Tone;
 import cz.paprsek.query.Filter;
 import cz.paprsek.query.SceneTables;
-import cz.paprsek.render.RenderMode;
+import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.Tile;
 import cz.paprsek.scene.Scene;
 import java.nio.file.Files;

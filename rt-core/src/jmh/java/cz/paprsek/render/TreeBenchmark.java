@@ -1,5 +1,6 @@
 package cz.paprsek.render;
 
+import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.StandardScenes;
 import cz.paprsek.shape.Ray;

@@ -1,6 +1,8 @@
 package cz.paprsek.render;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.PartNames;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
@@ -32,13 +34,13 @@ public record Pick(int object, List<Integer> operands, Vec3 point, double distan
     public static Optional<Pick> at(RenderScene scene, RenderSettings settings, double x, double y) {
         Ray ray = new Ray(new Spans());
         new Eye(scene.scene().camera(), settings.width(), settings.height()).start(ray, x, y);
-        scene.bodies().nearest(ray, scene.bodies().whole(), scene.bodies().newFinder());
+        scene.world().bodies().nearest(ray, scene.world().bodies().whole(), scene.world().bodies().newFinder());
         if (ray.part < 0) {
             return Optional.empty();
         }
-        int object = scene.parts().object(ray.part);
+        int object = scene.world().parts().object(ray.part);
         List<Integer> path = new PartNames(object, scene.scene().objects().get(object)).names()
-                .get(ray.part - scene.parts().firstOfObject(ray.part)).path().numbers();
+                .get(ray.part - scene.world().parts().firstOfObject(ray.part)).path().numbers();
         Vec3 point = new Vec3(ray.ox + ray.max * ray.dx, ray.oy + ray.max * ray.dy, ray.oz + ray.max * ray.dz);
         return Optional.of(new Pick(object, path.subList(1, path.size()), point, ray.max));
     }

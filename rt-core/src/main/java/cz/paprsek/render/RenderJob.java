@@ -1,6 +1,12 @@
 package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Whitted;
+import cz.paprsek.render.mode.DepthRange;
+import cz.paprsek.render.mode.ModeTracer;
+import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.render.surface.Level;
 import java.math.BigInteger;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
@@ -40,7 +46,7 @@ final class RenderJob implements RenderMonitor {
         Tile region = options.region();
         image = new Image(region.width(), region.height());
         depths = options.mode() == RenderMode.DEPTH
-                ? DepthRange.of(scene, eye, options.settings().width(), options.settings().height()) : DepthRange.NONE;
+                ? DepthRange.of(scene.world(), eye, options.settings().width(), options.settings().height()) : DepthRange.NONE;
         block = Math.max(1, TOGETHER / options.settings().samples());
         columns = (region.width() + SIDE - 1) / SIDE;
         tiles = columns * ((region.height() + SIDE - 1) / SIDE);
@@ -78,14 +84,14 @@ final class RenderJob implements RenderMonitor {
     }
 
     private void renderTiles() {
-        Tracer tracer;
+        Whitted tracer;
         Blocks blocks;
         if (options.mode() == RenderMode.SHADED) {
-            Tracer shading = new Tracer(scene, options.settings().maxDepth(), options.settings().samples(), this);
+            Whitted shading = new Whitted(scene.world(), options.settings().maxDepth(), options.settings().samples(), this::cancelled);
             tracer = shading;
             blocks = (x, y, width, height) -> renderBlock(x, y, width, height, shading);
         } else {
-            ModeTracer showing = new ModeTracer(scene, options.mode(), options.settings().maxDepth(), depths, options.numbers(), this);
+            ModeTracer showing = new ModeTracer(scene.world(), options.mode(), options.settings().maxDepth(), depths, options.numbers(), this::cancelled);
             tracer = showing;
             blocks = (x, y, width, height) -> showBlock(x, y, width, height, showing);
         }
@@ -123,7 +129,7 @@ final class RenderJob implements RenderMonitor {
                 buildSeconds, traceSeconds);
     }
 
-    private synchronized void add(Tracer tracer) {
+    private synchronized void add(Whitted tracer) {
         total = new RenderStats(total.primary() + tracer.primary, total.reflected() + tracer.reflected,
                 total.refracted() + tracer.refracted, total.shadow() + tracer.shadows, total.hits() + tracer.hits, 0, 0);
     }
@@ -149,7 +155,7 @@ final class RenderJob implements RenderMonitor {
         return new Tile(x, y, Math.min(SIDE, image.width() - x), Math.min(SIDE, image.height() - y));
     }
 
-    private void render(Tile tile, Tracer tracer, Blocks blocks) {
+    private void render(Tile tile, Whitted tracer, Blocks blocks) {
         int x = tile.x();
         int y = tile.y();
         long raysBefore = tracer.rays();
@@ -190,7 +196,7 @@ final class RenderJob implements RenderMonitor {
     }
 
     /** Renders a block of pixels. Each is the average of a regular grid of rays about its centre. */
-    private void renderBlock(int x, int y, int width, int height, Tracer tracer) {
+    private void renderBlock(int x, int y, int width, int height, Whitted tracer) {
         Level[] rays = tracer.trace(eye, options.region().x() + x, options.region().y() + y, width, height);
         int perPixel = options.settings().samples() * options.settings().samples();
         double share = 1.0 / perPixel;

@@ -1,6 +1,7 @@
 package cz.paprsek.render;
 
 import cz.paprsek.math.Require;
+import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 

@@ -2,6 +2,7 @@ package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderResult.Outcome;
+import cz.paprsek.render.eye.Eye;
 import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -36,8 +37,8 @@ public final class Renderer {
         return render(scene, options, eye, monitor);
     }
 
-    /** Renders a prepared scene as an eye sees it. */
-    static RenderResult render(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor) {
+    /** Renders a prepared scene as an eye sees it, throwing as above. */
+    public static RenderResult render(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor) {
         long begin = System.nanoTime();
         RenderJob job = job(scene, options, eye, monitor);
         boolean interrupted = false;

@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.live.LiveListener;
+import cz.paprsek.render.live.LivePass;
+import cz.paprsek.render.live.LiveRender;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;

@@ -2,6 +2,7 @@ package cz.paprsek.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.render.surface.Media;
 import org.junit.jupiter.api.Test;
 
 class MediaTest {

@@ -23,7 +23,7 @@ class RenderSceneTest {
         RenderScene again = READY.changedTo(changed, RenderMonitor.NONE);
         Image image = Renderer.render(again, RenderOptions.of(changed), RenderMonitor.NONE).image();
         assertThat(Scenes.difference(image, Renderer.render(changed), 0)).isZero();
-        assertThat(again.bodies() == READY.bodies()).isEqualTo(sharesBodies);
+        assertThat(again.world().bodies() == READY.world().bodies()).isEqualTo(sharesBodies);
     }
 
     @Test

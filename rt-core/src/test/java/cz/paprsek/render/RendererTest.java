@@ -6,6 +6,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import com.sun.management.ThreadMXBean;
 import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderResult.Outcome;
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Whitted;
+import cz.paprsek.render.surface.Bodies;
+import cz.paprsek.render.surface.Level;
+import cz.paprsek.render.surface.PartTable;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Ray;
@@ -81,7 +86,7 @@ class RendererTest {
             PartTable table = new PartTable(scene, () -> false);
             Surface[] all = new Surface[scene.objects().size()];
             Arrays.setAll(all, i -> table.place(i, scene.objects().get(i)));
-            Bodies.Finder finder = ready.bodies().newFinder();
+            Bodies.Finder finder = ready.world().bodies().newFinder();
             Spans spans = new Spans();
             for (int i = 0; i < 4000; i++) {
                 double[] n = random.doubles(6, -5, 5).toArray();
@@ -90,7 +95,7 @@ class RendererTest {
                 fast.start(n[0], n[1], n[2] + (i % 3), n[3] / length, n[4] / length, n[5] / length);
                 Ray slow = new Ray(spans);
                 slow.start(n[0], n[1], n[2] + (i % 3), n[3] / length, n[4] / length, n[5] / length);
-                ready.bodies().nearest(fast, ready.bodies().whole(), finder);
+                ready.world().bodies().nearest(fast, ready.world().bodies().whole(), finder);
                 for (Surface surface : all) {
                     surface.nearest(slow);
                 }
@@ -101,7 +106,7 @@ class RendererTest {
                 for (int k = 0; k < all.length; k++) {
                     blocked |= isOpaque(table, k) && all[k].occludes(fast);
                 }
-                assertThat(ready.bodies().occluder(fast, ready.bodies().whole(), finder, spans) != null).isEqualTo(blocked);
+                assertThat(ready.world().bodies().occluder(fast, ready.world().bodies().whole(), finder, spans) != null).isEqualTo(blocked);
                 spans.release(0);
             }
         }
@@ -120,8 +125,8 @@ class RendererTest {
     void raysInABlockFindWhatEachFindsAlone() {
         RenderScene scene = RenderScene.of(SCENE);
         Eye eye = new Eye(SCENE.camera(), 101, 67);
-        Tracer alone = new Tracer(scene, 5, 1, RenderMonitor.NONE);
-        Tracer together = new Tracer(scene, 5, 1, RenderMonitor.NONE);
+        Whitted alone = new Whitted(scene.world(), 5, 1, () -> false);
+        Whitted together = new Whitted(scene.world(), 5, 1, () -> false);
         for (int y = 0; y < 56; y += 8) {
             for (int x = 0; x < 96; x += 8) {
                 Level[] block = together.trace(eye, x, y, 8, 8);
@@ -140,7 +145,7 @@ class RendererTest {
         List<Integer> order = new ArrayList<>(IntStream.range(0, 12 * 8).boxed().toList());
         double[][] first = new double[order.size()][];
         for (long seed = 0; seed < 4; seed++) {
-            Tracer tracer = new Tracer(scene, 5, 1, RenderMonitor.NONE);
+            Whitted tracer = new Whitted(scene.world(), 5, 1, () -> false);
             for (int block : order) {
                 Level[] levels = tracer.trace(eye, block % 12 * 8, block / 12 * 8, 8, 8);
                 double[] light = new double[192];
@@ -158,7 +163,7 @@ class RendererTest {
 
     @Test
     void tracingAllocatesNothing() {
-        Tracer tracer = new Tracer(RenderScene.of(SCENE), 5, 1, RenderMonitor.NONE);
+        Whitted tracer = new Whitted(RenderScene.of(SCENE).world(), 5, 1, () -> false);
         Eye eye = new Eye(SCENE.camera(), 101, 67);
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         long id = Thread.currentThread().getId();

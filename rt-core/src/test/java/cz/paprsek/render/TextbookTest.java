@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.surface.Media;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Part;
 import cz.paprsek.shape.Parts;
-import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Spans;
@@ -22,7 +24,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /**
  * Numbers of a textbook.
  *
- * @source Buck, The Ray Tracer Challenge, 2019
+ * @source Buck, The Ray Whitted Challenge, 2019
  */
 class TextbookTest {
     private static final double CLOSE = 1e-4;

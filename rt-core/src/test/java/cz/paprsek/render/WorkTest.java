@@ -3,6 +3,8 @@ package cz.paprsek.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.StandardScenes;
 import java.util.stream.Stream;
@@ -29,7 +31,7 @@ class WorkTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("work")
     void raysAndVisitedNodesAreAsRecorded(String name, Scene scene, long reflected, long shadows, long visits) {
-        Tracer tracer = new Tracer(RenderScene.of(scene), 5, 1, RenderMonitor.NONE);
+        Whitted tracer = new Whitted(RenderScene.of(scene).world(), 5, 1, () -> false);
         Eye eye = new Eye(scene.camera(), WIDTH, HEIGHT);
         for (int y = 0; y < HEIGHT; y += 8) {
             for (int x = 0; x < WIDTH; x += 8) {

@@ -1,6 +1,6 @@
 package cz.paprsek.cli.input;
 
-import cz.paprsek.render.RenderMode;
+import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Similar;
 import java.util.Arrays;
 import java.util.Iterator;

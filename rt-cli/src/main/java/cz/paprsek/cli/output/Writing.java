@@ -6,7 +6,7 @@ import cz.paprsek.image.ImageOptions;
 import cz.paprsek.image.Origin;
 import cz.paprsek.image.Tone;
 import cz.paprsek.math.Numbers;
-import cz.paprsek.render.RenderMode;
+import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.render;
 
 import cz.paprsek.fx.view.texts.Texts;
-import cz.paprsek.render.RenderMode;
+import cz.paprsek.render.mode.RenderMode;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Tooltip;
 

@@ -12,7 +12,7 @@ import cz.paprsek.fx.view.texts.Faults;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
-import cz.paprsek.render.Legend;
+import cz.paprsek.render.mode.Legend;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.Scene;
 import java.nio.file.Path;

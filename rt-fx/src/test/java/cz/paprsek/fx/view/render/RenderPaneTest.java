@@ -13,7 +13,7 @@ import cz.paprsek.image.Image;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.RenderMode;
+import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderScene;

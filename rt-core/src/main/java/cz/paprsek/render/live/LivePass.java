@@ -1,5 +1,8 @@
-package cz.paprsek.render;
+package cz.paprsek.render.live;
 
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.eye.Eye;
 import cz.paprsek.scene.RenderSettings;
 
 /**

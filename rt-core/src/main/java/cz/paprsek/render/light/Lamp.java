@@ -1,10 +1,10 @@
-package cz.paprsek.render;
+package cz.paprsek.render.light;
 
 import cz.paprsek.scene.Light;
 
 /** A light ready for shading: position in world space, linear colour times intensity. */
-record Lamp(double x, double y, double z, double red, double green, double blue) {
-    static Lamp of(Light light) {
+public record Lamp(double x, double y, double z, double red, double green, double blue) {
+    public static Lamp of(Light light) {
         return new Lamp(
                 light.position().x(), light.position().y(), light.position().z(),
                 light.color().linearRed() * light.intensity(),

@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.render.surface;
 
 import java.util.Arrays;
 
@@ -6,7 +6,7 @@ import java.util.Arrays;
  * Scratch: the solids a ray is inside of. First the opaque ones that the camera stands in, of which only their presence counts; then the
  * transparent ones, in the order the ray entered them. The last one's refractive index counts.
  */
-final class Media {
+public final class Media {
     private static final double VACUUM = 1;
 
     private int[] object = new int[8];
@@ -15,32 +15,32 @@ final class Media {
     private int opaque;
 
     /** The refractive index around the ray. */
-    double refractiveIndex() {
+    public double refractiveIndex() {
         return size == opaque ? VACUUM : index[size - 1];
     }
 
     /** The number of the transparent object entered last; −1 outside of all. */
-    int innermost() {
+    public int innermost() {
         return size == opaque ? -1 : object[size - 1];
     }
 
     /** Whether the ray is inside a transparent solid. */
-    boolean areAround() {
+    public boolean areAround() {
         return size > opaque;
     }
 
     /** How many transparent solids are around the ray. */
-    int count() {
+    public int count() {
         return size - opaque;
     }
 
     /** The number of the i-th transparent solid around the ray. */
-    int object(int i) {
+    public int object(int i) {
         return object[opaque + i];
     }
 
     /** Whether the ray is inside a solid, transparent or not. */
-    boolean hold(int solid) {
+    public boolean hold(int solid) {
         for (int i = 0; i < size; i++) {
             if (object[i] == solid) {
                 return true;
@@ -49,18 +49,18 @@ final class Media {
         return false;
     }
 
-    void clear() {
+    public void clear() {
         size = 0;
         opaque = 0;
     }
 
     /** Puts the ray into an opaque solid; to be done before it enters any other. */
-    void surround(int solid) {
+    public void surround(int solid) {
         enter(solid, VACUUM);
         opaque = size;
     }
 
-    void set(Media other) {
+    public void set(Media other) {
         size = other.size;
         opaque = other.opaque;
         if (size > object.length) {
@@ -75,7 +75,7 @@ final class Media {
     }
 
     /** Enters a solid. If the ray is in it already, it left unnoticed, through an edge thinner than rounding. */
-    void enter(int solid, double refractiveIndex) {
+    public void enter(int solid, double refractiveIndex) {
         leave(solid);
         if (size == object.length) {
             object = Arrays.copyOf(object, 2 * size);
@@ -86,7 +86,7 @@ final class Media {
     }
 
     /** Leaves a solid, wherever it stands in the order; nothing happens if the ray is not in it. */
-    void leave(int solid) {
+    public void leave(int solid) {
         int kept = 0;
         for (int i = 0; i < size; i++) {
             if (object[i] != solid) {

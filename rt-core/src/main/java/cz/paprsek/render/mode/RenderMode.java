@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.render.mode;
 
 import java.util.Locale;
 import java.util.Optional;

@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.render.surface;
 
 import cz.paprsek.math.Bounds;
 import cz.paprsek.shape.Ray;
@@ -15,7 +15,7 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /** The bodies of a scene in a tree. Those without end stand apart and are met by every ray. */
-final class Bodies {
+public final class Bodies {
     /** In the order of the tree's leaves. */
     private final Surface[] surfaces;
     private final boolean[] opaque;
@@ -35,7 +35,7 @@ final class Bodies {
     }
 
     /** Builds the tree; empty surfaces are left out. */
-    static Bodies of(Surface[] surfaces, boolean[] opaque, BooleanSupplier stop) {
+    public static Bodies of(Surface[] surfaces, boolean[] opaque, BooleanSupplier stop) {
         Bounds[] bounds = new Bounds[surfaces.length];
         IntStream.range(0, bounds.length).parallel().forEach(i -> {
             TreeBuilder.stopIfAsked(i, stop);
@@ -56,34 +56,34 @@ final class Bodies {
     }
 
     /** Where a search starts that knows nothing of its ray. */
-    Entries whole() {
+    public Entries whole() {
         return tree.whole();
     }
 
     /** Finds the subtrees that hold whatever the rays of a bundle can meet. */
-    void enter(Bundle bundle, Entries entries) {
+    public void enter(Bundle bundle, Entries entries) {
         tree.enter(bundle, entries);
     }
 
     /** Whether a search of these subtrees can find nothing at all. */
-    boolean isClear(Entries entries) {
+    public boolean isClear(Entries entries) {
         return entries.isEmpty() && endless.length == 0;
     }
 
     /** The scratch that one worker needs to look for bodies. */
-    Finder newFinder() {
+    public Finder newFinder() {
         return new Finder(surfaces, opaque);
     }
 
     /** The scratch that one worker needs to gather {@link #crossings}. */
-    Finder newGatherer(Spans into) {
+    public Finder newGatherer(Spans into) {
         Finder gatherer = new Finder(surfaces, none);
         gatherer.pushTo(into);
         return gatherer;
     }
 
     /** Pushes every boundary between the ray's min and max, whatever it belongs to. */
-    void crossings(Ray ray, Finder gatherer) {
+    public void crossings(Ray ray, Finder gatherer) {
         for (Surface surface : endless) {
             surface.crossings(ray, gatherer.through);
         }
@@ -91,7 +91,7 @@ final class Bodies {
     }
 
     /** Finds the ray's nearest hit in the given subtrees. */
-    void nearest(Ray ray, Entries entries, Finder finder) {
+    public void nearest(Ray ray, Entries entries, Finder finder) {
         for (Surface surface : endless) {
             surface.nearest(ray);
         }
@@ -104,7 +104,7 @@ final class Bodies {
      * @param through receives the boundaries of transparent bodies; incomplete if the answer is not null
      * @return the first opaque body found, or null
      */
-    @Nullable Surface occluder(Ray ray, Entries entries, Finder finder, Spans through) {
+    public @Nullable Surface occluder(Ray ray, Entries entries, Finder finder, Spans through) {
         for (int i = 0; i < endless.length; i++) {
             if (blocks(endless[i], endlessOpaque[i], ray, through)) {
                 return endless[i];
@@ -123,7 +123,7 @@ final class Bodies {
     }
 
     /** What is done at the leaves: scratch of one worker. */
-    static final class Finder extends Search<Ray> {
+    public static final class Finder extends Search<Ray> {
         private final Surface[] surfaces;
         private final boolean[] opaque;
         private Spans through = new Spans();

@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.render.eye;
 
 import cz.paprsek.math.Angles;
 import cz.paprsek.math.Vec3;
@@ -10,7 +10,7 @@ import cz.paprsek.tree.Bundle;
  * A camera ready to make rays for pictures of one size. Through the point (x, y) of the picture, in pixels from its top left corner, goes
  * the ray d + (x/W − ½)·h·W/H·r + (½ − y/H)·h·u with h = 2·tan(fovy/2), d the view, r right, u up, all of length 1.
  */
-final class Eye {
+public final class Eye {
     private final Vec3 position;
     private final Vec3 forward;
     private final Vec3 right;
@@ -18,12 +18,12 @@ final class Eye {
     private final double perColumn;
     private final double perRow;
 
-    Eye(Camera camera, int width, int height) {
+    public Eye(Camera camera, int width, int height) {
         this(camera, width, height, 1);
     }
 
     /** An eye for a coarse picture, whose pixels are squares of step × step pixels of the one that is width × height in size. */
-    Eye(Camera camera, int width, int height, int step) {
+    public Eye(Camera camera, int width, int height, int step) {
         double h = 2 * Angles.tan(camera.fovy() / 2);
         this.position = camera.position();
         this.forward = camera.forward();
@@ -34,7 +34,7 @@ final class Eye {
     }
 
     /** Starts the ray through a point of the picture; the centre of pixel (column j, row i) is (j + ½, i + ½). */
-    void start(Ray ray, double x, double y) {
+    public void start(Ray ray, double x, double y) {
         double dx = directionX(x, y);
         double dy = directionY(x, y);
         double dz = directionZ(x, y);
@@ -43,7 +43,7 @@ final class Eye {
     }
 
     /** Makes a bundle of all rays through a block of pixels. */
-    void bundle(Bundle bundle, int left, int top, int columns, int rows) {
+    public void bundle(Bundle bundle, int left, int top, int columns, int rows) {
         bundle.start(position.x(), position.y(), position.z());
         for (int corner = 0; corner < 4; corner++) {
             int x = left + (corner & 1) * columns;

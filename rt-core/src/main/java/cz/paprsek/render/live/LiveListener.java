@@ -1,6 +1,8 @@
-package cz.paprsek.render;
+package cz.paprsek.render.live;
 
 import cz.paprsek.image.Image;
+import cz.paprsek.render.RenderResult;
+import cz.paprsek.render.Tile;
 
 /** Is told how a live picture comes along, by the threads that render it: all methods must return quickly. */
 public interface LiveListener {

@@ -1,11 +1,15 @@
-package cz.paprsek.render;
+package cz.paprsek.render.mode;
 
 import cz.paprsek.material.Rgb;
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Whitted;
+import cz.paprsek.render.surface.World;
+import java.util.function.BooleanSupplier;
 
 /** The distances that the eye sees in a picture, by which depths become brightnesses. */
-record DepthRange(double nearest, double farthest) {
+public record DepthRange(double nearest, double farthest) {
     /** For pictures that show no depths. */
-    static final DepthRange NONE = new DepthRange(0, 0);
+    public static final DepthRange NONE = new DepthRange(0, 0);
 
     /** Rays along each side of the picture that are asked for their distance: a coarse grid is enough for a good contrast. */
     private static final int GRID = 64;
@@ -13,8 +17,8 @@ record DepthRange(double nearest, double farthest) {
     private static final double DARKEST = 25;
 
     /** Looks through a grid of points all over the picture. */
-    static DepthRange of(RenderScene scene, Eye eye, int width, int height) {
-        Tracer tracer = new Tracer(scene, 1, 1, RenderMonitor.NONE);
+    public static DepthRange of(World scene, Eye eye, int width, int height) {
+        Whitted tracer = new Whitted(scene, 1, 1, () -> false);
         double nearest = Double.POSITIVE_INFINITY;
         double farthest = 0;
         for (int row = 0; row < GRID; row++) {
@@ -31,7 +35,7 @@ record DepthRange(double nearest, double farthest) {
     }
 
     /** Light that is encoded as 255 where it is nearest, falling evenly with the distance. */
-    double brightness(double distance) {
+    public double brightness(double distance) {
         double share = farthest > nearest ? (farthest - distance) / (farthest - nearest) : 1;
         return Rgb.linear(DARKEST + (255 - DARKEST) * Math.min(1, Math.max(0, share)));
     }

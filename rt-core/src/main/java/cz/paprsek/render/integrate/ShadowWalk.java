@@ -1,8 +1,13 @@
-package cz.paprsek.render;
+package cz.paprsek.render.integrate;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.LightTerm.Obstacle;
 import cz.paprsek.render.explain.SurfacePath;
+import cz.paprsek.render.surface.Bodies;
+import cz.paprsek.render.surface.Contacts;
+import cz.paprsek.render.surface.Media;
+import cz.paprsek.render.surface.PartTable;
+import cz.paprsek.render.surface.World;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
 import java.util.ArrayList;
@@ -12,8 +17,8 @@ import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
 /** Finds what stands between a point and a light, in order. */
-final class ShadowWalk {
-    private final RenderScene scene;
+public final class ShadowWalk {
+    private final World scene;
     private final PartTable parts;
     private final Bodies bodies;
     private final Bodies.Finder gatherer;
@@ -29,11 +34,11 @@ final class ShadowWalk {
      * @param part whose surface it is
      * @param inwards whether rays to the side it is seen from start into the inside of that part
      * @param around the media there
-     * @param depth 0 for what the eye sees
+     * @param atOnce whether what touches the surface may stand in the way
      */
-    record Start(Vec3 point, double size, int part, boolean inwards, Media around, int depth) {}
+    public record Start(Vec3 point, double size, int part, boolean inwards, Media around, boolean atOnce) {}
 
-    ShadowWalk(RenderScene scene, IntFunction<SurfacePath> path) {
+    public ShadowWalk(World scene, IntFunction<SurfacePath> path) {
         this.scene = scene;
         this.parts = scene.parts();
         this.bodies = scene.bodies();
@@ -43,7 +48,7 @@ final class ShadowWalk {
     }
 
     /** The surfaces in the way, the nearest first, up to the first that lets no light through. */
-    List<Obstacle> obstacles(Start start, Vec3 direction, double distance) {
+    public List<Obstacle> obstacles(Start start, Vec3 direction, double distance) {
         Vec3 point = start.point();
         ray.start(point.x(), point.y(), point.z(), direction.x(), direction.y(), direction.z(), start.size(),
                 distance - Ray.TOUCH * start.size(), start.part(), start.inwards());
@@ -64,7 +69,7 @@ final class ShadowWalk {
     }
 
     private boolean isMetAtOnce(Start start, int i) {
-        return start.depth() > 0 && !scene.isOpaque(parts.object(spans.part(i))) && contacts.counts(ray, start.around(), true, false, i);
+        return start.atOnce() && !scene.isOpaque(parts.object(spans.part(i))) && contacts.counts(ray, start.around(), true, false, i);
     }
 
     private boolean isOpaque(int i) {

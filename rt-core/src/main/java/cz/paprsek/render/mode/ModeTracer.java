@@ -1,13 +1,19 @@
-package cz.paprsek.render;
+package cz.paprsek.render.mode;
 
 import cz.paprsek.material.Rgb;
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Whitted;
+import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.surface.Level;
+import cz.paprsek.render.surface.World;
 import cz.paprsek.shape.Hit;
 import java.util.Arrays;
+import java.util.function.BooleanSupplier;
 
 /** The tracer that renders pictures, watched for what a mode other than shaded shows of each pixel. */
-final class ModeTracer extends Tracer {
+public final class ModeTracer extends Whitted {
     private final RenderMode mode;
-    private final RenderScene scene;
+    private final World scene;
     private final DepthRange range;
     private final boolean numbers;
     private final double[] all = new double[3];
@@ -17,8 +23,8 @@ final class ModeTracer extends Tracer {
     private double blue;
     private int seen;
 
-    ModeTracer(RenderScene scene, RenderMode mode, int maxDepth, DepthRange range, boolean numbers, RenderMonitor monitor) {
-        super(scene, mode.scale().isPresent() ? maxDepth : 1, 1, monitor);
+    public ModeTracer(World scene, RenderMode mode, int maxDepth, DepthRange range, boolean numbers, BooleanSupplier stop) {
+        super(scene, mode.scale().isPresent() ? maxDepth : 1, 1, stop);
         this.mode = mode;
         this.scene = scene;
         this.range = range;
@@ -31,7 +37,7 @@ final class ModeTracer extends Tracer {
     }
 
     /** Renders a pixel by samples × samples rays; the colour is in the level returned. */
-    Level pixel(Eye eye, int x, int y, int samples) {
+    public Level pixel(Eye eye, int x, int y, int samples) {
         red = 0;
         green = 0;
         blue = 0;
@@ -70,7 +76,7 @@ final class ModeTracer extends Tracer {
     }
 
     @Override
-    void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
+    public void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
         Hit hit = level.hit;
         switch (mode) {
             case NORMALS -> add(encoded(hit.nx), encoded(hit.ny), encoded(hit.nz));
@@ -86,7 +92,7 @@ final class ModeTracer extends Tracer {
     }
 
     @Override
-    void sought(int lamp, double x, double y, double z, double distance, double facing, double visibility) {
+    public void sought(int lamp, double x, double y, double z, double distance, double facing, double visibility) {
         if (mode == RenderMode.SHADOWS) {
             Lamp light = scene.lamps()[lamp];
             arrived[0] += visibility * light.red();

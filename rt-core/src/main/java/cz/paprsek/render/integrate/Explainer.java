@@ -1,16 +1,18 @@
-package cz.paprsek.render;
+package cz.paprsek.render.integrate;
 
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.RenderSettings;
 
 /** Traces single pixels and rays as a picture would, with everything written down. */
-final class Explainer {
+public final class Explainer {
     private Explainer() {}
 
-    static Pixel pixel(RenderScene scene, RenderSettings settings, int column, int row) {
+    public static Pixel pixel(World scene, RenderSettings settings, int column, int row) {
         Require.that(column >= 0 && column < settings.width() && row >= 0 && row < settings.height(),
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
         Recorder recorder = new Recorder(scene, settings.maxDepth(), settings.samples());
@@ -18,7 +20,7 @@ final class Explainer {
         return new Pixel(column, row, recorder.trees());
     }
 
-    static TracedRay point(RenderScene scene, RenderSettings settings, double x, double y) {
+    public static TracedRay point(World scene, RenderSettings settings, double x, double y) {
         Recorder recorder = new Recorder(scene, settings.maxDepth(), 1);
         eye(scene, settings).start(recorder.alone().ray, x, y);
         scene.enterMediaAroundCamera(recorder.alone().media);
@@ -26,7 +28,7 @@ final class Explainer {
         return recorder.trees().get(0);
     }
 
-    static TracedRay ray(RenderScene scene, Vec3 origin, Vec3 direction, int maxDepth) {
+    public static TracedRay ray(World scene, Vec3 origin, Vec3 direction, int maxDepth) {
         Require.within("max-depth", maxDepth, 1, RenderSettings.DEEPEST);
         Vec3 d = direction.normalized();
         Recorder recorder = new Recorder(scene, maxDepth, 1);
@@ -36,7 +38,7 @@ final class Explainer {
         return recorder.trees().get(0);
     }
 
-    private static Eye eye(RenderScene scene, RenderSettings settings) {
+    private static Eye eye(World scene, RenderSettings settings) {
         return new Eye(scene.scene().camera(), settings.width(), settings.height());
     }
 }

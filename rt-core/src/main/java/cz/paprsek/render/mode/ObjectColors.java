@@ -1,15 +1,15 @@
-package cz.paprsek.render;
+package cz.paprsek.render.mode;
 
 import cz.paprsek.material.Rgb;
 
 /** A colour for every object, by its number: neighbours in the list are far apart on the wheel of colours. */
-final class ObjectColors {
+public final class ObjectColors {
     /** The golden section of the wheel: however many steps of it, no two come close. */
     private static final double STEP = 0.618033988749895;
 
     private ObjectColors() {}
 
-    static Rgb of(int object) {
+    public static Rgb of(int object) {
         double hue = (object + 1) * STEP % 1;
         double value = 255 - 75.0 * (object % 3) / 2;
         return new Rgb(channel(hue + 1.0 / 3, value), channel(hue, value), channel(hue - 1.0 / 3, value));

@@ -1,7 +1,12 @@
-package cz.paprsek.render;
+package cz.paprsek.render.live;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.math.Require;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderResult;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.render.Tile;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.Objects;

@@ -1,4 +1,5 @@
-package cz.paprsek.render;
+package cz.paprsek.render.surface;
+
 
 import cz.paprsek.shape.Hit;
 import cz.paprsek.shape.Ray;
@@ -15,10 +16,10 @@ import cz.paprsek.shape.Spans;
  * <li>Of all others the lowest part is met first. So a figure without an inside lies beyond all lower parts, and before all higher ones.
  * </ul>
  */
-final class Contacts {
+public final class Contacts {
     private static final int NONE = -1;
 
-    private final RenderScene scene;
+    private final World scene;
     private final PartTable parts;
     private final Bodies bodies;
     private final Bodies.Finder finder;
@@ -27,7 +28,7 @@ final class Contacts {
     private final Ray stretch;
     private final Hit hit = new Hit();
 
-    Contacts(RenderScene scene, Bodies.Finder finder, Spans spans) {
+    public Contacts(World scene, Bodies.Finder finder, Spans spans) {
         this.scene = scene;
         this.parts = scene.parts();
         this.bodies = scene.bodies();
@@ -38,7 +39,7 @@ final class Contacts {
     }
 
     /** To be called when the level's ray has hit something that touches where it starts, or is inside of something: the hit may become another one. */
-    void settle(Level level) {
+    public void settle(Level level) {
         Ray ray = level.ray;
         if (ray.max <= ray.contact) {
             stretch.within(ray, ray.min, ray.contact);
@@ -107,7 +108,7 @@ final class Contacts {
      * @param beyond whether the ray goes on beyond the surface it starts from
      * @param i of the boundaries pushed
      */
-    boolean counts(Ray ray, Media media, boolean atStart, boolean beyond, int i) {
+    public boolean counts(Ray ray, Media media, boolean atStart, boolean beyond, int i) {
         int part = spans.part(i);
         int object = parts.object(part);
         if (scene.isSolid(object)) {

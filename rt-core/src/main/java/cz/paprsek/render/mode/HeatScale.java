@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.render.mode;
 
 import cz.paprsek.material.Rgb;
 import java.util.List;

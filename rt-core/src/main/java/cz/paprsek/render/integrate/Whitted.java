@@ -1,11 +1,21 @@
-package cz.paprsek.render;
+package cz.paprsek.render.integrate;
 
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.surface.Bodies;
+import cz.paprsek.render.surface.Contacts;
+import cz.paprsek.render.surface.Finish;
+import cz.paprsek.render.surface.Level;
+import cz.paprsek.render.surface.Media;
+import cz.paprsek.render.surface.PartTable;
+import cz.paprsek.render.surface.World;
 import cz.paprsek.shape.Hit;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
 import cz.paprsek.shape.Surface;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
+import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -15,15 +25,15 @@ import org.jspecify.annotations.Nullable;
  *
  * <pre>B = ambient·C + Σ lights V·I·( kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ ) + kR·trace(R) + kT·trace(T)</pre>
  */
-class Tracer extends Witness {
+public class Whitted extends Witness {
     /** How many rays are traced between two questions whether to stop. */
     private static final int BATCH = 64;
     /** Into how many subtrees a block's search is split at most: as measured. Rays from the eye stop at the first that lies behind what they hit. */
     private static final int MOST_FROM_EYE = 24;
     private static final int MOST_FROM_LAMP = 8;
 
-    private final RenderScene scene;
-    private final RenderMonitor monitor;
+    private final World scene;
+    private final BooleanSupplier stop;
     private final Spans spans = new Spans();
     private final Ray shadow = new Ray(spans);
     private final Bodies bodies;
@@ -45,16 +55,16 @@ class Tracer extends Witness {
     private Level[] block = {};
     private double[] shares = new double[16];
 
-    long primary;
-    long reflected;
-    long refracted;
-    long shadows;
-    long hits;
-    boolean cancelled;
+    public long primary;
+    public long reflected;
+    public long refracted;
+    public long shadows;
+    public long hits;
+    public boolean cancelled;
 
-    Tracer(RenderScene scene, int maxDepth, int samplesPerSide, RenderMonitor monitor) {
+    public Whitted(World scene, int maxDepth, int samplesPerSide, BooleanSupplier stop) {
         this.scene = scene;
-        this.monitor = monitor;
+        this.stop = stop;
         this.bodies = scene.bodies();
         this.parts = scene.parts();
         this.lamps = scene.lamps();
@@ -81,7 +91,7 @@ class Tracer extends Witness {
      * by pixel. What they can meet, and what can stand between their hits and each light, is found once for all; the light is the same
      * as for each ray alone.
      */
-    final Level[] trace(Eye eye, int x, int y, int width, int height) {
+    public final Level[] trace(Eye eye, int x, int y, int width, int height) {
         int rays = width * height * samples.length * samples.length;
         Level[] first = levels(rays);
         eye.bundle(bundle, x, y, width, height);
@@ -114,7 +124,7 @@ class Tracer extends Witness {
      * were hit out of the bundle.
      */
     private void gather(Lamp lamp, Level[] first, int rays) {
-        double nearest = Double.POSITIVE_INFINITY;
+        double smallest = Double.POSITIVE_INFINITY;
         double farthest = 0;
         bundle.start(lamp.x(), lamp.y(), lamp.z());
         for (int i = 0; i < rays; i++) {
@@ -126,12 +136,12 @@ class Tracer extends Witness {
                 double dz = hit.pz - lamp.z();
                 bundle.add(dx, dy, dz);
                 double reach = Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
-                nearest = ray.max < nearest ? ray.max : nearest;
+                smallest = hit.size < smallest ? hit.size : smallest;
                 farthest = reach > farthest ? reach : farthest;
             }
         }
-        // A shadow ray begins at TOUCH · size, and its size is at least the distance from the eye. Half of that leaves room for rounding.
-        bundle.end(1 - Ray.TOUCH / 2 * Math.min(1, nearest / farthest));
+        // A shadow ray begins at TOUCH · size; a tenth less leaves room for rounding.
+        bundle.end(1 - 0.9 * Ray.TOUCH * smallest / farthest);
     }
 
     private Level[] levels(int size) {
@@ -145,23 +155,23 @@ class Tracer extends Witness {
     }
 
     /** The level of a ray that is traced by itself: to be started by the caller, then traced by {@link #traceAlone}. */
-    final Level alone() {
+    public final Level alone() {
         return levels[0];
     }
 
     /** Finds what the ray of {@link #alone} hits. */
-    final void findAlone() {
+    public final void findAlone() {
         find(levels[0], bodies.whole());
     }
 
-    final void traceAlone() {
+    public final void traceAlone() {
         primary++;
         trace(0);
     }
 
     private void trace(int depth) {
         Level level = levels[depth];
-        if ((primary + reflected + refracted) % BATCH == 0 && monitor.cancelled()) {
+        if ((primary + reflected + refracted) % BATCH == 0 && stop.getAsBoolean()) {
             cancelled = true;
         }
         if (cancelled) {
@@ -173,12 +183,12 @@ class Tracer extends Witness {
     }
 
     /** Nodes of the tree visited so far, leaves included, those of bundles not. */
-    final long nodeVisits() {
+    public final long nodeVisits() {
         return finder.visits();
     }
 
     /** Rays of all kinds traced so far. */
-    long rays() {
+    public long rays() {
         return primary + reflected + refracted + shadows;
     }
 
@@ -268,10 +278,7 @@ class Tracer extends Witness {
         if (!bodies.isClear(between)) {
             Ray ray = level.ray;
             shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.TOUCH * size, ray.part, leaving != ray.face < 0);
-            if (depth == 0) {
-                // Nothing that touches the surface lies on this side of it: the eye's ray would have met that.
-                shadow.min = shadow.contact;
-            }
+            backFrom(level, shadow);
             visibility = visibility(depth * lamps.length + light, between, level.media);
         }
         sought(light, lx, ly, lz, distance, facing, visibility);
@@ -283,6 +290,13 @@ class Tracer extends Witness {
             double blue = visibility * lamp.blue() * (diffuse * level.colorBlue + highlight);
             level.add(red, green, blue);
             illuminated(diffuse, highlight, red, green, blue);
+        }
+    }
+
+    /** Nothing that touches a surface lies on the side it was seen from, unless the ray that came has met it just before, in the same place. */
+    private static void backFrom(Level level, Ray ray) {
+        if (level.ray.max > level.ray.contact) {
+            ray.min = ray.contact;
         }
     }
 
@@ -358,6 +372,7 @@ class Tracer extends Witness {
         if (reflection > 0) {
             next.ray.start(hit.px, hit.py, hit.pz, mirrorX, mirrorY, mirrorZ, size, Double.POSITIVE_INFINITY, ray.part, leaving != ray.face < 0);
             next.beyond = false;
+            backFrom(level, next.ray);
             next.media.set(level.media);
             reflected++;
             following(false, reflection);

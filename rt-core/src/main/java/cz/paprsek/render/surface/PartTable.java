@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.render.surface;
 
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
@@ -19,7 +19,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 
 /** The primitives of a scene, numbered as they are placed: for each its geometry, its finish and the object it belongs to. */
-final class PartTable {
+public final class PartTable {
     private final Map<String, Material> materials;
     private final BooleanSupplier stop;
     private final Map<Material, Finish> shared = new HashMap<>();
@@ -31,7 +31,7 @@ final class PartTable {
     private int[] objects;
     private int size;
 
-    PartTable(Scene scene, BooleanSupplier stop) {
+    public PartTable(Scene scene, BooleanSupplier stop) {
         this.stop = stop;
         int expected = Math.max(16, scene.objects().size());
         materials = scene.materials();
@@ -40,25 +40,25 @@ final class PartTable {
         objects = new int[expected];
     }
 
-    int size() {
+    public int size() {
         return size;
     }
 
-    Part part(int i) {
+    public Part part(int i) {
         return parts[i];
     }
 
-    Finish finish(int i) {
+    public Finish finish(int i) {
         return finishes[i];
     }
 
     /** The number of the scene's object that the part belongs to. */
-    int object(int i) {
+    public int object(int i) {
         return objects[i];
     }
 
     /** The first part of the object that the part belongs to. */
-    int firstOfObject(int i) {
+    public int firstOfObject(int i) {
         int first = i;
         while (first > 0 && objects[first - 1] == objects[i]) {
             first--;
@@ -67,7 +67,7 @@ final class PartTable {
     }
 
     /** Places an object and registers its parts. */
-    Surface place(int number, SceneObject object) {
+    public Surface place(int number, SceneObject object) {
         Affine toWorld = object.placement().toParent();
         return object.shape().place(toWorld, new Scope(number, own(object.material(), toWorld, standard)));
     }

@@ -1,21 +1,21 @@
-package cz.paprsek.render;
+package cz.paprsek.render.surface;
 
 import cz.paprsek.material.Material;
 
 /** A material ready for shading. */
-final class Finish {
-    final Material material;
-    final Paint paint;
-    final double diffusion;
-    final double specular;
-    final double reflection;
-    final double transparency;
-    final double refractiveIndex;
+public final class Finish {
+    public final Material material;
+    public final Paint paint;
+    public final double diffusion;
+    public final double specular;
+    public final double reflection;
+    public final double transparency;
+    public final double refractiveIndex;
     private final double shininess;
     /** The exponent if it is a whole number, else −1. */
     private final int wholeShininess;
 
-    Finish(Material material, Paint paint) {
+    public Finish(Material material, Paint paint) {
         this.material = material;
         this.paint = paint;
         diffusion = material.diffusion();
@@ -28,7 +28,7 @@ final class Finish {
     }
 
     /** Whether light that falls on it shows: if not, no shadow ray is needed. */
-    boolean isLit() {
+    public boolean isLit() {
         return diffusion > 0 || specular > 0;
     }
 
@@ -37,7 +37,7 @@ final class Finish {
      *
      * @param cosine of the angle between the mirrored eye ray and the light
      */
-    double highlight(double cosine) {
+    public double highlight(double cosine) {
         if (!(cosine > 0) || specular == 0) {
             return 0;
         }

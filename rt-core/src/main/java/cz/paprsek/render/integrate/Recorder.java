@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.render.integrate;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Encounter;
@@ -8,6 +8,9 @@ import cz.paprsek.render.explain.Medium;
 import cz.paprsek.render.explain.Refraction;
 import cz.paprsek.render.explain.SurfacePath;
 import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.surface.Level;
+import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Hit;
@@ -19,10 +22,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 
 /** The tracer that renders pictures, writing down what it does as a tree of rays. */
-final class Recorder extends Tracer {
-    private final RenderScene scene;
+public final class Recorder extends Whitted {
+    private final World scene;
     private final int maxDepth;
     private final LinearRgb ambient;
     private final ShadowWalk shadowWalk;
@@ -32,8 +36,8 @@ final class Recorder extends Tracer {
     private TracedRay.Kind kind = TracedRay.Kind.PRIMARY;
     private double weight = 1;
 
-    Recorder(RenderScene scene, int maxDepth, int samplesPerSide) {
-        super(scene, maxDepth, samplesPerSide, RenderMonitor.NONE);
+    public Recorder(World scene, int maxDepth, int samplesPerSide) {
+        super(scene, maxDepth, samplesPerSide, () -> false);
         this.scene = scene;
         this.maxDepth = maxDepth;
         this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());
@@ -41,23 +45,23 @@ final class Recorder extends Tracer {
     }
 
     /** The rays from the eye traced so far. */
-    List<TracedRay> trees() {
+    public List<TracedRay> trees() {
         return trees;
     }
 
     @Override
-    void following(boolean refracted, double share) {
+    public void following(boolean refracted, double share) {
         kind = refracted ? TracedRay.Kind.REFRACTED : TracedRay.Kind.REFLECTED;
         weight = share;
     }
 
     @Override
-    void missed(Level level) {
+    public void missed(Level level) {
         deliver(begin(level));
     }
 
     @Override
-    void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
+    public void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
         Ray ray = level.ray;
         Hit hit = level.hit;
         PartNames.Name name = name(ray.part);
@@ -68,11 +72,11 @@ final class Recorder extends Tracer {
                 hit.u, hit.v, cosine, new Vec3(mirrorX, mirrorY, mirrorZ));
         open.push(new Draft(begin(level), place, scene.parts().finish(ray.part).material,
                 new LinearRgb(level.colorRed, level.colorGreen, level.colorBlue), ambient,
-                new ShadowWalk.Start(place.point(), size, ray.part, leaving != flipped, level.media, open.size())));
+                new ShadowWalk.Start(place.point(), size, ray.part, leaving != flipped, level.media, ray.max <= ray.contact)));
     }
 
     @Override
-    void sought(int lamp, double x, double y, double z, double distance, double facing, double visibility) {
+    public void sought(int lamp, double x, double y, double z, double distance, double facing, double visibility) {
         Draft draft = open.element();
         Light light = scene.scene().lights().get(lamp);
         Lamp ready = scene.lamps()[lamp];
@@ -84,19 +88,19 @@ final class Recorder extends Tracer {
     }
 
     @Override
-    void illuminated(double diffuse, double highlight, double red, double green, double blue) {
+    public void illuminated(double diffuse, double highlight, double red, double green, double blue) {
         List<LightTerm> lights = open.element().lights;
         lights.set(lights.size() - 1, lights.get(lights.size() - 1).lit(diffuse, highlight, new LinearRgb(red, green, blue)));
     }
 
     @Override
-    void bent(double from, double to, double radicand) {
+    public void bent(double from, double to, double radicand) {
         Draft draft = open.element();
         draft.refraction = Optional.of(new Refraction(from, to, draft.place.cosine(), radicand));
     }
 
     @Override
-    void ended(Level level) {
+    public void ended(Level level) {
         deliver(open.pop().finished(light(level), maxDepth));
     }
 

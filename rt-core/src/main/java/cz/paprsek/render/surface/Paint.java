@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.render.surface;
 
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
@@ -7,7 +7,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Hit;
 
 /** A pattern ready to be asked for its colour at a point: two colours in linear light, and which of them lies where. */
-abstract class Paint {
+public abstract class Paint {
     private final double[] linear;
 
     private Paint(Rgb even, Rgb odd) {
@@ -17,7 +17,7 @@ abstract class Paint {
     }
 
     /** @param toPattern from the world to the space the pattern is stated in */
-    static Paint of(Pattern pattern, Affine toPattern) {
+    public static Paint of(Pattern pattern, Affine toPattern) {
         if (pattern instanceof Pattern.Checkerboard board) {
             return new Board(board);
         }
@@ -28,10 +28,10 @@ abstract class Paint {
     }
 
     /** Whether the odd colour lies at the hit. */
-    abstract boolean isOdd(Hit hit);
+    public abstract boolean isOdd(Hit hit);
 
     /** Writes the colour at the level's hit into the level, linear light. */
-    final void color(Level level) {
+    public final void color(Level level) {
         int i = isOdd(level.hit) ? 3 : 0;
         level.colorRed = linear[i];
         level.colorGreen = linear[i + 1];
@@ -44,7 +44,7 @@ abstract class Paint {
         }
 
         @Override
-        boolean isOdd(Hit hit) {
+        public boolean isOdd(Hit hit) {
             return false;
         }
     }
@@ -61,7 +61,7 @@ abstract class Paint {
 
         /** The far edges belong to the last square, not to one beyond it. */
         @Override
-        boolean isOdd(Hit hit) {
+        public boolean isOdd(Hit hit) {
             int column = Math.min((int) (hit.u * columns), columns - 1);
             int row = Math.min((int) (hit.v * rows), rows - 1);
             return (column + row) % 2 != 0;
@@ -88,7 +88,7 @@ abstract class Paint {
         }
 
         @Override
-        boolean isOdd(Hit hit) {
+        public boolean isOdd(Hit hit) {
             double nudge = rounding * hit.size > NUDGE ? rounding * hit.size : NUDGE;
             double cells = Math.floor(toCells.pointX(hit.px, hit.py, hit.pz) + nudge)
                     + Math.floor(toCells.pointY(hit.px, hit.py, hit.pz) + nudge)

@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.render.integrate;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Encounter;
@@ -11,20 +11,20 @@ import java.util.List;
 import java.util.Optional;
 
 /** The account of a ray under way: what is known of it once it has hit something, and the terms so far. */
-final class Draft {
+public final class Draft {
     private final TracedRay ray;
-    final Encounter.Place place;
+    public final Encounter.Place place;
     private final Material material;
     private final LinearRgb color;
     private final LinearRgb ambientLight;
-    final ShadowWalk.Start start;
-    final List<LightTerm> lights = new ArrayList<>();
-    Optional<Refraction> refraction = Optional.empty();
+    public final ShadowWalk.Start start;
+    public final List<LightTerm> lights = new ArrayList<>();
+    public Optional<Refraction> refraction = Optional.empty();
     private Optional<TracedRay> reflected = Optional.empty();
     private Optional<TracedRay> refracted = Optional.empty();
 
     /** @param ray the ray so far, without an encounter; its light is the ambient term */
-    Draft(TracedRay ray, Encounter.Place place, Material material, LinearRgb color, LinearRgb ambientLight, ShadowWalk.Start start) {
+    public Draft(TracedRay ray, Encounter.Place place, Material material, LinearRgb color, LinearRgb ambientLight, ShadowWalk.Start start) {
         this.ray = ray;
         this.place = place;
         this.material = material;
@@ -33,7 +33,7 @@ final class Draft {
         this.start = start;
     }
 
-    void add(TracedRay child) {
+    public void add(TracedRay child) {
         if (child.kind() == TracedRay.Kind.REFLECTED) {
             reflected = Optional.of(child);
         } else {
@@ -41,7 +41,7 @@ final class Draft {
         }
     }
 
-    TracedRay finished(LinearRgb light, int maxDepth) {
+    public TracedRay finished(LinearRgb light, int maxDepth) {
         boolean cutOff = ray.level() == maxDepth && (material.reflection() > 0 || material.transparency() > 0);
         Encounter encounter = new Encounter(place, material, color, ambientLight, ray.light(), lights, refraction, reflected, refracted, cutOff);
         return new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.of(encounter), light);

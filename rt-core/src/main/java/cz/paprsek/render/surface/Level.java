@@ -1,43 +1,43 @@
-package cz.paprsek.render;
+package cz.paprsek.render.surface;
 
 import cz.paprsek.shape.Hit;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
 
 /** Scratch of one level of recursion: a ray, what it met, and the light it brings back. */
-final class Level {
-    final Ray ray;
-    final Hit hit = new Hit();
-    final Media media = new Media();
+public final class Level {
+    public final Ray ray;
+    public final Hit hit = new Hit();
+    public final Media media = new Media();
     /** Whether the ray goes on beyond the surface it starts from, rather than back to the side it was seen from. */
-    boolean beyond;
+    public boolean beyond;
     /** The colour of the surface at the hit, linear. */
-    double colorRed;
-    double colorGreen;
-    double colorBlue;
+    public double colorRed;
+    public double colorGreen;
+    public double colorBlue;
     /** The light that the ray brings back, linear. */
-    double red;
-    double green;
-    double blue;
+    public double red;
+    public double green;
+    public double blue;
 
-    Level(Spans spans) {
+    public Level(Spans spans) {
         ray = new Ray(spans);
     }
 
-    void light(double r, double g, double b) {
+    public void light(double r, double g, double b) {
         red = r;
         green = g;
         blue = b;
     }
 
-    void add(double r, double g, double b) {
+    public void add(double r, double g, double b) {
         red += r;
         green += g;
         blue += b;
     }
 
     /** Adds another level's light times a weight. */
-    void add(double weight, Level other) {
+    public void add(double weight, Level other) {
         add(weight * other.red, weight * other.green, weight * other.blue);
     }
 }

@@ -1,4 +1,4 @@
-package cz.paprsek.render;
+package cz.paprsek.render.integrate;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.render.explain.SurfacePath;
@@ -12,19 +12,19 @@ import java.util.List;
 import java.util.function.IntFunction;
 
 /** Names the parts of one object, by placing it once more and watching where each part comes from, so that renders need not keep it. */
-final class PartNames {
+public final class PartNames {
     private final List<Name> names = new ArrayList<>();
 
     /** Where a part comes from, and the shape whose faces it has. */
-    record Name(SurfacePath path, Shape shape) {}
+    public record Name(SurfacePath path, Shape shape) {}
 
-    PartNames(int number, SceneObject object) {
+    public PartNames(int number, SceneObject object) {
         SurfacePath path = new SurfacePath(List.of(number), List.of(label(object.shape(), object.name(), number)));
         object.shape().place(object.placement().toParent(), new Scope(path, object.shape()));
     }
 
     /** The names in the order in which the parts are registered. */
-    List<Name> names() {
+    public List<Name> names() {
         return names;
     }
 

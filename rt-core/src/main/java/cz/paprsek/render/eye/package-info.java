@@ -1,0 +1,2 @@
+/** What a camera sees the world with: one class for each lens. */
+package cz.paprsek.render.eye;

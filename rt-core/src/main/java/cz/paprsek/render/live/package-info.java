@@ -1,0 +1,2 @@
+/** Pictures that follow a scene that changes. */
+package cz.paprsek.render.live;

@@ -1,0 +1,2 @@
+/** Pictures that show something else than light. */
+package cz.paprsek.render.mode;

@@ -1,0 +1,200 @@
+package cz.paprsek.render.surface;
+
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.render.light.Lamp;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.shape.Ray;
+import cz.paprsek.shape.Solid;
+import cz.paprsek.shape.Spans;
+import cz.paprsek.shape.Surface;
+import cz.paprsek.shape.Volume;
+import cz.paprsek.tree.TreeBuilder;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+
+/** A scene as rays meet it: shapes placed in the world, materials resolved, the tree built. Immutable; any number of workers may use it at once. */
+public final class World {
+    /** Of more transparent solids than this, each may touch others: comparing all their boxes would take long. */
+    private static final int MANY_MEDIA = 100;
+
+    private final Scene scene;
+    private final PartTable parts;
+    /** The placed shape of each object, and whether no light gets through it. */
+    private final Surface[] surfaces;
+    private final boolean[] opaque;
+    private final Bodies bodies;
+    private final Lamp[] lamps;
+    /** Whether each object is transparent, has an inside, and may touch another such object. */
+    private final boolean[] mayTouch;
+    /** The first part of every solid without end. */
+    private final int[] endless;
+    private final int[] aroundCamera;
+
+    /**
+     * Places a scene.
+     *
+     * @param stop whether to give up, which throws a {@link java.util.concurrent.CancellationException}
+     */
+    public World(Scene scene, BooleanSupplier stop) {
+        this.scene = scene;
+        this.parts = new PartTable(scene, stop);
+        this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
+        this.surfaces = new Surface[scene.objects().size()];
+        this.opaque = new boolean[surfaces.length];
+        for (int i = 0; i < surfaces.length; i++) {
+            TreeBuilder.stopIfAsked(i, stop);
+            int first = parts.size();
+            surfaces[i] = parts.place(i, scene.objects().get(i));
+            opaque[i] = isOpaque(first, parts.size());
+        }
+        this.bodies = Bodies.of(surfaces, opaque, stop);
+        this.mayTouch = touching();
+        this.endless = endless();
+        this.aroundCamera = solidsAround(scene.camera().position());
+    }
+
+    /** Takes over the bodies of another prepared scene, which has the same. */
+    public World(Scene scene, World other) {
+        this.scene = scene;
+        this.parts = other.parts;
+        this.surfaces = other.surfaces;
+        this.opaque = other.opaque;
+        this.bodies = other.bodies;
+        this.mayTouch = other.mayTouch;
+        this.endless = other.endless;
+        this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
+        this.aroundCamera = solidsAround(scene.camera().position());
+    }
+
+    /** The scene this was made of. */
+    public Scene scene() {
+        return scene;
+    }
+
+    public PartTable parts() {
+        return parts;
+    }
+
+    public Bodies bodies() {
+        return bodies;
+    }
+
+    public Lamp[] lamps() {
+        return lamps;
+    }
+
+    public Rgb background() {
+        return scene.background();
+    }
+
+    public Rgb ambient() {
+        return scene.ambient();
+    }
+
+    public boolean isSolid(int object) {
+        return scene.objects().get(object).shape() instanceof Solid;
+    }
+
+    /** Whether no light gets through any of an object. */
+    public boolean isOpaque(int object) {
+        return opaque[object];
+    }
+
+    /** Whether an object is a solid that light gets through. */
+    public boolean isMedium(int object) {
+        return !opaque[object] && isSolid(object);
+    }
+
+    /** Whether a solid that light gets through may touch another one. */
+    public boolean mayTouchMedium(int object) {
+        return mayTouch[object];
+    }
+
+    public Surface surface(int object) {
+        return surfaces[object];
+    }
+
+    /** Puts the ray that leaves the camera into the media the camera stands in. */
+    public void enterMediaAroundCamera(Media media) {
+        enter(aroundCamera, media);
+    }
+
+    /** Puts a ray into the media around the point it starts from. */
+    public void enterMediaAround(Vec3 point, Media media) {
+        enter(solidsAround(point), media);
+    }
+
+    private void enter(int[] around, Media media) {
+        media.clear();
+        for (int part : around) {
+            if (opaque[parts.object(part)]) {
+                media.surround(parts.object(part));
+            } else {
+                media.enter(parts.object(part), parts.finish(part).refractiveIndex);
+            }
+        }
+    }
+
+    private boolean isOpaque(int firstPart, int endPart) {
+        for (int i = firstPart; i < endPart; i++) {
+            if (parts.finish(i).transparency > 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private int[] endless() {
+        return IntStream.range(0, parts.size())
+                .filter(part -> part == 0 || parts.object(part - 1) != parts.object(part))
+                .filter(part -> isSolid(parts.object(part)) && !surfaces[parts.object(part)].bounds().isFinite()).toArray();
+    }
+
+    private boolean[] touching() {
+        boolean[] touching = new boolean[surfaces.length];
+        int[] media = IntStream.range(0, surfaces.length).filter(this::isMedium).toArray();
+        for (int i : media) {
+            touching[i] = media.length > MANY_MEDIA;
+        }
+        for (int i = 1; i < media.length && media.length <= MANY_MEDIA; i++) {
+            for (int j = 0; j < i; j++) {
+                if (!surfaces[media[i]].bounds().padded().intersection(surfaces[media[j]].bounds().padded()).isEmpty()) {
+                    touching[media[i]] = true;
+                    touching[media[j]] = true;
+                }
+            }
+        }
+        return touching;
+    }
+
+    /** The first part of every solid that the point is in: the opaque ones, then the transparent ones, the largest first, as if entered from outside. */
+    private int[] solidsAround(Vec3 point) {
+        SortedMap<Integer, Integer> firstParts = new TreeMap<>();
+        Ray ray = new Ray(new Spans());
+        Spans ahead = new Spans();
+        ray.start(point.x(), point.y(), point.z(), 1, 0, 0);
+        bodies.crossings(ray, bodies.newGatherer(ahead));
+        for (int i = 0; i < ahead.size(); i++) {
+            int part = ahead.part(i);
+            if (isSolid(parts.object(part)) && firstParts.remove(parts.object(part)) == null) {
+                firstParts.put(parts.object(part), parts.firstOfObject(part));
+            }
+        }
+        for (int part : endless) {
+            firstParts.remove(parts.object(part));
+            if (((Volume) surfaces[parts.object(part)]).holdsOrigin(ray)) {
+                firstParts.put(parts.object(part), part);
+            }
+        }
+        List<Integer> inside = new ArrayList<>(firstParts.values());
+        inside.sort(Comparator.comparing((Integer part) -> !opaque[parts.object(part)])
+                .thenComparing(Comparator.comparingDouble((Integer part) -> surfaces[parts.object(part)].bounds().volume()).reversed()));
+        return inside.stream().mapToInt(Integer::intValue).toArray();
+    }
+}

@@ -1,0 +1,2 @@
+/** The world as rays meet it: bodies, what they are made of, and what lies around a ray. */
+package cz.paprsek.render.surface;
