@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import javafx.beans.value.ChangeListener;
+import javafx.beans.value.WeakChangeListener;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
@@ -22,6 +24,8 @@ public final class FocusOrder {
     private final List<Supplier<Node>> regions;
     private final Runnable home;
     private final Map<Node, Node> last = new LinkedHashMap<>();
+    /** Held here, and so by the root, for the scene, which outlives the root, holds it weakly. */
+    private ChangeListener<Node> onFocus = (focus, was, is) -> {};
 
     /**
      * @param regions in order; asked anew each time, as another node may have taken the place of one
@@ -37,7 +41,8 @@ public final class FocusOrder {
         root.addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);
         root.sceneProperty().addListener((property, old, now) -> {
             if (now != null) {
-                now.focusOwnerProperty().addListener((focus, was, is) -> moved(now, was, is));
+                onFocus = (focus, was, is) -> moved(now, was, is);
+                now.focusOwnerProperty().addListener(new WeakChangeListener<>(onFocus));
             }
         });
     }
