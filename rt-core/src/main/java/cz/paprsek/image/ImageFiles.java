@@ -5,6 +5,7 @@ import cz.paprsek.image.png.PngReader;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.BinaryInput;
 import cz.paprsek.math.Require;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.FileSystemException;
@@ -129,6 +130,20 @@ public final class ImageFiles {
             throw new IOException(file + ": " + unreadable.getMessage(), unreadable);
         } catch (OutOfMemoryError tooLarge) {
             throw new IOException(file + ": not enough memory for this picture; give Java more with -Xmx", tooLarge);
+        }
+    }
+
+    /**
+     * As {@link #readStored(Path)}, of a file that is in memory already.
+     *
+     * @param name of the file, whose ending tells text
+     * @throws IOException saying what is wrong with the content, without the name
+     */
+    public static StoredImage readStored(byte[] content, String name) throws IOException {
+        try (BinaryInput input = new BinaryInput(new ByteArrayInputStream(content), content.length, ReadLimits.bytes())) {
+            return read(input, ImageFormat.ofFile(name).orElse(ImageFormat.PNG));
+        } catch (IllegalArgumentException unreadable) {
+            throw new IOException(unreadable.getMessage(), unreadable);
         }
     }
 
