@@ -31,23 +31,27 @@ class ArchitectureTest {
             .layer("scene").definedBy("cz.paprsek.scene")
             .layer("query").definedBy("cz.paprsek.query")
             .layer("image").definedBy("cz.paprsek.image..")
+            .layer("asset").definedBy("cz.paprsek.asset")
             .layer("render").definedBy(resideInAPackage("cz.paprsek.render..").and(resideOutsideOfPackage("cz.paprsek.render.explain")))
             .layer("explain").definedBy("cz.paprsek.render.explain")
             .layer("drawing").definedBy("cz.paprsek.drawing")
             .layer("xml").definedBy("cz.paprsek.xml")
             .layer("text").definedBy("cz.paprsek.xml.text")
             .layer("pov").definedBy("cz.paprsek.pov")
-            .whereLayer("io").mayOnlyBeAccessedByLayers("query", "image", "explain", "xml", "pov")
+            .layer("standard").definedBy("cz.paprsek.standard")
+            .whereLayer("standard").mayNotBeAccessedByAnyLayer()
+            .whereLayer("io").mayOnlyBeAccessedByLayers("query", "image", "asset", "explain", "xml", "pov")
             .whereLayer("tree").mayOnlyBeAccessedByLayers("shape", "render")
             .whereLayer("attribute").mayOnlyBeAccessedByLayers("material", "shape", "scene", "query", "explain", "xml")
-            .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "query", "image", "render", "explain", "drawing", "xml", "pov")
-            .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "drawing", "xml", "pov")
-            .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "drawing", "xml", "pov")
+            .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "query", "image", "render", "explain", "drawing", "xml", "pov", "standard")
+            .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "drawing", "xml", "pov", "standard")
+            .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "drawing", "xml", "pov", "standard")
             .whereLayer("query").mayNotBeAccessedByAnyLayer()
-            .whereLayer("image").mayOnlyBeAccessedByLayers("render", "pov")
+            .whereLayer("image").mayOnlyBeAccessedByLayers("asset", "render", "drawing", "pov")
+            .whereLayer("asset").mayNotBeAccessedByAnyLayer()
             .whereLayer("explain").mayOnlyBeAccessedByLayers("render", "drawing")
             .whereLayer("drawing").mayNotBeAccessedByAnyLayer()
-            .whereLayer("render").mayNotBeAccessedByAnyLayer()
+            .whereLayer("render").mayOnlyBeAccessedByLayers("drawing")
             .whereLayer("xml").mayNotBeAccessedByAnyLayer()
             .whereLayer("text").mayOnlyBeAccessedByLayers("xml")
             .whereLayer("pov").mayNotBeAccessedByAnyLayer();
@@ -65,7 +69,11 @@ class ArchitectureTest {
             .should().dependOnClassesThat(resideInAPackage("cz.paprsek..").and(resideOutsideOfPackages("cz.paprsek.tree", "cz.paprsek.math")));
 
     @ArchTest
-    static final ArchRule NO_CYCLES = slices().matching("cz.paprsek.(*)..").should().beFreeOfCycles();
+    static final ArchRule TEXT_SEES_ONLY_MATH = noClasses().that().resideInAPackage("cz.paprsek.text")
+            .should().dependOnClassesThat(resideInAPackage("cz.paprsek..").and(resideOutsideOfPackages("cz.paprsek.text", "cz.paprsek.math")));
+
+    @ArchTest
+    static final ArchRule NO_CYCLES = slices().matching("cz.paprsek.(**)").should().beFreeOfCycles();
 
     /** Of the rooms of the renderer, each sees only those before it. */
     @ArchTest

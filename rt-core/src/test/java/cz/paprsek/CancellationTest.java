@@ -9,7 +9,7 @@ import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.StandardScenes;
+import cz.paprsek.standard.StandardScenes;
 import cz.paprsek.xml.ReadMonitor;
 import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Path;

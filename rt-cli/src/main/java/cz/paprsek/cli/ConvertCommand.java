@@ -8,7 +8,7 @@ import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.pov.PovFiles;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.Similar;
+import cz.paprsek.text.Similar;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;

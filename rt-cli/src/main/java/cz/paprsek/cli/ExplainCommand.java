@@ -18,7 +18,7 @@ import cz.paprsek.render.explain.TreeJson;
 import cz.paprsek.render.explain.TreeText;
 import cz.paprsek.render.explain.Words;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.Similar;
+import cz.paprsek.text.Similar;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

@@ -2,7 +2,7 @@ package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.Words;
 import cz.paprsek.cli.process.WrongUsage;
-import cz.paprsek.scene.Similar;
+import cz.paprsek.text.Similar;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;

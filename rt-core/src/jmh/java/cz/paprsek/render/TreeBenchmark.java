@@ -2,10 +2,10 @@ package cz.paprsek.render;
 
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.StandardScenes;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Rays;
 import cz.paprsek.shape.Spans;
+import cz.paprsek.standard.StandardScenes;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;

@@ -1,6 +1,6 @@
 package cz.paprsek.image;
 
-import cz.paprsek.math.Numbers;
+import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;

@@ -1,7 +1,7 @@
 package cz.paprsek.io;
 
-import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.text.Numbers;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.stream.Collectors;

@@ -1,5 +1,5 @@
 /**
- * Numbers, vectors, maps and boxes: what geometry is written in. Knows nothing of colour or rays.
+ * Vectors, maps and boxes: what geometry is written in. Knows nothing of colour or rays.
  * Right-handed world, y up, lengths in scene units; degrees at the border, radians inside.
  */
 package cz.paprsek.math;

@@ -1,7 +1,7 @@
 package cz.paprsek.pov;
 
-import static cz.paprsek.math.Numbers.text;
 import static cz.paprsek.pov.PovText.vector;
+import static cz.paprsek.text.Numbers.text;
 
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cone;

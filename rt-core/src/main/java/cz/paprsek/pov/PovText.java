@@ -1,8 +1,8 @@
 package cz.paprsek.pov;
 
 import cz.paprsek.io.PlainText;
-import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.util.List;
 import java.util.stream.Collectors;

@@ -1,6 +1,6 @@
 package cz.paprsek.pov;
 
-import static cz.paprsek.math.Numbers.text;
+import static cz.paprsek.text.Numbers.text;
 
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;

@@ -1,7 +1,7 @@
 package cz.paprsek.query;
 
 import cz.paprsek.query.Token.Kind;
-import cz.paprsek.scene.Similar;
+import cz.paprsek.text.Similar;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;

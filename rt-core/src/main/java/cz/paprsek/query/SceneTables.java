@@ -7,7 +7,7 @@ import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePart;
-import cz.paprsek.scene.Similar;
+import cz.paprsek.text.Similar;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

@@ -1,7 +1,7 @@
 package cz.paprsek.query;
 
-import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.text.Numbers;
 
 /** What stands in a cell of a table. */
 public sealed interface Value {

@@ -3,6 +3,7 @@ package cz.paprsek.scene;
 import cz.paprsek.material.Material;
 import cz.paprsek.math.Require;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.text.Similar;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;

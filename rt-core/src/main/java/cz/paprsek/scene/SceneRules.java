@@ -12,6 +12,7 @@ import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.text.Similar;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;

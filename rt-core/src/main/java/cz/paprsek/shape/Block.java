@@ -5,9 +5,9 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
-import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.text.Numbers;
 import java.util.List;
 
 /** A box with faces perpendicular to the axes, from its minimum to its maximum corner. */

@@ -4,7 +4,6 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.tree.Search;
 import cz.paprsek.tree.Tree;
 import cz.paprsek.tree.TreeBuilder;
-import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 

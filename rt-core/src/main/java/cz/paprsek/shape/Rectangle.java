@@ -3,9 +3,9 @@ package cz.paprsek.shape;
 import cz.paprsek.attribute.Element;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
-import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.text.Numbers;
 import java.util.List;
 
 /** A rectangle in the plane z = 0, facing +z, seen from both sides. It has no inside. */

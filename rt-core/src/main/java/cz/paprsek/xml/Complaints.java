@@ -1,7 +1,7 @@
 package cz.paprsek.xml;
 
 import cz.paprsek.io.PlainText;
-import cz.paprsek.scene.Similar;
+import cz.paprsek.text.Similar;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;

@@ -2,7 +2,6 @@ package cz.paprsek.xml;
 
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles.Contents;
-import cz.paprsek.scene.SceneObject;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;

@@ -1,6 +1,6 @@
 package cz.paprsek.xml;
 
-import cz.paprsek.scene.Similar;
+import cz.paprsek.text.Similar;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.HashMap;

@@ -1,8 +1,8 @@
 package cz.paprsek.xml;
 
-import cz.paprsek.math.Numbers;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.text.Numbers;
 
 /** Builds the text of an XML file: UTF-8, two blanks a level, an element a line. */
 final class XmlText {

@@ -349,7 +349,7 @@ class ImageFilesTest {
         return both;
     }
 
-    private static final String LINEAR_PNG = 
+    private static final String LINEAR_PNG =
             "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABEAIAAAAr0DSeAAAABGdBTUEAAYagMeiWXwAAAANzQklUEBAQWKO9JwAAAAlvRkZzAAAAAAAAAAAA2i"
             + "q2zgAAAAd0SU1FB+oLGRMQDQvZyIUAAAAkdEVYdFNvZnR3YXJlAFBPVi1SYXkgMy43LjAuMTAudW5vZmZpY2lhbHF05FkAAABWdEVYdENvbW1l"
             + "bnQAUmVuZGVyIERhdGU6IDIwMjYtMTEtMjUgMTk6MTY6MTNaClBsYXRmb3JtOiB4ODZfNjQtcGMtbGludXgtZ251CkNvbXBpbGVyOiBnKysKxn"

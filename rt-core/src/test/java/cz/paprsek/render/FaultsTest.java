@@ -12,7 +12,7 @@ import cz.paprsek.render.live.LivePass;
 import cz.paprsek.render.live.LiveRender;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.StandardScenes;
+import cz.paprsek.standard.StandardScenes;
 import cz.paprsek.xml.ReadMonitor;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;

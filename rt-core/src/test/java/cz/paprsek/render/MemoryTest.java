@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.StandardScenes;
+import cz.paprsek.standard.StandardScenes;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;

@@ -2,6 +2,7 @@ package cz.paprsek.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.drawing.Legend;
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;

@@ -2,6 +2,7 @@ package cz.paprsek.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
@@ -10,7 +11,6 @@ import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.Step;
 import cz.paprsek.render.explain.TracedRay;
-import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.render.explain.TreeJson;
 import cz.paprsek.render.explain.TreeText;
 import cz.paprsek.render.explain.Words;

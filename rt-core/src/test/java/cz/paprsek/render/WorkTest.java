@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.StandardScenes;
+import cz.paprsek.standard.StandardScenes;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;

@@ -2,8 +2,8 @@ package cz.paprsek.cli.bench;
 
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.Similar;
-import cz.paprsek.scene.StandardScenes;
+import cz.paprsek.standard.StandardScenes;
+import cz.paprsek.text.Similar;
 import java.util.Collections;
 import java.util.Iterator;
 import java.util.LinkedHashMap;

@@ -11,7 +11,7 @@ import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.StoredImage;
 import cz.paprsek.io.Json;
-import cz.paprsek.math.Numbers;
+import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;

@@ -2,11 +2,11 @@ package cz.paprsek.cli.db;
 
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.io.PlainText;
-import cz.paprsek.math.Numbers;
 import cz.paprsek.query.Column;
 import cz.paprsek.query.TableText;
 import cz.paprsek.query.Type;
 import cz.paprsek.query.Value;
+import cz.paprsek.text.Numbers;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;

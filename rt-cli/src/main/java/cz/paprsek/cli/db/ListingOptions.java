@@ -5,7 +5,7 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.query.Column;
 import cz.paprsek.query.Table;
 import cz.paprsek.query.Value;
-import cz.paprsek.scene.Similar;
+import cz.paprsek.text.Similar;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;

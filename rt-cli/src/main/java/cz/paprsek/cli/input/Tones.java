@@ -1,7 +1,7 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.image.Tone;
-import cz.paprsek.scene.Similar;
+import cz.paprsek.text.Similar;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;

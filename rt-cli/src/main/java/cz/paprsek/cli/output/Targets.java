@@ -6,7 +6,7 @@ import cz.paprsek.cli.process.Failures;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.io.AtomicFile;
-import cz.paprsek.scene.Similar;
+import cz.paprsek.text.Similar;
 import java.io.IOException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;

@@ -1,11 +1,11 @@
 package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.drawing.Legend;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
 import cz.paprsek.render.mode.HeatScale;
-import cz.paprsek.render.mode.Legend;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.Light;

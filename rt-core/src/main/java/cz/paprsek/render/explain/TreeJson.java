@@ -10,12 +10,14 @@ import java.util.Locale;
 public final class TreeJson {
     private TreeJson() {}
 
+    @SuppressWarnings("exports") // Told as it is by its toString; what it is made of is for our own programs.
     public static Json of(Pixel pixel) {
         return color(new Json().with("column", pixel.column()).with("row", pixel.row()), "light", pixel.light())
                 .with("rays", pixel.rays().stream().map(TreeJson::of).toList());
     }
 
     /** A ray and all that it gives rise to. */
+    @SuppressWarnings("exports") // Told as it is by its toString; what it is made of is for our own programs.
     public static Json of(TracedRay ray) {
         Json json = new Json()
                 .with("kind", ray.kind().name().toLowerCase(Locale.ROOT))

@@ -1,6 +1,6 @@
 package cz.paprsek.render.explain;
 
-import cz.paprsek.math.Numbers;
+import cz.paprsek.text.Numbers;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -11,7 +11,6 @@ import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.drawing.Legend;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.explain.SurfaceSelection;
@@ -12,7 +13,7 @@ import cz.paprsek.fx.view.texts.Faults;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
-import cz.paprsek.render.mode.Legend;
+
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.Scene;
 import java.nio.file.Path;

@@ -1,9 +1,9 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.drawing.Legend;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.image.Image;
 import cz.paprsek.render.mode.HeatScale;
-import cz.paprsek.render.mode.Legend;
 import cz.paprsek.render.Tile;
 import javafx.geometry.Pos;
 import javafx.scene.image.ImageView;

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.property.Trait;
-import cz.paprsek.math.Numbers;
+import cz.paprsek.text.Numbers;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import javafx.scene.input.KeyEvent;

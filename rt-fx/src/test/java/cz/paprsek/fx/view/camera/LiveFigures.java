@@ -7,7 +7,6 @@ import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.CameraMoves;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.view.camera.CameraPane;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;

@@ -1,4 +1,4 @@
-package cz.paprsek.scene;
+package cz.paprsek.text;
 
 import java.util.Collection;
 import java.util.Comparator;

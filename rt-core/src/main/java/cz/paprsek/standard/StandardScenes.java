@@ -1,4 +1,4 @@
-package cz.paprsek.scene;
+package cz.paprsek.standard;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
@@ -6,6 +6,11 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Angles;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;

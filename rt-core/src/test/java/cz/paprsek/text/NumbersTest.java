@@ -1,4 +1,4 @@
-package cz.paprsek.math;
+package cz.paprsek.text;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

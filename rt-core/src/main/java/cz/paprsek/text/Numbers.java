@@ -1,5 +1,6 @@
-package cz.paprsek.math;
+package cz.paprsek.text;
 
+import cz.paprsek.math.Vec3;
 import java.math.BigDecimal;
 import java.math.MathContext;
 

@@ -1,0 +1,2 @@
+/** Words and numbers as text: the shortest form of a number, what a misspelt word was meant to be. Knows of nothing else here but vectors. */
+package cz.paprsek.text;

@@ -1,0 +1,33 @@
+/**
+ * Shapes, scenes, the scene file, the renderer and its pictures. Who only renders needs neither JAXB nor AWT; JAXB reads wrong and unusual files,
+ * AWT reads and writes PNG and the other formats that the Java platform knows.
+ */
+@SuppressWarnings("module") // Our own programs are told from others by names that no module has yet: they run from the class path.
+module cz.paprsek.core {
+    requires static org.jspecify;
+    requires static jakarta.xml.bind;
+    requires static transitive java.desktop;
+    requires java.xml;
+
+    exports cz.paprsek.asset;
+    exports cz.paprsek.image;
+    exports cz.paprsek.material;
+    exports cz.paprsek.math;
+    exports cz.paprsek.query;
+    exports cz.paprsek.render;
+    exports cz.paprsek.render.explain;
+    exports cz.paprsek.render.live;
+    exports cz.paprsek.render.mode;
+    exports cz.paprsek.scene;
+    exports cz.paprsek.shape;
+    exports cz.paprsek.xml;
+
+    exports cz.paprsek.attribute to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.drawing to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.io to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.pov to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.standard to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.text to cz.paprsek.cli, cz.paprsek.fx;
+
+    opens cz.paprsek.xml to jakarta.xml.bind, org.glassfish.jaxb.core, org.glassfish.jaxb.runtime;
+}
