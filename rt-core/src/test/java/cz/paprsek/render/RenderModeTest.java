@@ -7,7 +7,6 @@ import cz.paprsek.image.Image;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.mode.HeatScale;
-import cz.paprsek.render.mode.Legend;
 import cz.paprsek.render.mode.ObjectColors;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Light;

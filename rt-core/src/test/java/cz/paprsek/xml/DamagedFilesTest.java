@@ -19,7 +19,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Shipped files, each damaged in ten thousand ways (or as many as the system property {@code paprsek.damages} says): every one is read, or refused by line and column, and nothing else happens. */
 class DamagedFilesTest {
-    private static final List<WayIn> WAYS_IN = List.of(WayIn.values());
     private static final int WAYS = Integer.getInteger("paprsek.damages", 10_000);
     private static final List<Damage> DAMAGES = List.of(Damage.values());
     private static final List<WayIn> WAYS_IN = List.of(WayIn.values());
