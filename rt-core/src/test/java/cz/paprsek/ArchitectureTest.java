@@ -79,6 +79,7 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule RENDER_ROOMS = Architectures.layeredArchitecture().consideringOnlyDependenciesInLayers()
             .layer("explain").definedBy("cz.paprsek.render.explain")
+            .layer("film").definedBy("cz.paprsek.render.film")
             .layer("light").definedBy("cz.paprsek.render.light")
             .layer("eye").definedBy("cz.paprsek.render.eye")
             .layer("surface").definedBy("cz.paprsek.render.surface")
@@ -87,6 +88,7 @@ class ArchitectureTest {
             .layer("render").definedBy("cz.paprsek.render")
             .layer("live").definedBy("cz.paprsek.render.live")
             .whereLayer("explain").mayOnlyBeAccessedByLayers("integrate", "render")
+            .whereLayer("film").mayOnlyBeAccessedByLayers("integrate", "mode", "render")
             .whereLayer("light").mayOnlyBeAccessedByLayers("surface", "integrate", "mode")
             .whereLayer("eye").mayOnlyBeAccessedByLayers("integrate", "mode", "render", "live")
             .whereLayer("surface").mayOnlyBeAccessedByLayers("integrate", "mode", "render")

@@ -33,7 +33,7 @@ public record Pick(int object, List<Integer> operands, Vec3 point, double distan
      */
     public static Optional<Pick> at(RenderScene scene, RenderSettings settings, double x, double y) {
         Ray ray = new Ray(new Spans());
-        new Eye(scene.scene().camera(), settings.width(), settings.height()).start(ray, x, y);
+        Eye.of(scene.scene().camera(), settings.width(), settings.height()).start(ray, x, y);
         scene.world().bodies().nearest(ray, scene.world().bodies().whole(), scene.world().bodies().newFinder());
         if (ray.part < 0) {
             return Optional.empty();

@@ -2,11 +2,14 @@ package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.film.Film;
+import cz.paprsek.render.integrate.Integrator;
+import cz.paprsek.render.integrate.Sampling;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.mode.DepthRange;
 import cz.paprsek.render.mode.ModeTracer;
 import cz.paprsek.render.mode.RenderMode;
-import cz.paprsek.render.surface.Level;
+import cz.paprsek.scene.RenderSettings;
 import java.math.BigInteger;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
@@ -23,6 +26,7 @@ final class RenderJob implements RenderMonitor {
     private final RenderOptions options;
     private final RenderMonitor monitor;
     private final Image image;
+    private final Film film;
     private final Eye eye;
     private final DepthRange depths;
     private final int block;
@@ -45,6 +49,7 @@ final class RenderJob implements RenderMonitor {
         this.monitor = monitor;
         Tile region = options.region();
         image = new Image(region.width(), region.height());
+        film = new Film(image, region.x(), region.y());
         depths = options.mode() == RenderMode.DEPTH
                 ? DepthRange.of(scene.world(), eye, options.settings().width(), options.settings().height()) : DepthRange.NONE;
         block = Math.max(1, TOGETHER / options.settings().samples());
@@ -84,21 +89,11 @@ final class RenderJob implements RenderMonitor {
     }
 
     private void renderTiles() {
-        Whitted tracer;
-        Blocks blocks;
-        if (options.mode() == RenderMode.SHADED) {
-            Whitted shading = new Whitted(scene.world(), options.settings().maxDepth(), options.settings().samples(), this::cancelled);
-            tracer = shading;
-            blocks = (x, y, width, height) -> renderBlock(x, y, width, height, shading);
-        } else {
-            ModeTracer showing = new ModeTracer(scene.world(), options.mode(), options.settings().maxDepth(), depths, options.numbers(), this::cancelled);
-            tracer = showing;
-            blocks = (x, y, width, height) -> showBlock(x, y, width, height, showing);
-        }
+        Integrator integrator = integrator();
         for (int i = next.getAndIncrement(); i < tiles && !cancelled(); i = next.getAndIncrement()) {
-            render(tile(i), tracer, blocks);
+            render(tile(i), integrator);
         }
-        add(tracer);
+        add(integrator.work());
     }
 
     /** Stops the job, which has failed; column and row of the pixel, if it was one. Only what is thrown first is kept. */
@@ -129,9 +124,16 @@ final class RenderJob implements RenderMonitor {
                 buildSeconds, traceSeconds);
     }
 
-    private synchronized void add(Whitted tracer) {
-        total = new RenderStats(total.primary() + tracer.primary, total.reflected() + tracer.reflected,
-                total.refracted() + tracer.refracted, total.shadow() + tracer.shadows, total.hits() + tracer.hits, 0, 0);
+    private Integrator integrator() {
+        RenderSettings settings = options.settings();
+        return options.mode() == RenderMode.SHADED
+                ? new Whitted(scene.world(), settings.maxDepth(), Sampling.grid(settings.samples()), this::cancelled)
+                : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), settings.samples(), depths, options.numbers(), this::cancelled);
+    }
+
+    private synchronized void add(Integrator.Work work) {
+        total = new RenderStats(total.primary() + work.primary(), total.reflected() + work.reflected(),
+                total.refracted() + work.refracted(), total.shadow() + work.shadows(), total.hits() + work.hits(), 0, 0);
     }
 
     /**
@@ -155,10 +157,10 @@ final class RenderJob implements RenderMonitor {
         return new Tile(x, y, Math.min(SIDE, image.width() - x), Math.min(SIDE, image.height() - y));
     }
 
-    private void render(Tile tile, Whitted tracer, Blocks blocks) {
+    private void render(Tile tile, Integrator integrator) {
         int x = tile.x();
         int y = tile.y();
-        long raysBefore = tracer.rays();
+        long raysBefore = integrator.rays();
         try {
             if (monitor.restored(tile, image)) {
                 monitor.finished(tile, image, done.incrementAndGet(), tiles);
@@ -166,50 +168,18 @@ final class RenderJob implements RenderMonitor {
             }
             for (y = tile.y(); y < tile.y() + tile.height(); y += block) {
                 for (x = tile.x(); x < tile.x() + tile.width(); x += block) {
-                    blocks.render(x, y, Math.min(block, tile.x() + tile.width() - x), Math.min(block, tile.y() + tile.height() - y));
+                    integrator.block(eye, options.region().x() + x, options.region().y() + y,
+                            Math.min(block, tile.x() + tile.width() - x), Math.min(block, tile.y() + tile.height() - y), film);
                     // Rays that lead to no others ask nobody whether to stop.
-                    if (tracer.cancelled || cancelled()) {
+                    if (integrator.isCancelled() || cancelled()) {
                         return;
                     }
                 }
             }
-            monitor.traced(tracer.rays() - raysBefore);
+            monitor.traced(integrator.rays() - raysBefore);
             monitor.finished(tile, image, done.incrementAndGet(), tiles);
         } catch (Throwable thrown) {
             fail(thrown, x, y);
-        }
-    }
-
-    /** Renders a block of pixels of the image. */
-    @FunctionalInterface
-    private interface Blocks {
-        void render(int x, int y, int width, int height);
-    }
-
-    private void showBlock(int x, int y, int width, int height, ModeTracer tracer) {
-        for (int i = 0; i < width * height && !tracer.cancelled; i++) {
-            int column = x + i % width;
-            int row = y + i / width;
-            Level shown = tracer.pixel(eye, options.region().x() + column, options.region().y() + row, options.settings().samples());
-            image.set(column, row, shown.red, shown.green, shown.blue);
-        }
-    }
-
-    /** Renders a block of pixels. Each is the average of a regular grid of rays about its centre. */
-    private void renderBlock(int x, int y, int width, int height, Whitted tracer) {
-        Level[] rays = tracer.trace(eye, options.region().x() + x, options.region().y() + y, width, height);
-        int perPixel = options.settings().samples() * options.settings().samples();
-        double share = 1.0 / perPixel;
-        for (int i = 0; i < width * height; i++) {
-            double red = 0;
-            double green = 0;
-            double blue = 0;
-            for (int j = i * perPixel; j < (i + 1) * perPixel; j++) {
-                red += rays[j].red;
-                green += rays[j].green;
-                blue += rays[j].blue;
-            }
-            image.set(x + i % width, y + i / width, red * share, green * share, blue * share);
         }
     }
 }

@@ -33,7 +33,7 @@ public final class Renderer {
      *     what was thrown as its cause, and naming the pixel or how much memory would do
      */
     public static RenderResult render(RenderScene scene, RenderOptions options, RenderMonitor monitor) {
-        Eye eye = new Eye(scene.scene().camera(), options.settings().width(), options.settings().height());
+        Eye eye = Eye.of(scene.scene().camera(), options.settings().width(), options.settings().height());
         return render(scene, options, eye, monitor);
     }
 

@@ -7,6 +7,7 @@ import com.sun.management.ThreadMXBean;
 import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderResult.Outcome;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Sampling;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Level;
@@ -124,9 +125,9 @@ class RendererTest {
     @Test
     void raysInABlockFindWhatEachFindsAlone() {
         RenderScene scene = RenderScene.of(SCENE);
-        Eye eye = new Eye(SCENE.camera(), 101, 67);
-        Whitted alone = new Whitted(scene.world(), 5, 1, () -> false);
-        Whitted together = new Whitted(scene.world(), 5, 1, () -> false);
+        Eye eye = Eye.of(SCENE.camera(), 101, 67);
+        Whitted alone = new Whitted(scene.world(), 5, Sampling.grid(1), () -> false);
+        Whitted together = new Whitted(scene.world(), 5, Sampling.grid(1), () -> false);
         for (int y = 0; y < 56; y += 8) {
             for (int x = 0; x < 96; x += 8) {
                 Level[] block = together.trace(eye, x, y, 8, 8);
@@ -141,11 +142,11 @@ class RendererTest {
     @Test
     void theOrderOfBlocksDoesNotMatter() {
         RenderScene scene = RenderScene.of(SCENE);
-        Eye eye = new Eye(SCENE.camera(), 101, 67);
+        Eye eye = Eye.of(SCENE.camera(), 101, 67);
         List<Integer> order = new ArrayList<>(IntStream.range(0, 12 * 8).boxed().toList());
         double[][] first = new double[order.size()][];
         for (long seed = 0; seed < 4; seed++) {
-            Whitted tracer = new Whitted(scene.world(), 5, 1, () -> false);
+            Whitted tracer = new Whitted(scene.world(), 5, Sampling.grid(1), () -> false);
             for (int block : order) {
                 Level[] levels = tracer.trace(eye, block % 12 * 8, block / 12 * 8, 8, 8);
                 double[] light = new double[192];
@@ -163,8 +164,8 @@ class RendererTest {
 
     @Test
     void tracingAllocatesNothing() {
-        Whitted tracer = new Whitted(RenderScene.of(SCENE).world(), 5, 1, () -> false);
-        Eye eye = new Eye(SCENE.camera(), 101, 67);
+        Whitted tracer = new Whitted(RenderScene.of(SCENE).world(), 5, Sampling.grid(1), () -> false);
+        Eye eye = Eye.of(SCENE.camera(), 101, 67);
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         long id = Thread.currentThread().getId();
         long least = Long.MAX_VALUE;

@@ -77,7 +77,7 @@ class TextbookTest {
     void theCameraLooksThroughTheMiddleAndTheCornerOfThePicture() {
         // There the field of view spans the longer side: 90° over 201 pixels are 2·atan(101/201) over 101.
         double fovy = 2 * Math.toDegrees(Math.atan(101.0 / 201));
-        Eye eye = new Eye(Camera.looking(Vec3.ZERO, new Vec3(0, 0, -1)).withFovy(fovy), 201, 101);
+        Eye eye = Eye.of(Camera.looking(Vec3.ZERO, new Vec3(0, 0, -1)).withFovy(fovy), 201, 101);
         Ray ray = new Ray(new Spans());
         eye.start(ray, 100.5, 50.5);
         assertThat(new double[] {ray.dx, ray.dy, ray.dz}).containsExactly(new double[] {0, 0, -1}, within(CLOSE));

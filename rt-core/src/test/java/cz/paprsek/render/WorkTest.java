@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Sampling;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.standard.StandardScenes;
@@ -31,8 +32,8 @@ class WorkTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("work")
     void raysAndVisitedNodesAreAsRecorded(String name, Scene scene, long reflected, long shadows, long visits) {
-        Whitted tracer = new Whitted(RenderScene.of(scene).world(), 5, 1, () -> false);
-        Eye eye = new Eye(scene.camera(), WIDTH, HEIGHT);
+        Whitted tracer = new Whitted(RenderScene.of(scene).world(), 5, Sampling.grid(1), () -> false);
+        Eye eye = Eye.of(scene.camera(), WIDTH, HEIGHT);
         for (int y = 0; y < HEIGHT; y += 8) {
             for (int x = 0; x < WIDTH; x += 8) {
                 tracer.trace(eye, x, y, 8, 8);

@@ -1,66 +1,37 @@
 package cz.paprsek.render.eye;
 
-import cz.paprsek.math.Angles;
-import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.tree.Bundle;
 
-/**
- * A camera ready to make rays for pictures of one size. Through the point (x, y) of the picture, in pixels from its top left corner, goes
- * the ray d + (x/W − ½)·h·W/H·r + (½ − y/H)·h·u with h = 2·tan(fovy/2), d the view, r right, u up, all of length 1.
- */
-public final class Eye {
-    private final Vec3 position;
-    private final Vec3 forward;
-    private final Vec3 right;
-    private final Vec3 up;
-    private final double perColumn;
-    private final double perRow;
+/** A camera ready to make rays for pictures of one size: one class for each lens. Immutable. */
+public abstract class Eye {
+    /** The middle of a lens, in both directions. */
+    private static final double MIDDLE = 0.5;
 
-    public Eye(Camera camera, int width, int height) {
-        this(camera, width, height, 1);
+    /** The eye of a camera. */
+    public static Eye of(Camera camera, int width, int height) {
+        return of(camera, width, height, 1);
     }
 
     /** An eye for a coarse picture, whose pixels are squares of step × step pixels of the one that is width × height in size. */
-    public Eye(Camera camera, int width, int height, int step) {
-        double h = 2 * Angles.tan(camera.fovy() / 2);
-        this.position = camera.position();
-        this.forward = camera.forward();
-        this.right = camera.right().times(h * width / height);
-        this.up = camera.trueUp().times(h);
-        this.perColumn = (double) step / width;
-        this.perRow = (double) step / height;
+    public static Eye of(Camera camera, int width, int height, int step) {
+        return new Pinhole(camera, width, height, step);
     }
 
-    /** Starts the ray through a point of the picture; the centre of pixel (column j, row i) is (j + ½, i + ½). */
-    public void start(Ray ray, double x, double y) {
-        double dx = directionX(x, y);
-        double dy = directionY(x, y);
-        double dz = directionZ(x, y);
-        double k = 1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
-        ray.start(position.x(), position.y(), position.z(), dx * k, dy * k, dz * k);
-    }
+    /**
+     * Starts the ray through a point of the picture; the centre of pixel (column j, row i) is (j + ½, i + ½).
+     *
+     * @param lensU where on the lens, 0–1; without meaning for one of no size
+     * @param lensV likewise
+     */
+    public abstract void start(Ray ray, double x, double y, double lensU, double lensV);
 
     /** Makes a bundle of all rays through a block of pixels. */
-    public void bundle(Bundle bundle, int left, int top, int columns, int rows) {
-        bundle.start(position.x(), position.y(), position.z());
-        for (int corner = 0; corner < 4; corner++) {
-            int x = left + (corner & 1) * columns;
-            int y = top + (corner >> 1) * rows;
-            bundle.add(directionX(x, y), directionY(x, y), directionZ(x, y));
-        }
-    }
+    public abstract void bundle(Bundle bundle, int left, int top, int columns, int rows);
 
-    private double directionX(double x, double y) {
-        return forward.x() + (x * perColumn - 0.5) * right.x() + (0.5 - y * perRow) * up.x();
-    }
-
-    private double directionY(double x, double y) {
-        return forward.y() + (x * perColumn - 0.5) * right.y() + (0.5 - y * perRow) * up.y();
-    }
-
-    private double directionZ(double x, double y) {
-        return forward.z() + (x * perColumn - 0.5) * right.z() + (0.5 - y * perRow) * up.z();
+    /** Starts the ray through a point of the picture and the middle of the lens. */
+    public final void start(Ray ray, double x, double y) {
+        start(ray, x, y, MIDDLE, MIDDLE);
     }
 }

@@ -15,13 +15,13 @@ public final class Explainer {
     public static Pixel pixel(World scene, RenderSettings settings, int column, int row) {
         Require.that(column >= 0 && column < settings.width() && row >= 0 && row < settings.height(),
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
-        Recorder recorder = new Recorder(scene, settings.maxDepth(), settings.samples());
+        Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.grid(settings.samples()));
         recorder.trace(eye(scene, settings), column, row, 1, 1);
         return new Pixel(column, row, recorder.trees());
     }
 
     public static TracedRay point(World scene, RenderSettings settings, double x, double y) {
-        Recorder recorder = new Recorder(scene, settings.maxDepth(), 1);
+        Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.grid(1));
         eye(scene, settings).start(recorder.alone().ray, x, y);
         scene.enterMediaAroundCamera(recorder.alone().media);
         recorder.traceAlone();
@@ -31,7 +31,7 @@ public final class Explainer {
     public static TracedRay ray(World scene, Vec3 origin, Vec3 direction, int maxDepth) {
         Require.within("max-depth", maxDepth, 1, RenderSettings.DEEPEST);
         Vec3 d = direction.normalized();
-        Recorder recorder = new Recorder(scene, maxDepth, 1);
+        Recorder recorder = new Recorder(scene, maxDepth, Sampling.grid(1));
         recorder.alone().ray.start(origin.x(), origin.y(), origin.z(), d.x(), d.y(), d.z());
         scene.enterMediaAround(origin, recorder.alone().media);
         recorder.traceAlone();
@@ -39,6 +39,6 @@ public final class Explainer {
     }
 
     private static Eye eye(World scene, RenderSettings settings) {
-        return new Eye(scene.scene().camera(), settings.width(), settings.height());
+        return Eye.of(scene.scene().camera(), settings.width(), settings.height());
     }
 }

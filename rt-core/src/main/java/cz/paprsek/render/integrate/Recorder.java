@@ -36,8 +36,8 @@ public final class Recorder extends Whitted {
     private TracedRay.Kind kind = TracedRay.Kind.PRIMARY;
     private double weight = 1;
 
-    public Recorder(World scene, int maxDepth, int samplesPerSide) {
-        super(scene, maxDepth, samplesPerSide, () -> false);
+    public Recorder(World scene, int maxDepth, Sampling sampling) {
+        super(scene, maxDepth, sampling, () -> false);
         this.scene = scene;
         this.maxDepth = maxDepth;
         this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());

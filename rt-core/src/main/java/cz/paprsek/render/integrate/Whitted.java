@@ -1,6 +1,8 @@
 package cz.paprsek.render.integrate;
 
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.film.Film;
+import cz.paprsek.render.light.Arrival;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Contacts;
@@ -16,7 +18,6 @@ import cz.paprsek.shape.Surface;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
 import java.util.function.BooleanSupplier;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
@@ -25,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <pre>B = ambient·C + Σ lights V·I·( kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ ) + kR·trace(R) + kT·trace(T)</pre>
  */
-public class Whitted extends Witness {
+public class Whitted extends Witness implements Integrator {
     /** How many rays are traced between two questions whether to stop. */
     private static final int BATCH = 64;
     /** Into how many subtrees a block's search is split at most: as measured. Rays from the eye stop at the first that lies behind what they hit. */
@@ -41,16 +42,18 @@ public class Whitted extends Witness {
     private final Lamp[] lamps;
     private final Bodies.Finder finder;
     private final Level[] levels;
-    /** Where the samples lie along each side of a pixel, 0–1. */
-    private final double[] samples;
+    private final Sampling sampling;
     private final double[] background;
     private final double[] ambient;
     /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
     private final @Nullable Surface[] lastOccluder;
     private final Contacts contacts;
+    private final Arrival arrival = new Arrival();
     private final Bundle bundle = new Bundle();
     private final Entries entries = new Entries(MOST_FROM_EYE);
     private final Entries[] towardsLamp;
+    /** Where shadow rays of the block look for what stands in their way, by light. */
+    private final Entries[] between;
     private final Entries[] anywhere;
     private Level[] block = {};
     private double[] shares = new double[16];
@@ -62,7 +65,7 @@ public class Whitted extends Witness {
     public long hits;
     public boolean cancelled;
 
-    public Whitted(World scene, int maxDepth, int samplesPerSide, BooleanSupplier stop) {
+    public Whitted(World scene, int maxDepth, Sampling sampling, BooleanSupplier stop) {
         this.scene = scene;
         this.stop = stop;
         this.bodies = scene.bodies();
@@ -72,8 +75,9 @@ public class Whitted extends Witness {
         this.contacts = new Contacts(scene, finder, spans);
         this.lastOccluder = new Surface[maxDepth * lamps.length];
         this.towardsLamp = Stream.generate(() -> new Entries(MOST_FROM_LAMP)).limit(lamps.length).toArray(Entries[]::new);
+        this.between = new Entries[lamps.length];
         this.anywhere = Stream.generate(bodies::whole).limit(lamps.length).toArray(Entries[]::new);
-        this.samples = IntStream.range(0, samplesPerSide).mapToDouble(i -> (i + 0.5) / samplesPerSide).toArray();
+        this.sampling = sampling;
         this.levels = new Level[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
             levels[i] = new Level(spans);
@@ -86,62 +90,92 @@ public class Whitted extends Witness {
         return new double[] {color.linearRed(), color.linearGreen(), color.linearBlue()};
     }
 
+    /** Renders a block of pixels, each the average of its rays. */
+    @Override
+    public void block(Eye eye, int x, int y, int width, int height, Film film) {
+        Level[] rays = trace(eye, x, y, width, height);
+        int perPixel = sampling.rays();
+        double share = 1.0 / perPixel;
+        for (int i = 0; i < width * height; i++) {
+            double red = 0;
+            double green = 0;
+            double blue = 0;
+            for (int j = i * perPixel; j < (i + 1) * perPixel; j++) {
+                red += rays[j].red;
+                green += rays[j].green;
+                blue += rays[j].blue;
+            }
+            film.set(x + i % width, y + i / width, red * share, green * share, blue * share);
+        }
+    }
+
+    @Override
+    public final boolean isCancelled() {
+        return cancelled;
+    }
+
+    @Override
+    public final Work work() {
+        return new Work(primary, reflected, refracted, shadows, hits);
+    }
+
     /**
      * Traces the rays through a block of pixels, a grid of samples × samples in each; the light they bring is in the levels returned, pixel
      * by pixel. What they can meet, and what can stand between their hits and each light, is found once for all; the light is the same
      * as for each ray alone.
      */
     public final Level[] trace(Eye eye, int x, int y, int width, int height) {
-        int rays = width * height * samples.length * samples.length;
+        int perPixel = sampling.rays();
+        int rays = width * height * perPixel;
         Level[] first = levels(rays);
         eye.bundle(bundle, x, y, width, height);
         bodies.enter(bundle, entries);
         int i = 0;
         for (int row = y; row < y + height; row++) {
             for (int column = x; column < x + width; column++) {
-                for (double down : samples) {
-                    for (double across : samples) {
-                        eye.start(first[i].ray, column + across, row + down);
-                        scene.enterMediaAroundCamera(first[i].media);
-                        find(first[i++], entries);
-                    }
+                for (int k = 0; k < perPixel; k++) {
+                    eye.start(first[i].ray, column + sampling.across(k), row + sampling.down(k));
+                    scene.enterMediaAroundCamera(first[i].media);
+                    find(first[i++], entries);
                 }
             }
         }
         primary += rays;
         for (int light = 0; light < lamps.length; light++) {
-            gather(lamps[light], first, rays);
-            bodies.enter(bundle, towardsLamp[light]);
+            if (gather(lamps[light], first, rays)) {
+                bodies.enter(bundle, towardsLamp[light]);
+                between[light] = towardsLamp[light];
+            } else {
+                between[light] = bodies.whole();
+            }
         }
         for (i = 0; i < rays; i++) {
-            shade(first[i], 0, towardsLamp);
+            shade(first[i], 0, between);
         }
         return first;
     }
 
     /**
      * Bundles the lines from a lamp to all hits, as far as shadow rays look: not the last bit before a hit, which keeps the surfaces that
-     * were hit out of the bundle.
+     * were hit out of the bundle. False if these lines cannot be bundled.
      */
-    private void gather(Lamp lamp, Level[] first, int rays) {
+    private boolean gather(Lamp lamp, Level[] first, int rays) {
+        if (!lamp.start(bundle)) {
+            return false;
+        }
         double smallest = Double.POSITIVE_INFINITY;
         double farthest = 0;
-        bundle.start(lamp.x(), lamp.y(), lamp.z());
         for (int i = 0; i < rays; i++) {
-            Ray ray = first[i].ray;
-            if (ray.part >= 0) {
-                Hit hit = first[i].hit;
-                double dx = hit.px - lamp.x();
-                double dy = hit.py - lamp.y();
-                double dz = hit.pz - lamp.z();
-                bundle.add(dx, dy, dz);
-                double reach = Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
+            Hit hit = first[i].hit;
+            if (first[i].ray.part >= 0) {
+                double reach = lamp.add(hit, bundle);
                 smallest = hit.size < smallest ? hit.size : smallest;
                 farthest = reach > farthest ? reach : farthest;
             }
         }
         // A shadow ray begins at TOUCH · size; a tenth less leaves room for rounding.
         bundle.end(1 - 0.9 * Ray.TOUCH * smallest / farthest);
+        return true;
     }
 
     private Level[] levels(int size) {
@@ -187,8 +221,8 @@ public class Whitted extends Witness {
         return finder.visits();
     }
 
-    /** Rays of all kinds traced so far. */
-    public long rays() {
+    @Override
+    public final long rays() {
         return primary + reflected + refracted + shadows;
     }
 
@@ -260,14 +294,11 @@ public class Whitted extends Witness {
             double mirrorX, double mirrorY, double mirrorZ, double size) {
         Hit hit = level.hit;
         Lamp lamp = lamps[light];
-        double lx = lamp.x() - hit.px;
-        double ly = lamp.y() - hit.py;
-        double lz = lamp.z() - hit.pz;
-        double distance = Math.sqrt(lx * lx + ly * ly + lz * lz);
-        double k = 1 / distance;
-        lx *= k;
-        ly *= k;
-        lz *= k;
+        lamp.sample(hit, 0.5, 0.5, arrival);
+        double lx = arrival.x;
+        double ly = arrival.y;
+        double lz = arrival.z;
+        double distance = arrival.distance;
         double facing = hit.nx * lx + hit.ny * ly + hit.nz * lz;
         if (!(facing > 0)) {
             sought(light, lx, ly, lz, distance, facing, 0);

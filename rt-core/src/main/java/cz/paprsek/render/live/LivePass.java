@@ -24,7 +24,7 @@ public record LivePass(RenderScene scene, RenderSettings settings, int step, boo
 
     /** The eye whose pixels are as coarse as this pass. */
     Eye eye() {
-        return new Eye(scene.scene().camera(), settings.width(), settings.height(), step);
+        return Eye.of(scene.scene().camera(), settings.width(), settings.height(), step);
     }
 
     /** The next finer pass. */

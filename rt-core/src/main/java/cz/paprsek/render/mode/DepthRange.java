@@ -2,6 +2,7 @@ package cz.paprsek.render.mode;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Sampling;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.surface.World;
 import java.util.function.BooleanSupplier;
@@ -18,7 +19,7 @@ public record DepthRange(double nearest, double farthest) {
 
     /** Looks through a grid of points all over the picture. */
     public static DepthRange of(World scene, Eye eye, int width, int height) {
-        Whitted tracer = new Whitted(scene, 1, 1, () -> false);
+        Whitted tracer = new Whitted(scene, 1, Sampling.grid(1), () -> false);
         double nearest = Double.POSITIVE_INFINITY;
         double farthest = 0;
         for (int row = 0; row < GRID; row++) {

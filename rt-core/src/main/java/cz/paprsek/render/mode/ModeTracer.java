@@ -2,6 +2,8 @@ package cz.paprsek.render.mode;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.film.Film;
+import cz.paprsek.render.integrate.Sampling;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.surface.Level;
@@ -13,6 +15,7 @@ import java.util.function.BooleanSupplier;
 /** The tracer that renders pictures, watched for what a mode other than shaded shows of each pixel. */
 public final class ModeTracer extends Whitted {
     private final RenderMode mode;
+    private final int samples;
     private final World scene;
     private final DepthRange range;
     private final boolean numbers;
@@ -23,9 +26,10 @@ public final class ModeTracer extends Whitted {
     private double blue;
     private int seen;
 
-    public ModeTracer(World scene, RenderMode mode, int maxDepth, DepthRange range, boolean numbers, BooleanSupplier stop) {
-        super(scene, mode.scale().isPresent() ? maxDepth : 1, 1, stop);
+    public ModeTracer(World scene, RenderMode mode, int maxDepth, int samples, DepthRange range, boolean numbers, BooleanSupplier stop) {
+        super(scene, mode.scale().isPresent() ? maxDepth : 1, Sampling.grid(1), stop);
         this.mode = mode;
+        this.samples = samples;
         this.scene = scene;
         this.range = range;
         this.numbers = numbers;
@@ -36,8 +40,16 @@ public final class ModeTracer extends Whitted {
         }
     }
 
+    @Override
+    public void block(Eye eye, int x, int y, int width, int height, Film film) {
+        for (int i = 0; i < width * height && !cancelled; i++) {
+            Level shown = pixel(eye, x + i % width, y + i / width);
+            film.set(x + i % width, y + i / width, shown.red, shown.green, shown.blue);
+        }
+    }
+
     /** Renders a pixel by samples × samples rays; the colour is in the level returned. */
-    public Level pixel(Eye eye, int x, int y, int samples) {
+    private Level pixel(Eye eye, int x, int y) {
         red = 0;
         green = 0;
         blue = 0;

@@ -1,0 +1,2 @@
+/** What light falls on. */
+package cz.paprsek.render.film;
