@@ -47,7 +47,7 @@ public record Sphere(@Attribute(value = Kind.POSITIVE, means = "Above 0") double
      *
      * @source Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7, 2019
      */
-    private static final class Ball extends Convex {
+    static final class Ball extends Convex {
         private final double x;
         private final double y;
         private final double z;
@@ -104,15 +104,35 @@ public record Sphere(@Attribute(value = Kind.POSITIVE, means = "Above 0") double
         }
 
         private double middle(Ray ray) {
+            return middle(ray, x, y, z);
+        }
+
+        private static double middle(Ray ray, double x, double y, double z) {
             return (x - ray.ox) * ray.dx + (y - ray.oy) * ray.dy + (z - ray.oz) * ray.dz;
         }
 
-        /** The square of half the chord; not positive if the ray passes by. */
         private double half(Ray ray, double middle) {
+            return half(ray, middle, x, y, z, radius * radius);
+        }
+
+        /** The square of half the chord of a ball of squared radius r2; not positive if the ray passes by. */
+        private static double half(Ray ray, double middle, double x, double y, double z, double r2) {
             double px = x - ray.ox - middle * ray.dx;
             double py = y - ray.oy - middle * ray.dy;
             double pz = z - ray.oz - middle * ray.dz;
-            return radius * radius - (px * px + py * py + pz * pz);
+            return r2 - (px * px + py * py + pz * pz);
+        }
+
+        static double half(Ray ray, double x, double y, double z, double r2) {
+            return half(ray, middle(ray, x, y, z), x, y, z, r2);
+        }
+
+        /** Writes centre and squared radius. */
+        void put(double[] into, int at) {
+            into[at] = x;
+            into[at + 1] = y;
+            into[at + 2] = z;
+            into[at + 3] = radius * radius;
         }
     }
 }

@@ -24,8 +24,9 @@ final class WideNodes {
     double scale = 1;
     private int size;
 
-    private final double[] boxes;
-    private final int[] binary;
+    /** The binary tree; let go of once all is made. */
+    private double[] boxes;
+    private int[] binary;
 
     /** Makes it from a binary tree as {@link BinaryTree} has it. */
     WideNodes(double[] boxes, int[] child, int root, int depth) {
@@ -42,6 +43,8 @@ final class WideNodes {
         }
         planes = Arrays.copyOf(planes, STRIDE * size);
         this.child = Arrays.copyOf(this.child, WIDTH * size);
+        this.boxes = new double[0];
+        this.binary = new int[0];
     }
 
     /** Centres on the smaller child of the root: floats tell apart best what lies near zero, and the larger may be a wide floor. */

@@ -1,6 +1,6 @@
 package cz.paprsek.render.surface;
 
-import cz.paprsek.math.Bounds;
+import cz.paprsek.shape.Balls;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
 import cz.paprsek.shape.Surface;
@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
 public final class Bodies {
     /** In the order of the tree's leaves. */
     private final Surface[] surfaces;
+    private final Balls balls;
     private final boolean[] opaque;
     /** In place of which bodies are opaque, for who wants the boundaries of all. */
     private final boolean[] none;
@@ -27,6 +28,7 @@ public final class Bodies {
 
     private Bodies(Surface[] all, boolean[] allOpaque, int[] finite, int[] infinite, Tree tree) {
         this.surfaces = pick(all, finite);
+        this.balls = new Balls(surfaces);
         this.opaque = pick(allOpaque, finite);
         this.none = new boolean[finite.length];
         this.endless = pick(all, infinite);
@@ -36,23 +38,31 @@ public final class Bodies {
 
     /** Builds the tree; empty surfaces are left out. */
     public static Bodies of(Surface[] surfaces, boolean[] opaque, BooleanSupplier stop) {
-        Bounds[] bounds = new Bounds[surfaces.length];
-        IntStream.range(0, bounds.length).parallel().forEach(i -> {
+        int count = surfaces.length;
+        double[] box = new double[6 * count];
+        float[] cost = new float[count];
+        IntStream.range(0, count).parallel().forEach(i -> {
             TreeBuilder.stopIfAsked(i, stop);
-            bounds[i] = surfaces[i].bounds().padded();
+            TreeBuilder.put(box, i, surfaces[i].bounds().padded());
+            cost[i] = (float) surfaces[i].cost();
         });
-        int[] infinite = IntStream.range(0, bounds.length).filter(i -> !bounds[i].isFinite()).toArray();
-        int[] finite = IntStream.range(0, bounds.length).filter(i -> bounds[i].isFinite() && !bounds[i].isEmpty()).toArray();
-        double[] box = new double[6 * finite.length];
-        float[] cost = new float[surfaces.length];
-        IntStream.range(0, finite.length).parallel().forEach(i -> {
-            TreeBuilder.stopIfAsked(i, stop);
-            TreeBuilder.put(box, i, bounds[finite[i]]);
-            cost[finite[i]] = (float) surfaces[finite[i]].cost();
-        });
+        int[] infinite = IntStream.range(0, count).filter(i -> !isEmpty(box, i) && !isFinite(box, i)).toArray();
+        int[] finite = IntStream.range(0, count).filter(i -> !isEmpty(box, i) && isFinite(box, i)).toArray();
+        for (int i = 0; i < finite.length && finite.length < count; i++) {
+            System.arraycopy(box, 6 * finite[i], box, 6 * i, 6);
+        }
         // Building puts the numbers of the finite ones into the order of the leaves.
         Tree tree = new TreeBuilder(box, finite, cost, stop).build();
         return new Bodies(surfaces, opaque, finite, infinite, tree);
+    }
+
+    private static boolean isEmpty(double[] box, int i) {
+        return box[6 * i] > box[6 * i + 3] || box[6 * i + 1] > box[6 * i + 4] || box[6 * i + 2] > box[6 * i + 5];
+    }
+
+    private static boolean isFinite(double[] box, int i) {
+        return Double.isFinite(box[6 * i + 3] - box[6 * i]) && Double.isFinite(box[6 * i + 4] - box[6 * i + 1])
+                && Double.isFinite(box[6 * i + 5] - box[6 * i + 2]);
     }
 
     /** Where a search starts that knows nothing of its ray. */
@@ -72,12 +82,12 @@ public final class Bodies {
 
     /** The scratch that one worker needs to look for bodies. */
     public Finder newFinder() {
-        return new Finder(surfaces, opaque);
+        return new Finder(surfaces, balls, opaque);
     }
 
     /** The scratch that one worker needs to gather {@link #crossings}. */
     public Finder newGatherer(Spans into) {
-        Finder gatherer = new Finder(surfaces, none);
+        Finder gatherer = new Finder(surfaces, balls, none);
         gatherer.pushTo(into);
         return gatherer;
     }
@@ -125,14 +135,16 @@ public final class Bodies {
     /** What is done at the leaves: scratch of one worker. */
     public static final class Finder extends Search<Ray> {
         private final Surface[] surfaces;
+        private final Balls balls;
         private final boolean[] opaque;
         private Spans through = new Spans();
         private int occluder;
         /** Where the ray starts, for the tree: not before its origin, or a little. */
         private double back;
 
-        private Finder(Surface[] surfaces, boolean[] opaque) {
+        private Finder(Surface[] surfaces, Balls balls, boolean[] opaque) {
             this.surfaces = surfaces;
+            this.balls = balls;
             this.opaque = opaque;
         }
 
@@ -154,7 +166,9 @@ public final class Bodies {
         @Override
         protected double meet(Ray ray, int first, int end) {
             for (int i = end - 1; i >= first; i--) {
-                surfaces[i].nearest(ray);
+                if (balls.mayBeMet(i, ray)) {
+                    surfaces[i].nearest(ray);
+                }
             }
             // What lies in one place with the hit may still replace it.
             return ray.max + ray.touch(ray.max) - back;
@@ -163,7 +177,7 @@ public final class Bodies {
         @Override
         protected boolean stopsAt(Ray ray, int first, int end) {
             for (int i = end - 1; i >= first; i--) {
-                if (blocks(surfaces[i], opaque[i], ray, through)) {
+                if (balls.mayBeMet(i, ray) && blocks(surfaces[i], opaque[i], ray, through)) {
                     occluder = i;
                     return true;
                 }

@@ -1,0 +1,83 @@
+package cz.paprsek;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import cz.paprsek.image.Image;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.standard.StandardScenes;
+import cz.paprsek.tree.Kernel;
+import cz.paprsek.xml.SceneFiles;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** Trees of both kinds show the same pictures, to the last bit. Which kind there is, a virtual machine knows from its start: so two are started. */
+class KernelsTest {
+    @Test
+    void picturesAreTheSameWithVectorsAndWithout() throws Exception {
+        Process vectors = start("--add-modules", "jdk.incubator.vector", "-Dpaprsek.kernel=vector");
+        Process scalar = start("-Dpaprsek.kernel=scalar");
+        List<String> with = vectors.inputReader().lines().toList();
+        List<String> without = scalar.inputReader().lines().toList();
+        assertThat(vectors.waitFor()).isZero();
+        assertThat(scalar.waitFor()).isZero();
+        assertThat(without.get(0)).isEqualTo("scalar");
+        assumeTrue(with.get(0).contains("8"), "this machine has no vectors of eight floats");
+        assertThat(with).hasSizeGreaterThan(150);
+        assertThat(with.subList(1, with.size())).isEqualTo(without.subList(1, without.size()));
+    }
+
+    private static Process start(String... options) throws Exception {
+        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
+        command.addAll(List.of(options));
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), Digests.class.getName()));
+        return new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+    }
+
+    /** Prints which kernel this is, and the digest of every scene there is. */
+    static final class Digests {
+        private Digests() {}
+
+        public static void main(String[] args) throws Exception {
+            System.out.println(Kernel.inUse());
+            List<Scene> scenes = new ArrayList<>(List.of(StandardScenes.few(), StandardScenes.flake(3), StandardScenes.cloud(5000),
+                    StandardScenes.carved(100), StandardScenes.pierced(100), StandardScenes.chain(2), StandardScenes.chain(300)));
+            for (String folder : List.of("../scenes", "src/test/resources/crosscheck")) {
+                try (Stream<Path> files = Files.list(Path.of(folder))) {
+                    for (Path file : files.filter(f -> f.toString().endsWith(".xml")).sorted().toList()) {
+                        scenes.addAll(SceneFiles.readAll(file));
+                    }
+                }
+            }
+            for (Scene scene : scenes) {
+                RenderScene ready = RenderScene.of(scene);
+                RenderOptions options = RenderOptions.of(scene.withSettings(scene.settings().withSize(88, 56).withSamples(1)));
+                for (int threads = 1; threads <= 2; threads++) {
+                    Image image = Renderer.render(ready, options.withThreads(threads), RenderMonitor.NONE).image();
+                    System.out.println(scene.name() + ", " + threads + ": " + digest(image));
+                }
+            }
+        }
+
+        private static String digest(Image image) throws Exception {
+            ByteBuffer bits = ByteBuffer.allocate(12 * image.width() * image.height());
+            for (int y = 0; y < image.height(); y++) {
+                for (int x = 0; x < image.width(); x++) {
+                    bits.putFloat(image.red(x, y)).putFloat(image.green(x, y)).putFloat(image.blue(x, y));
+                }
+            }
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bits.array()));
+        }
+    }
+}
