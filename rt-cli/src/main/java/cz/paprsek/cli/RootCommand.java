@@ -1,6 +1,7 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.render.Renderer;
 import java.util.Objects;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -36,7 +37,7 @@ final class RootCommand implements Runnable {
         @Override
         public String[] getVersion() {
             String built = Objects.requireNonNullElse(Version.class.getPackage().getImplementationVersion(), "(development)");
-            return new String[] {"Paprsek " + built, "Java " + Runtime.version()};
+            return new String[] {"Paprsek " + built, "Java " + Runtime.version() + ", " + Renderer.kernel()};
         }
     }
 }

@@ -4,6 +4,7 @@ import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderResult.Outcome;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.tree.Kernel;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
@@ -11,6 +12,11 @@ import java.util.concurrent.CancellationException;
 /** Renders scenes to images. The same scene gives the same image, to the last bit, for any number of threads. */
 public final class Renderer {
     private Renderer() {}
+
+    /** How large scenes are searched in this virtual machine: "vectors of 8 floats" if it has the module jdk.incubator.vector, else "scalar". */
+    public static String kernel() {
+        return Kernel.inUse();
+    }
 
     /**
      * Renders a scene as it asks to be, on all processors.

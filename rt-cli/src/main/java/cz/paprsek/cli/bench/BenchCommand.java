@@ -7,6 +7,7 @@ import cz.paprsek.cli.process.Memory;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.render.Renderer;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.util.ArrayList;
@@ -80,7 +81,7 @@ public final class BenchCommand implements Callable<Integer> {
         Optional<PovRay> opponent = against.map(program -> PovRay.installed()
                 .orElseThrow(() -> new WrongUsage("--against povray needs POV-Ray, but no program \"povray\" is on the search path")));
         BenchReport report = new BenchReport(terminal, json, opponent.isPresent());
-        report.begin("Java " + Runtime.version() + ", " + threads + (threads == 1 ? " thread" : " threads")
+        report.begin("Java " + Runtime.version() + ", " + Renderer.kernel() + ", " + threads + (threads == 1 ? " thread" : " threads")
                 + opponent.map(povRay -> ", against POV-Ray " + povRay.version()).orElse(""));
         Benchmark benchmark = new Benchmark(stop, size, threads, rounds, opponent);
         try {
