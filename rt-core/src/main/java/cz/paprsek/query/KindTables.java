@@ -2,8 +2,11 @@ package cz.paprsek.query;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Body;
+import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.ScenePart;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
 import java.lang.reflect.InvocationTargetException;
@@ -21,16 +24,25 @@ import java.util.stream.Stream;
 final class KindTables {
     private KindTables() {}
 
+    /** All objects and operands of a scene. */
+    static Stream<InScene<BodyAt>> rows(Scene scene) {
+        return ScenePath.bodies(scene).map(at -> new InScene<>(scene, at));
+    }
+
+    private static Body body(InScene<BodyAt> row) {
+        return row.part().in(row.scene());
+    }
+
     /** All objects and operands. */
-    static Table<ScenePart> all() {
-        return new Table<>("object", columns(List.of(Column.text("kind", part -> part.shape().kind()))), List.of());
+    static Table<InScene<BodyAt>> all() {
+        return new Table<>("object", columns(List.of(Column.text("kind", row -> body(row).shape().kind()))), List.of());
     }
 
     /** A table for each kind there is, in the order of {@link Shape}'s own list. */
-    static List<Relation<Scene, ScenePart>> kinds() {
-        List<Relation<Scene, ScenePart>> tables = new ArrayList<>();
+    static List<Relation<Scene, InScene<BodyAt>>> kinds() {
+        List<Relation<Scene, InScene<BodyAt>>> tables = new ArrayList<>();
         records(Shape.class).forEach(type -> {
-            List<Column<ScenePart>> measures = Arrays.stream(type.getRecordComponents()).flatMap(component -> measure(component).stream()).toList();
+            List<Column<InScene<BodyAt>>> measures = Arrays.stream(type.getRecordComponents()).flatMap(component -> measure(component).stream()).toList();
             if (type == Csg.class) {
                 for (Csg.Operation operation : Csg.Operation.values()) {
                     tables.add(kind(operation.name(), measures, shape -> shape instanceof Csg csg && csg.operation() == operation));
@@ -42,47 +54,47 @@ final class KindTables {
         return tables;
     }
 
-    private static Relation<Scene, ScenePart> kind(String name, List<Column<ScenePart>> measures, Predicate<Shape> isOfKind) {
-        Table<ScenePart> table = new Table<>(name.toLowerCase(Locale.ROOT), columns(measures), List.of());
-        return new Relation<>(table, scene -> ScenePart.all(scene).filter(part -> isOfKind.test(part.shape())), true);
+    private static Relation<Scene, InScene<BodyAt>> kind(String name, List<Column<InScene<BodyAt>>> measures, Predicate<Shape> isOfKind) {
+        Table<InScene<BodyAt>> table = new Table<>(name.toLowerCase(Locale.ROOT), columns(measures), List.of());
+        return new Relation<>(table, scene -> rows(scene).filter(row -> isOfKind.test(body(row).shape())), true);
     }
 
     private static Stream<Class<?>> records(Class<?> type) {
         return type.isRecord() ? Stream.of(type) : Arrays.stream(type.getPermittedSubclasses()).flatMap(KindTables::records);
     }
 
-    private static List<Column<ScenePart>> columns(List<Column<ScenePart>> own) {
-        List<Column<ScenePart>> columns = new ArrayList<>(List.of(
-                Column.text("scene", part -> part.scene().name()),
-                Column.text("path", ScenePart::path),
-                Column.text("name", ScenePart::name),
-                Column.number("depth", ScenePart::depth)));
+    private static List<Column<InScene<BodyAt>>> columns(List<Column<InScene<BodyAt>>> own) {
+        List<Column<InScene<BodyAt>>> columns = new ArrayList<>(List.of(
+                Column.text("scene", row -> row.scene().name()),
+                Column.text("path", row -> row.part().text(row.scene())),
+                Column.text("name", row -> body(row).name()),
+                Column.number("depth", row -> row.part().depth())));
         columns.addAll(own);
         columns.addAll(List.of(
-                Column.vector("position", part -> part.placement().position()),
-                Column.vector("rotation", part -> part.placement().rotation()),
-                Column.vector("scale", part -> part.placement().scale()),
-                Column.text("material", ScenePart::materialName)));
-        columns.addAll(MaterialColumns.of(ScenePart::material));
+                Column.vector("position", row -> body(row).placement().position()),
+                Column.vector("rotation", row -> body(row).placement().rotation()),
+                Column.vector("scale", row -> body(row).placement().scale()),
+                Column.text("material", row -> row.part().materialName(row.scene()))));
+        columns.addAll(MaterialColumns.of(row -> row.part().material(row.scene())));
         return columns;
     }
 
     /** The column of a measure; a list of things is counted. */
-    private static Optional<Column<ScenePart>> measure(RecordComponent component) {
+    private static Optional<Column<InScene<BodyAt>>> measure(RecordComponent component) {
         String name = Described.name(component);
         Method getter = component.getAccessor();
         Class<?> type = component.getType();
         return Optional.ofNullable(
-                type == double.class || type == int.class ? Column.number(name, part -> ((Number) get(getter, part)).doubleValue())
-                : type == Vec3.class ? Column.vector(name, part -> (Vec3) get(getter, part))
-                : type == String.class ? Column.text(name, part -> (String) get(getter, part))
-                : List.class.isAssignableFrom(type) ? Column.number(name, part -> ((List<?>) get(getter, part)).size())
+                type == double.class || type == int.class ? Column.number(name, row -> ((Number) get(getter, row)).doubleValue())
+                : type == Vec3.class ? Column.vector(name, row -> (Vec3) get(getter, row))
+                : type == String.class ? Column.text(name, row -> (String) get(getter, row))
+                : List.class.isAssignableFrom(type) ? Column.number(name, row -> ((List<?>) get(getter, row)).size())
                 : null);
     }
 
-    private static Object get(Method getter, ScenePart part) {
+    private static Object get(Method getter, InScene<BodyAt> row) {
         try {
-            return getter.invoke(part.shape());
+            return getter.invoke(body(row).shape());
         } catch (IllegalAccessException | InvocationTargetException e) {
             throw new IllegalStateException("a record of a shape does not give out what it has: " + getter, e);
         }

@@ -6,7 +6,7 @@ import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.ScenePart;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.text.Similar;
 import java.util.ArrayList;
 import java.util.List;
@@ -55,7 +55,7 @@ public final class SceneTables {
                 Column.number("lights", scene -> scene.lights().size()),
                 Column.number("materials", scene -> scene.materials().size()),
                 Column.number("objects", scene -> scene.objects().size()),
-                Column.number("operands", scene -> ScenePart.all(scene).filter(part -> part.depth() > 0).count())));
+                Column.number("operands", scene -> ScenePath.bodies(scene).filter(at -> at.depth() > 0).count())));
         columns.addAll(MaterialColumns.numbers(RenderSettings.class, Scene::settings));
         columns.addAll(List.of(
                 Column.color("background", scene -> Optional.of(scene.background())),
@@ -69,7 +69,7 @@ public final class SceneTables {
                 new Relation<>(camera(), scene -> Stream.of(new InScene<>(scene, scene.camera())), false),
                 new Relation<>(light(), scene -> scene.lights().stream().map(light -> new InScene<>(scene, light)), false),
                 new Relation<>(material(), scene -> scene.materials().entrySet().stream().map(entry -> new InScene<>(scene, entry)), false),
-                new Relation<>(KindTables.all(), ScenePart::all, false)));
+                new Relation<>(KindTables.all(), KindTables::rows, false)));
         parts.addAll(KindTables.kinds());
         return List.copyOf(parts);
     }

@@ -2,6 +2,7 @@ package cz.paprsek.scene;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.math.Require;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.text.Similar;
 import java.util.ArrayList;
@@ -174,13 +175,13 @@ public final class SceneDatabase {
     }
 
     /** All objects and their operands. */
-    public Stream<ScenePart> parts() {
-        return scenes.values().stream().flatMap(ScenePart::all);
+    public Stream<InScene<BodyAt>> parts() {
+        return scenes.values().stream().flatMap(scene -> ScenePath.bodies(scene).map(at -> new InScene<>(scene, at)));
     }
 
     /** The objects and operands of a kind, such as {@code Sphere.class}. */
-    public Stream<ScenePart> parts(Class<? extends Shape> kind) {
-        return parts().filter(part -> kind.isInstance(part.shape()));
+    public Stream<InScene<BodyAt>> parts(Class<? extends Shape> kind) {
+        return parts().filter(row -> kind.isInstance(row.part().in(row.scene()).shape()));
     }
 
     @Override

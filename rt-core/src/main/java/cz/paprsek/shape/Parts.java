@@ -5,6 +5,19 @@ import java.util.function.IntFunction;
 
 /** Numbers the primitives of a scene as they are placed, and remembers which object and operand each came from. */
 public interface Parts {
+    /** For who places a shape without asking later which part was hit: all have the number 0. */
+    Parts UNTOLD = new Parts() {
+        @Override
+        public <P extends Part> P add(IntFunction<P> maker) {
+            return maker.apply(0);
+        }
+
+        @Override
+        public Parts within(Operand operand, Affine toWorld) {
+            return this;
+        }
+    };
+
     /** Registers the part that {@code maker} makes for its number. */
     <P extends Part> P add(IntFunction<P> maker);
 

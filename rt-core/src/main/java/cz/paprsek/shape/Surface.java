@@ -1,6 +1,7 @@
 package cz.paprsek.shape;
 
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
 
 /** A shape as placed in the world, ready to be hit: the render half of a {@link Shape}. Immutable. */
 public abstract class Surface {
@@ -20,4 +21,9 @@ public abstract class Surface {
 
     /** Pushes every boundary between the ray's min and max. */
     public abstract void crossings(Ray ray, Spans out);
+
+    /** Whether a point of the world lies inside; never in what has no inside. Not for the hot path: it allocates. */
+    public boolean contains(Vec3 point) {
+        return false;
+    }
 }

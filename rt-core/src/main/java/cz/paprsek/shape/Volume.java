@@ -1,5 +1,7 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.math.Vec3;
+
 /** A solid as placed in the world. What it must know is {@link #spans}; a primitive may answer the rest faster. */
 public abstract class Volume extends Surface {
     /**
@@ -42,6 +44,16 @@ public abstract class Volume extends Surface {
         int mark = out.size();
         spans(ray, out);
         out.clip(mark, ray.min, ray.max);
+    }
+
+    @Override
+    public boolean contains(Vec3 point) {
+        if (!bounds().contains(point)) {
+            return false;
+        }
+        Ray ray = new Ray(new Spans());
+        ray.start(point.x(), point.y(), point.z(), 1, 0, 0);
+        return holdsOrigin(ray);
     }
 
     /** Whether the ray's origin lies inside; the ray's min must be 0 and its max infinite. */

@@ -69,8 +69,8 @@ class SceneDatabaseTest {
         Csg inner = Csg.intersection(Operand.of(new Torus(2, 1)).named("ring"), Operand.of(new Sphere(3)));
         Csg outer = Csg.difference(Operand.of(new Sphere(2)).named("ball"), Operand.of(inner));
         SceneDatabase database = SceneDatabase.of(List.of(ONE.plus(SceneObject.of(new Sphere(1)), SceneObject.of(outer).named("bowl")), TWO));
-        assertThat(database.parts(Sphere.class).map(ScenePart::path)).containsExactly("sphere#1", "bowl/ball", "bowl/intersection#2/sphere#2");
-        assertThat(database.parts(Torus.class).map(ScenePart::depth)).containsExactly(2);
+        assertThat(database.parts(Sphere.class).map(row -> row.part().text(row.scene()))).containsExactly("sphere#1", "bowl/ball", "bowl/intersection#2/sphere#2");
+        assertThat(database.parts(Torus.class).map(row -> row.part().depth())).containsExactly(2);
         assertThat(database.parts().count()).isEqualTo(6);
         assertThat(database.lights().map(light -> light.scene().name())).containsExactly("two");
         assertThat(database.cameras()).hasSize(2);

@@ -26,14 +26,14 @@ import java.util.Map;
 import java.util.Random;
 
 /** Scenes with something of everything that a file can hold, numbers of all sizes included. */
-final class RandomScenes {
+public final class RandomScenes {
     private final Random random;
 
     private RandomScenes(long seed) {
         random = new Random(seed);
     }
 
-    static Scene of(long seed) {
+    public static Scene of(long seed) {
         return new RandomScenes(seed).scene();
     }
 

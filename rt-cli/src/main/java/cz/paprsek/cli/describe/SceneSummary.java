@@ -3,6 +3,9 @@ package cz.paprsek.cli.describe;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.Parts;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -26,14 +29,14 @@ public record SceneSummary(Scene scene, Map<String, Count> kinds, Bounds bounds,
 
     public static SceneSummary of(Scene scene) {
         Map<String, Count> kinds = new TreeMap<>();
-        for (SceneParts.Part part : SceneParts.of(scene)) {
-            String kind = part.shape().kind();
-            kinds.put(kind, kinds.getOrDefault(kind, Count.NONE).plus(part.isOperand()));
+        for (BodyAt part : ScenePath.bodies(scene).toList()) {
+            String kind = part.in(scene).shape().kind();
+            kinds.put(kind, kinds.getOrDefault(kind, Count.NONE).plus(part.depth() > 0));
         }
         Bounds bounds = Bounds.EMPTY;
         int unbounded = 0;
         for (SceneObject object : scene.objects()) {
-            Bounds own = Solids.place(object.shape(), object.placement()).bounds();
+            Bounds own = object.shape().place(object.placement().toParent(), Parts.UNTOLD).bounds();
             unbounded += own.isFinite() ? 0 : 1;
             bounds = own.isFinite() ? bounds.union(own) : bounds;
         }

@@ -2,15 +2,18 @@ package cz.paprsek.cli.describe;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Csg.Operation;
 import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Parts;
 import cz.paprsek.shape.Surface;
 import cz.paprsek.shape.Volume;
 import cz.paprsek.text.Numbers;
@@ -37,12 +40,12 @@ public final class SceneWarnings {
     /** All that is suspicious about a scene. */
     public static List<SceneWarning> of(Scene scene) {
         SceneWarnings check = new SceneWarnings(scene);
-        List<SceneParts.Part> parts = SceneParts.of(scene);
+        List<BodyAt> parts = ScenePath.bodies(scene).toList();
         check.light();
         check.materials(parts);
         parts.forEach(check::operands);
         for (int i = 0; i < scene.objects().size(); i++) {
-            check.object(scene.objects().get(i), SceneParts.of(scene, i));
+            check.object(ScenePath.body(i));
         }
         check.glass();
         return check.warnings;
@@ -61,14 +64,15 @@ public final class SceneWarnings {
         }
     }
 
-    private void materials(List<SceneParts.Part> parts) {
+    private void materials(List<BodyAt> parts) {
         Set<String> used = new HashSet<>();
         scene.materials().forEach((name, material) -> energy("material \"" + name + "\"", material));
-        for (SceneParts.Part part : parts) {
-            if (part.source() instanceof MaterialName reference) {
+        for (BodyAt part : parts) {
+            MaterialSource source = part.in(scene).material();
+            if (source instanceof MaterialName reference) {
                 used.add(reference.name());
-            } else if (part.source() instanceof Material own) {
-                energy("material of " + part.label(), own);
+            } else if (source instanceof Material own) {
+                energy("material of " + label(part), own);
             }
         }
         scene.materials().keySet().stream().filter(name -> !used.contains(name))
@@ -83,16 +87,15 @@ public final class SceneWarnings {
         }
     }
 
-    private void operands(SceneParts.Part part) {
-        if (!(part.shape() instanceof Csg csg) || csg.operation() == Operation.UNION) {
+    private void operands(BodyAt part) {
+        if (!(part.in(scene).shape() instanceof Csg csg) || csg.operation() == Operation.UNION) {
             return;
         }
         Bounds left = bounds(csg.operands().get(0));
         for (int i = 1; i < csg.operands().size(); i++) {
             Operand operand = csg.operands().get(i);
             if (left.intersection(bounds(operand)).isEmpty()) {
-                String label = operand.solid().kind() + (operand.name().isEmpty() ? " #" + (i + 1) : " \"" + operand.name() + "\"")
-                        + " in " + part.label();
+                String label = label(part.child(i));
                 add("operand", label, csg.operation() == Operation.DIFFERENCE
                         ? label + " removes nothing: it does not meet the first operand"
                         : label + " does not meet the operands before it; nothing is left of the intersection");
@@ -101,29 +104,35 @@ public final class SceneWarnings {
         }
     }
 
-    private static Bounds bounds(Operand operand) {
-        return Solids.place(operand.solid(), operand.placement()).bounds();
+    /** What a part is called, from itself outwards: {@code sphere #2 in difference "bowl"}. */
+    private String label(BodyAt part) {
+        return part.label(scene) + (part.depth() == 0 ? "" : " in " + label(part.parent()));
     }
 
-    private void object(SceneObject object, List<SceneParts.Part> parts) {
-        String label = parts.get(0).label();
-        List<Material> made = parts.stream().filter(part -> !(part.shape() instanceof Csg)).map(SceneParts.Part::material).toList();
+    private static Bounds bounds(Operand operand) {
+        return operand.solid().place(operand.placement().toParent(), Parts.UNTOLD).bounds();
+    }
+
+    private void object(BodyAt object) {
+        String label = label(object);
+        List<Material> made = object.withOperands(scene).filter(part -> !(part.in(scene).shape() instanceof Csg))
+                .map(part -> part.material(scene)).toList();
         boolean isOpaque = made.stream().allMatch(material -> material.transparency() == 0);
         long indices = made.stream().filter(material -> material.transparency() > 0).mapToDouble(Material::refractiveIndex).distinct().count();
         if (indices > 1) {
             add("indices", label, label + " is transparent, but its operands have different refractive indices; one body has one index");
         }
-        Surface placed = Solids.place(object.shape(), object.placement());
+        Surface placed = object.placed(scene);
         if (!isOpaque && placed instanceof Volume volume) {
             double index = made.stream().filter(material -> material.transparency() > 0).findFirst().orElseThrow().refractiveIndex();
             transparent.add(new GlassContacts.Body(label, volume, index));
         }
-        if (Solids.holds(placed, scene.camera().position())) {
+        if (placed.contains(scene.camera().position())) {
             add("camera-inside", label, "the camera is inside " + label + (isOpaque ? ", which is opaque; it will see nothing else" : ""));
         }
         for (int i = 0; i < scene.lights().size(); i++) {
             Light light = scene.lights().get(i);
-            if (isOpaque && Solids.holds(placed, light.position())) {
+            if (isOpaque && placed.contains(light.position())) {
                 String lamp = light.name().isEmpty() ? "light #" + (i + 1) : "light \"" + light.name() + "\"";
                 add("light-inside", lamp, lamp + " is inside " + label + ", which is opaque; it lights nothing outside");
             }

@@ -2,7 +2,6 @@ package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
@@ -10,6 +9,7 @@ import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;

@@ -1,13 +1,13 @@
 package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Require;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;

@@ -1,11 +1,11 @@
 package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;

@@ -1,9 +1,9 @@
 package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;

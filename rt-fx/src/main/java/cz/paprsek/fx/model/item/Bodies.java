@@ -2,6 +2,7 @@ package cz.paprsek.fx.model.item;
 
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.math.Affine;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;

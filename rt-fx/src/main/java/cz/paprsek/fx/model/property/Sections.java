@@ -1,7 +1,6 @@
 package cz.paprsek.fx.model.property;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
@@ -11,6 +10,7 @@ import cz.paprsek.fx.model.property.Targets.LightsAt;
 import cz.paprsek.fx.model.property.Targets.MaterialsOf;
 import cz.paprsek.fx.model.property.Targets.NamedMaterials;
 import cz.paprsek.fx.model.property.Targets.Whole;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Shape;
 import java.lang.reflect.RecordComponent;

@@ -2,10 +2,10 @@ package cz.paprsek.fx.model.property;
 
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.material.Material;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;

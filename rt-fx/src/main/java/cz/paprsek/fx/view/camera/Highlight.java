@@ -2,10 +2,10 @@ package cz.paprsek.fx.view.camera;
 
 import cz.paprsek.drawing.Perspective;
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Curve;
 import cz.paprsek.shape.Operand;

@@ -3,7 +3,7 @@ package cz.paprsek.fx.view.library;
 import cz.paprsek.fx.model.library.Library;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.ScenePart;
+import cz.paprsek.scene.ScenePath;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -73,7 +73,7 @@ final class SceneDetails extends VBox {
     }
 
     private String facts(Scene scene) {
-        return texts.of("library.facts", scene.objects().size(), ScenePart.all(scene).filter(part -> part.depth() > 0).count(), scene.lights().size(),
+        return texts.of("library.facts", scene.objects().size(), ScenePath.bodies(scene).filter(at -> at.depth() > 0).count(), scene.lights().size(),
                 scene.materials().size(), scene.settings().width() + " × " + scene.settings().height());
     }
 

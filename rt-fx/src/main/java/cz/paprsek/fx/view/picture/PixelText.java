@@ -1,10 +1,10 @@
 package cz.paprsek.fx.view.picture;
 
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;

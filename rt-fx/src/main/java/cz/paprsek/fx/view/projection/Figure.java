@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.projection;
 
-import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Body;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Curve;
 import cz.paprsek.shape.Operand;

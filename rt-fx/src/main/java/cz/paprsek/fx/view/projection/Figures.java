@@ -2,10 +2,10 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Sight;
-import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import java.util.Collection;

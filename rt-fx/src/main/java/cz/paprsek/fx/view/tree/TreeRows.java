@@ -1,10 +1,10 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.item.Body;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Operand;
 import java.util.ArrayList;

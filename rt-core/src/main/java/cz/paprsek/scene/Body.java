@@ -1,8 +1,7 @@
-package cz.paprsek.fx.model.item;
+package cz.paprsek.scene;
 
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Require;
-import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
