@@ -18,30 +18,33 @@ public abstract class Sampling {
 
     /** A regular grid, row by row: a picture of n × n samples is the average of a picture n times the size. */
     private static final class Grid extends Sampling {
-        private final int perSide;
-        private final double[] middles;
+        private final double[] across;
+        private final double[] down;
 
         Grid(int perSide) {
-            this.perSide = perSide;
-            middles = new double[perSide];
-            for (int i = 0; i < perSide; i++) {
-                middles[i] = (i + 0.5) / perSide;
+            across = new double[perSide * perSide];
+            down = new double[perSide * perSide];
+            for (int row = 0; row < perSide; row++) {
+                for (int column = 0; column < perSide; column++) {
+                    across[row * perSide + column] = (column + 0.5) / perSide;
+                    down[row * perSide + column] = (row + 0.5) / perSide;
+                }
             }
         }
 
         @Override
         int rays() {
-            return perSide * perSide;
+            return across.length;
         }
 
         @Override
         double across(int i) {
-            return middles[i % perSide];
+            return across[i];
         }
 
         @Override
         double down(int i) {
-            return middles[i / perSide];
+            return down[i];
         }
     }
 }
