@@ -10,6 +10,7 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.render.Renderer;
 import java.io.IOException;
 import java.io.InterruptedIOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -30,6 +31,7 @@ import picocli.CommandLine.Option;
             "Examples:",
             "  paprsek bench",
             "  paprsek bench --against povray                  in turn with POV-Ray",
+            "  paprsek bench --against-jar old.jar --rounds 9  whether a change made it slower",
             "  paprsek bench --scale --rounds 3                how time and memory grow",
             "  paprsek bench --scene few --scene cloud1M --threads 2 --json"
         })
@@ -52,6 +54,10 @@ public final class BenchCommand implements Callable<Integer> {
     @Option(names = "--against", paramLabel = "PROGRAM", description =
             "Renders each scene in turn with ${COMPLETION-CANDIDATES} on as many threads, and tells how many times its processor time is ours.")
     private Optional<Opponent> against;
+
+    @Option(names = "--against-jar", paramLabel = "OLD.jar", description =
+            "Renders each scene in turn with another version of this program, in this virtual machine, and tells how many times its processor time is ours.")
+    private Optional<Path> jar;
 
     @Option(names = "--threads", paramLabel = "N", defaultValue = "1", description = "Threads to render with, 1-1024. Default: 1.")
     private int threads;
@@ -80,10 +86,15 @@ public final class BenchCommand implements Callable<Integer> {
         names.forEach(BenchScenes::check);
         Optional<PovRay> opponent = against.map(program -> PovRay.installed()
                 .orElseThrow(() -> new WrongUsage("--against povray needs POV-Ray, but no program \"povray\" is on the search path")));
-        BenchReport report = new BenchReport(terminal, json, opponent.isPresent());
+        if (opponent.isPresent() && jar.isPresent()) {
+            throw new WrongUsage("--against and --against-jar: compare with one at a time");
+        }
+        Optional<Rival> rival = opponent.<Rival>map(povRay -> new PovRayRival(povRay, stop)).or(() -> jar.map(file -> new OtherVersion(file, stop)));
+        BenchReport report = new BenchReport(terminal, json, rival.map(Rival::label));
         report.begin("Java " + Runtime.version() + ", " + Renderer.kernel() + ", " + threads + (threads == 1 ? " thread" : " threads")
+                + jar.map(file -> ", against " + file).orElse("")
                 + opponent.map(povRay -> ", against POV-Ray " + povRay.version()).orElse(""));
-        Benchmark benchmark = new Benchmark(stop, size, threads, rounds, opponent);
+        Benchmark benchmark = new Benchmark(stop, size, threads, rounds, rival);
         try {
             for (String name : !names.isEmpty() ? names : scale ? BenchScenes.growingNames() : BenchScenes.standardNames()) {
                 report.add(benchmark.run(name));

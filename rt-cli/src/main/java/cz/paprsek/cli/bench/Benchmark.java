@@ -11,6 +11,8 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 
 /**
  * Measures scenes: each is prepared and rendered several times, in turn with the other program if there is one, so that what disturbs the
@@ -20,7 +22,7 @@ import java.util.Optional;
  * @param rounds how often each scene is rendered and counted
  * @param opponent whom to compare with
  */
-record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Optional<PovRay> opponent) {
+record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Optional<Rival> opponent) {
     /** Renders before the first one that counts: the compiler of the virtual machine needs them. */
     private static final int WARM_UP = 4;
     /** A scene is prepared more than once only as long as that takes less than so many seconds. */
@@ -33,8 +35,11 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
      * @param bytes the memory that the scene and all that was prepared of it take
      * @param cpu the processor time of all workers for it
      * @param opponentCpu that of the opponent; not a number if there is none
+     * @param least the least ratio of a single round
+     * @param most the greatest
      */
-    record Result(String name, int objects, RenderStats rays, long bytes, double build, double trace, double cpu, double opponentCpu) {
+    record Result(String name, int objects, RenderStats rays, long bytes, double build, double trace, double cpu, double opponentCpu,
+            double least, double most) {
         double raysPerSecond() {
             return rays.rays() / Math.max(trace, 1e-9);
         }
@@ -71,13 +76,17 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
             CpuTime time = new CpuTime(stop);
             rays = Renderer.render(ready, options, time).stats();
             checkStop();
+            double their = opponent.isPresent() && (i >= 0 || opponent.get().warmsUp())
+                    ? opponent.get().seconds(name, scene, threads) : Double.NaN;
+            checkStop();
             if (i >= 0) {
                 trace[i] = rays.traceSeconds();
                 cpu[i] = time.seconds();
-                theirs[i] = opponent.isPresent() ? opponentSeconds(opponent.get(), scene) : Double.NaN;
+                theirs[i] = their;
             }
         }
-        return new Result(name, scene.objects().size(), rays, bytes, median(build), median(trace), median(cpu), median(theirs));
+        return new Result(name, scene.objects().size(), rays, bytes, median(build), median(trace), median(cpu), median(theirs),
+                ratios(theirs, cpu).min().orElse(Double.NaN), ratios(theirs, cpu).max().orElse(Double.NaN));
     }
 
     private RenderScene prepare(Scene scene, double[] seconds) throws InterruptedIOException {
@@ -94,16 +103,8 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
         return ready;
     }
 
-    private double opponentSeconds(PovRay povRay, Scene scene) throws IOException {
-        double[] seconds = new double[1];
-        stop.guard(() -> {
-            try {
-                seconds[0] = povRay.render(scene, threads).traceCpuSeconds();
-            } catch (InterruptedException e) {
-                throw new InterruptedIOException("interrupted");
-            }
-        });
-        return seconds[0];
+    private static DoubleStream ratios(double[] theirs, double[] ours) {
+        return IntStream.range(0, ours.length).mapToDouble(i -> theirs[i] / Math.max(ours[i], 1e-9));
     }
 
     private void checkStop() throws InterruptedIOException {

@@ -37,7 +37,7 @@ class BenchCommandTest {
         assumeThat(PovRay.installed()).isPresent();
         Run run = Run.cli("bench", "--scene", "few", "--size", "320x180", "--rounds", 1, "--against", "povray");
         assertThat(run.err()).isEmpty();
-        assertThat(run.out().lines().skip(2)).hasSize(1).allMatch(row -> row.strip().matches("few( +[0-9.]+){12}"));
+        assertThat(run.out().lines().skip(2)).hasSize(1).allMatch(row -> row.strip().matches("few( +[0-9.]+){14}"));
     }
 
     @Test
