@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.process.Messages;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 
@@ -11,6 +12,7 @@ public final class Main {
     public static void main(String[] args) {
         // Pictures need parts of AWT, but never a display; looking for one takes time and can fail.
         System.setProperty("java.awt.headless", "true");
+        Messages.restore();
         Stop stop = new Stop();
         Runtime.getRuntime().addShutdownHook(new Thread(stop::requestAndWait, "paprsek-stop"));
         int code = new Cli(Terminal.system(), stop).run(args);

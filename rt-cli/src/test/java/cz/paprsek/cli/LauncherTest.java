@@ -1,6 +1,7 @@
 package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
@@ -115,6 +116,30 @@ class LauncherTest {
         }
         assertThat(cache.toFile().list()).hasSize(1).allMatch(name -> name.endsWith(".archive"));
         assertThat(call(Path.of(System.getProperty("java.home")), "schema", "-o", folder.resolve("x").toString())).isZero();
+    }
+
+    @Test
+    @Timeout(180)
+    void largeScenesAreRenderedWithVectorsAndNobodyHearsOfIt() throws Exception {
+        jar(folder.resolve("rt-cli.jar"));
+        Path home = Path.of(System.getProperty("java.home"));
+        assumeTrue(Files.readString(home.resolve("release")).contains("jdk.incubator.vector"));
+        Path large = Files.writeString(folder.resolve("large.xml"), "<scene xmlns='urn:paprsek:scene:1'>" + " ".repeat(1_100_000) + "<cube/></scene>");
+        assertThat(said(3, "validate", large.toString())).contains("cube").doesNotContain("incubator");
+        assertThat(said(0, "bench", "--scene", "few", "--size", "8x8", "--rounds", "1")).contains("vectors of 8 floats").doesNotContain("incubator");
+        assertThat(said(0, "--version")).contains("scalar");
+    }
+
+    /** What is said by this Java, without an archive. */
+    private String said(int code, String... words) throws Exception {
+        ProcessBuilder builder = new ProcessBuilder(folder.resolve("paprsek").toString()).redirectErrorStream(true);
+        builder.command().addAll(List.of(words));
+        builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
+        builder.environment().put("XDG_CACHE_HOME", "/nonexistent");
+        Process process = builder.start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(process.waitFor()).isEqualTo(code);
+        return said;
     }
 
     private void waitForTraining() throws InterruptedException {

@@ -27,7 +27,7 @@ public record Terminal(PrintWriter out, PrintWriter err, Results bytes, boolean 
     public static Terminal system() {
         Charset charset = charset();
         Results results = new Results(new FileOutputStream(FileDescriptor.out));
-        return new Terminal(new PrintWriter(results, false, charset), new PrintWriter(System.err, true, charset), results, isWatched(2));
+        return new Terminal(new PrintWriter(results, false, charset), new PrintWriter(System.err, true, charset), results, isWatched(Messages.descriptor()));
     }
 
     /** Prints a line of results. */
