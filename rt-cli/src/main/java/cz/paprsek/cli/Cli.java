@@ -20,21 +20,21 @@ import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.Tone;
-import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.Tile;
+import cz.paprsek.render.mode.RenderMode;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import picocli.AutoComplete;
+import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine;
 
 /** The commands put together: what there is, and how a mistake is answered. */
 final class Cli {

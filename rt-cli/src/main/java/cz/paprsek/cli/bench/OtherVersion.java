@@ -1,7 +1,7 @@
 package cz.paprsek.cli.bench;
 
-import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;

@@ -22,7 +22,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.BooleanSupplier;
 
 /** The tracer that renders pictures, writing down what it does as a tree of rays. */
 public final class Recorder extends Whitted {

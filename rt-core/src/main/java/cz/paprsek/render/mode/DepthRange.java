@@ -5,7 +5,6 @@ import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.integrate.Sampling;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.surface.World;
-import java.util.function.BooleanSupplier;
 
 /** The distances that the eye sees in a picture, by which depths become brightnesses. */
 public record DepthRange(double nearest, double farthest) {
