@@ -29,5 +29,5 @@ module cz.paprsek.core {
     exports cz.paprsek.standard to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.text to cz.paprsek.cli, cz.paprsek.fx;
 
-    opens cz.paprsek.xml to jakarta.xml.bind, org.glassfish.jaxb.core, org.glassfish.jaxb.runtime;
+    opens cz.paprsek.xml.bind to jakarta.xml.bind, org.glassfish.jaxb.core, org.glassfish.jaxb.runtime;
 }

@@ -35,7 +35,7 @@ class ArchitectureTest {
             .layer("render").definedBy(resideInAPackage("cz.paprsek.render..").and(resideOutsideOfPackage("cz.paprsek.render.explain")))
             .layer("explain").definedBy("cz.paprsek.render.explain")
             .layer("drawing").definedBy("cz.paprsek.drawing")
-            .layer("xml").definedBy("cz.paprsek.xml")
+            .layer("xml").definedBy(resideInAPackage("cz.paprsek.xml..").and(resideOutsideOfPackage("cz.paprsek.xml.text")))
             .layer("text").definedBy("cz.paprsek.xml.text")
             .layer("pov").definedBy("cz.paprsek.pov")
             .layer("standard").definedBy("cz.paprsek.standard")
@@ -100,9 +100,29 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule NO_CYCLES_AMONG_RENDER_ROOMS = slices().matching("cz.paprsek.render.(*)..").should().beFreeOfCycles();
 
+    /** Of the rooms of scene files, each sees only those before it. */
     @ArchTest
-    static final ArchRule JAXB_ONLY_IN_XML = noClasses().that().resideOutsideOfPackage("cz.paprsek.xml")
-            .should().dependOnClassesThat().resideInAnyPackage("jakarta.xml..", "javax.xml..", "org.xml..");
+    static final ArchRule XML_ROOMS = Architectures.layeredArchitecture().consideringOnlyDependenciesInLayers()
+            .layer("format").definedBy("cz.paprsek.xml.format")
+            .layer("text").definedBy("cz.paprsek.xml.text")
+            .layer("quick").definedBy("cz.paprsek.xml.quick")
+            .layer("bind").definedBy("cz.paprsek.xml.bind")
+            .layer("write").definedBy("cz.paprsek.xml.write")
+            .layer("xml").definedBy("cz.paprsek.xml")
+            .whereLayer("format").mayOnlyBeAccessedByLayers("quick", "bind", "write", "xml")
+            .whereLayer("text").mayOnlyBeAccessedByLayers("write", "xml")
+            .whereLayer("quick").mayOnlyBeAccessedByLayers("xml")
+            .whereLayer("bind").mayOnlyBeAccessedByLayers("xml")
+            .whereLayer("write").mayOnlyBeAccessedByLayers("xml")
+            .whereLayer("xml").mayNotBeAccessedByAnyLayer();
+
+    @ArchTest
+    static final ArchRule JAXB_ONLY_IN_BIND = noClasses().that().resideOutsideOfPackage("cz.paprsek.xml.bind")
+            .should().dependOnClassesThat().resideInAnyPackage("jakarta.xml..");
+
+    @ArchTest
+    static final ArchRule OTHER_XML_ONLY_IN_XML = noClasses().that().resideOutsideOfPackages("cz.paprsek.xml", "cz.paprsek.xml.bind")
+            .should().dependOnClassesThat().resideInAnyPackage("javax.xml..", "org.xml..");
 
     @ArchTest
     static final ArchRule PICTURES_ONLY_IN_IMAGE = noClasses().that().resideOutsideOfPackage("cz.paprsek.image")

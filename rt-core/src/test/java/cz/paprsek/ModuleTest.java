@@ -64,15 +64,18 @@ class ModuleTest {
                 import cz.paprsek.scene.Scene;
                 import cz.paprsek.scene.SceneObject;
                 import cz.paprsek.shape.Sphere;
+                import cz.paprsek.xml.SceneFiles;
+                import java.nio.file.Path;
                 """, """
                 var image = Renderer.render(Scene.EMPTY.plus(SceneObject.of(new Sphere(1))));
+                int objects = SceneFiles.read(Path.of(words[0])).objects().size();
                 var bytes = new java.io.ByteArrayOutputStream();
                 ImageFiles.write(image, bytes, ImageFormat.PPM);
-                System.out.println(image.toArgb().length + " pixels, " + bytes.size() + " bytes, "
+                System.out.println((objects > 5) + ", " + image.toArgb().length + " pixels, " + bytes.size() + " bytes, "
                         + ModuleLayer.boot().findModule("java.desktop").isPresent() + ModuleLayer.boot().findModule("jakarta.xml.bind").isPresent());
                 """);
-        Run run = java("--limit-modules", "java.xml,cz.paprsek.core,user", "-p", path(core, user), "-m", "user/user.Main");
-        assertThat(run.said()).isEqualTo("480000 pixels, 1440015 bytes, falsefalse");
+        Run run = java("--limit-modules", "java.xml,cz.paprsek.core,user", "-p", path(core, user), "-m", "user/user.Main", "../scenes/showcase.xml");
+        assertThat(run.said()).isEqualTo("true, 480000 pixels, 1440015 bytes, falsefalse");
     }
 
     @Test

@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.xml.format.CountingInput;
 import java.io.IOException;
 import java.io.InputStream;
 
@@ -17,7 +18,7 @@ final class LimitedInput extends CountingInput {
     }
 
     @Override
-    void counted(int read) throws IOException {
+    protected void counted(int read) throws IOException {
         left -= read;
         if (left < 0) {
             throw new IOException(file + ": this file is larger than the " + limit + " bytes that a scene file may have (java -Dpaprsek.largest-file=BYTES allows more)");

@@ -6,6 +6,7 @@ import cz.paprsek.xml.SceneFiles.Contents;
 import cz.paprsek.xml.text.FileText;
 import cz.paprsek.xml.text.Form;
 import cz.paprsek.xml.text.Unpatchable;
+import cz.paprsek.xml.write.SceneForms;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;

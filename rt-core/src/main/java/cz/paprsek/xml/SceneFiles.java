@@ -3,6 +3,8 @@ package cz.paprsek.xml;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.xml.format.SceneFormat;
+import cz.paprsek.xml.write.SceneWriter;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -17,13 +19,12 @@ import java.util.Objects;
  */
 public final class SceneFiles {
     /** The namespace of scene files. */
-    public static final String NAMESPACE = "urn:paprsek:scene:1";
+    public static final String NAMESPACE = SceneFormat.NAMESPACE;
 
     /**
-     * How deep elements may be nested in a file: far deeper than anybody builds, and safe for every recursion in the program. The hungriest is
-     * the comparison of two scenes, which fills a stack of 1 MB at 570 levels.
+     * How deep elements may be nested in a file: far deeper than anybody builds, and safe for every recursion in the program.
      */
-    public static final int DEEPEST = 250;
+    public static final int DEEPEST = SceneFormat.DEEPEST;
 
     /** How many bytes a file may have: 1 GiB, ten million spheres, or what the system property {@code paprsek.largest-file} says. */
     public static final long LARGEST = Long.getLong("paprsek.largest-file", 1L << 30);
@@ -201,11 +202,7 @@ public final class SceneFiles {
 
     /** The schema of scene files, an XSD. */
     public static String schema() {
-        try (InputStream input = Objects.requireNonNull(SceneFiles.class.getResourceAsStream("scene.xsd"), "scene.xsd is missing")) {
-            return new String(input.readAllBytes(), StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new IllegalStateException("the schema in the program's own jar cannot be read", e);
-        }
+        return SceneFormat.schema();
     }
 
     /** The file's name without its ending. */

@@ -1,34 +1,20 @@
 package cz.paprsek.xml;
 
-import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles.Contents;
-import jakarta.xml.bind.JAXBContext;
-import jakarta.xml.bind.JAXBException;
-import jakarta.xml.bind.Unmarshaller;
-import java.io.BufferedInputStream;
+import cz.paprsek.xml.bind.ThoroughReader;
+import cz.paprsek.xml.format.FileScenes;
+import cz.paprsek.xml.quick.QuickReader;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
-import javax.xml.XMLConstants;
-import javax.xml.parsers.ParserConfigurationException;
-import javax.xml.transform.sax.SAXSource;
-import javax.xml.transform.stream.StreamSource;
-import javax.xml.validation.Schema;
-import javax.xml.validation.SchemaFactory;
-import org.jspecify.annotations.Nullable;
-import org.xml.sax.InputSource;
-import org.xml.sax.SAXException;
 
 /**
- * From a file to scenes: by the {@link QuickReader} if it is good and plain. Else bound to beans by {@link Parse} and JAXB, of which the records are
- * made, each of which may still refuse: that takes six times as long, and tells every problem.
+ * From a file to scenes: by the {@link QuickReader} if it is good and plain. Else by the {@link ThoroughReader}: that takes six times as long, and
+ * tells every problem.
  */
 final class SceneReader {
     private SceneReader() {}
@@ -52,10 +38,10 @@ final class SceneReader {
     /** The stream that was listened to last is read to its end. */
     static Contents read(Source source, Listening listening, String file) throws SceneFileException, IOException {
         InputStream first = new LimitedInput(listening.to(source.fromStart()), file, SceneFiles.LARGEST);
-        Optional<Contents> contents = QuickReader.read(first);
-        if (contents.isPresent()) {
+        Optional<FileScenes> quick = QuickReader.read(first);
+        if (quick.isPresent()) {
             first.transferTo(OutputStream.nullOutputStream());
-            return contents.get();
+            return contents(quick.get());
         }
         InputStream second = new LimitedInput(listening.to(source.fromStart()), file, SceneFiles.LARGEST);
         Contents found = thoroughly(second, file);
@@ -68,94 +54,24 @@ final class SceneReader {
         String text = given.startsWith("\uFEFF") ? given.substring(1) : given;
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         // Halves of characters, which no bytes stand for, are told apart from question marks.
-        Optional<Contents> contents = new String(bytes, StandardCharsets.UTF_8).equals(text)
+        Optional<FileScenes> quick = new String(bytes, StandardCharsets.UTF_8).equals(text)
                 ? QuickReader.read(new ByteArrayInputStream(bytes)) : Optional.empty();
-        return contents.isPresent() ? contents.get() : read(new InputSource(new StringReader(text)), () -> {}, new Prolog(text), file);
+        return quick.isPresent() ? contents(quick.get()) : contents(ThoroughReader.read(text, file), file);
     }
 
     /** Without the quick reader. */
     static Contents thoroughly(InputStream input, String file) throws SceneFileException, IOException {
-        BufferedInputStream buffered = new BufferedInputStream(input);
-        Prolog prolog = Prolog.of(buffered);
-        PieceInput pieces = new PieceInput(buffered);
-        return read(new InputSource(pieces), pieces::found, prolog, file);
+        return contents(ThoroughReader.read(input, file), file);
     }
 
-    private static Contents read(InputSource input, Runnable found, Prolog prolog, String file) throws SceneFileException, IOException {
-        Problems problems = new Problems(file);
-        List<Scene> scenes = new ArrayList<>();
-        boolean isDatabase = false;
-        try {
-            Object root = bind(input, found, prolog, problems);
-            List<SceneBean> beans = root instanceof DatabaseBean database ? database.scenes
-                    : root instanceof SceneBean scene ? List.of(scene) : List.of();
-            if (root instanceof DatabaseBean database) {
-                isDatabase = true;
-                beans.forEach(scene -> database.checkName(scene, problems));
-            }
-            for (SceneBean bean : beans) {
-                Scene scene = bean.toScene(problems);
-                if (scene != null) {
-                    scenes.add(scene);
-                }
-            }
-        } catch (Problems.Stop enough) {
-            // What there is to tell stands in the problems.
+    private static Contents contents(ThoroughReader.Outcome outcome, String file) throws SceneFileException {
+        if (!outcome.mistakes().isEmpty()) {
+            throw new SceneFileException(outcome.mistakes().stream().map(one -> new Problem(file, one.line(), one.column(), one.message())).toList());
         }
-        problems.throwIfAny();
-        return new Contents(scenes, isDatabase);
+        return contents(outcome.scenes());
     }
 
-    /** The bean of the root element; null if that is wrong. */
-    private static @Nullable Object bind(InputSource input, Runnable found, Prolog prolog, Problems problems) throws IOException {
-        try {
-            Unmarshaller unmarshaller = Shared.CONTEXT.createUnmarshaller();
-            Parse parse = new Parse(Shared.SCHEMA.newValidatorHandler(), prolog, problems, found);
-            unmarshaller.setListener(new Unmarshaller.Listener() {
-                @Override
-                public void beforeUnmarshal(Object target, Object parent) {
-                    if (target instanceof Located located) {
-                        parse.locate(located);
-                    }
-                }
-            });
-            return unmarshaller.unmarshal(new SAXSource(parse, input));
-        } catch (JAXBException e) {
-            if (e.getLinkedException() instanceof IOException unreadable) {
-                throw unreadable;
-            }
-            throw broken(e);
-        } catch (SAXException | ParserConfigurationException e) {
-            throw broken(e);
-        }
-    }
-
-    private static IllegalStateException broken(Exception e) {
-        return new IllegalStateException("the XML tools of this Java do not work as they should: " + e, e);
-    }
-
-    /** What is costly to make, made when the first file is read. Both are safe to use from several threads. */
-    private static final class Shared {
-        static final Schema SCHEMA = schema();
-        static final JAXBContext CONTEXT = context();
-
-        private static Schema schema() {
-            try {
-                SchemaFactory factory = SchemaFactory.newInstance(XMLConstants.W3C_XML_SCHEMA_NS_URI);
-                factory.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
-                factory.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
-                return factory.newSchema(new StreamSource(new StringReader(SceneFiles.schema())));
-            } catch (SAXException e) {
-                throw new IllegalStateException("the schema in the program's own jar is damaged", e);
-            }
-        }
-
-        private static JAXBContext context() {
-            try {
-                return JAXBContext.newInstance(SceneBean.class, DatabaseBean.class);
-            } catch (JAXBException e) {
-                throw new IllegalStateException("the annotated beans are at odds with JAXB", e);
-            }
-        }
+    private static Contents contents(FileScenes found) {
+        return new Contents(found.scenes(), found.isDatabase());
     }
 }

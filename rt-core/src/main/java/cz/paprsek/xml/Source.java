@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.xml.quick.Unusual;
 import java.io.ByteArrayInputStream;
 import java.io.Closeable;
 import java.io.FilterInputStream;

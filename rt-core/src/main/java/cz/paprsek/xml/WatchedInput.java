@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.xml.format.CountingInput;
 import java.io.InputStream;
 import java.util.concurrent.CancellationException;
 
@@ -21,7 +22,7 @@ final class WatchedInput extends CountingInput {
      * @throws IllegalStateException if the monitor throws anything, with that as its cause: it must not be taken for a fault of the file
      */
     @Override
-    void counted(int read) {
+    protected void counted(int read) {
         bytes += read;
         boolean cancelled;
         try {

@@ -5,22 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import jakarta.xml.bind.annotation.XmlAttribute;
-import jakarta.xml.bind.annotation.XmlElement;
-import jakarta.xml.bind.annotation.XmlElements;
 import java.io.IOException;
-import java.lang.reflect.Field;
-import java.lang.reflect.ParameterizedType;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
-import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -85,51 +74,5 @@ class SceneFilesTest {
                 </scene>""");
         assertThat(scene.objects().get(0).material()).isEqualTo(new MaterialName("later"));
         assertThat(scene.settings()).isEqualTo(RenderSettings.DEFAULT.withSize(10, 600));
-    }
-
-    /** The attributes that beans bind are those the schema allows, for every element, nested ones included. */
-    @Test
-    void beansAndSchemaAgree() {
-        Grammar grammar = Grammar.ofScenes();
-        compare(grammar, "Scene", SceneBean.class, new HashSet<>());
-    }
-
-    private static void compare(Grammar grammar, String type, Class<?> bean, Set<String> done) {
-        if (!done.add(type + bean.getName())) {
-            return;
-        }
-        Set<String> attributes = new TreeSet<>();
-        Map<String, Class<?>> children = new TreeMap<>();
-        for (Class<?> c = bean; c != Object.class; c = c.getSuperclass()) {
-            for (Field field : c.getDeclaredFields()) {
-                XmlAttribute attribute = field.getAnnotation(XmlAttribute.class);
-                if (attribute != null) {
-                    attributes.add(attribute.name().equals("##default") ? field.getName() : attribute.name());
-                }
-                XmlElement element = field.getAnnotation(XmlElement.class);
-                if (element != null) {
-                    Class<?> held = field.getGenericType() instanceof ParameterizedType list
-                            ? (Class<?>) list.getActualTypeArguments()[0] : field.getType();
-                    children.put(element.name().equals("##default") ? field.getName() : element.name(), held);
-                }
-                XmlElements several = field.getAnnotation(XmlElements.class);
-                if (several != null) {
-                    Arrays.stream(several.value()).forEach(e -> children.put(e.name(), e.type()));
-                }
-            }
-        }
-        Set<String> allowed = new TreeSet<>(grammar.attributes(type).keySet());
-        // One bean serves named and unnamed materials.
-        if (type.equals("Material")) {
-            allowed.add("name");
-        }
-        assertThat(attributes).as("attributes of %s", type).isEqualTo(allowed);
-        assertThat(children.keySet()).as("elements in %s", type).isEqualTo(new TreeSet<>(grammar.children(type).keySet()));
-        grammar.children(type).forEach((name, childType) -> {
-            Class<?> child = children.getOrDefault(name, String.class);
-            if (child != String.class) {
-                compare(grammar, childType, child, done);
-            }
-        });
     }
 }

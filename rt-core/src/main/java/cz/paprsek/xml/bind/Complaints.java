@@ -1,0 +1,197 @@
+package cz.paprsek.xml.bind;
+
+import cz.paprsek.io.PlainText;
+import cz.paprsek.text.Similar;
+import cz.paprsek.xml.format.ColorWords;
+import cz.paprsek.xml.format.SceneFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.StringTokenizer;
+import java.util.TreeSet;
+import javax.xml.XMLConstants;
+import org.xml.sax.Attributes;
+
+/**
+ * Says in our words what the schema validator found. Of the validator's messages the keys are relied on ("cvc-…", the names of the rules in the
+ * standard), and the place of the attribute's name in one English sentence.
+ *
+ * @source W3C XML Schema Part 1: Structures, appendix C
+ */
+final class Complaints {
+    private static final Set<String> SURFACES = Set.of("rectangle", "disc");
+    private static final Set<String> OPERATIONS = Set.of("union", "difference", "intersection");
+    private static final int LONGEST_QUOTE = 60;
+
+    private final Grammar grammar = Grammar.ofScenes();
+    private final Problems problems;
+
+    Complaints(Problems problems) {
+        this.problems = problems;
+    }
+
+    /**
+     * Turns one message into problems, or none if another message says the same.
+     *
+     * @param path the names of the open elements, the current one last
+     * @param found the attributes of the current element
+     * @param isToldInside whether there are problems of the element already, or of what is inside
+     */
+    void add(String message, List<String> path, Attributes found, boolean isToldInside, int line, int column) {
+        String element = last(path);
+        String type = grammar.type(path);
+        String key = message.substring(0, Math.max(0, message.indexOf(':')));
+        switch (key) {
+            case "cvc-elt.1.a", "cvc-elt.1" -> {
+                problems.add(line, column, wrongRoot(element));
+                throw new Problems.Stop();
+            }
+            case "cvc-complex-type.2.4.a", "cvc-complex-type.2.4.d", "cvc-complex-type.2.4.e", "cvc-complex-type.2.4.f" ->
+                problems.add(line, column, unexpected(path));
+            case "cvc-complex-type.2.1" -> {
+                if (!isToldInside) {
+                    problems.add(line, column, "<" + element + "> must be empty, but there is something inside");
+                }
+            }
+            case "cvc-complex-type.2.4.b" -> {
+                if (!isToldInside) {
+                    problems.add(line, column, "<" + element + "> needs at least one solid inside");
+                }
+            }
+            case "cvc-complex-type.3.2.2", "cvc-type.3.1.1" -> unknownAttributes(element, type, found, line, column);
+            case "cvc-complex-type.4" -> missingAttributes(element, type, found, line, column);
+            case "cvc-attribute.3" -> wrongValue(message, element, type, found, line, column);
+            case "cvc-type.3.1.3" -> problems.add(line, column, "<" + element + "> must hold " + grammar.expected(type));
+            case "cvc-type.3.1.2" -> problems.add(line, column, "<" + element + "> holds text only, but here is an element");
+            // Text where none belongs has been told already.
+            case "cvc-complex-type.2.3" -> { }
+            default -> {
+                if (key.startsWith("cvc-elt")) {
+                    problems.add(line, column, "<" + element + "> must not have xsi:type or xsi:nil; remove them");
+                } else if (!isRepeatedBelow(key)) {
+                    problems.add(line, column, "<" + element + "> does not follow the schema of scene files (" + key + ")");
+                }
+            }
+        }
+    }
+
+    /** Adds the problem that an element is not known where it is: the validator tells so of the first child of an element only. */
+    void addIfUnknown(List<String> path, int line, int column) {
+        if (grammar.type(path).isEmpty() && !grammar.type(path.subList(0, path.size() - 1)).isEmpty()) {
+            problems.add(line, column, unexpected(path));
+        }
+    }
+
+    /** Adds the problem that there is text in an element, unless the element itself is one. */
+    void addText(List<String> path, String text, int line, int column) {
+        if (!grammar.type(path).isEmpty()) {
+            problems.add(line, column, "<" + last(path) + "> holds elements only, but here is the text \""
+                    + PlainText.of(text, LONGEST_QUOTE) + "\"");
+        }
+    }
+
+    /** A message about the form of a value is followed by one that names the attribute. */
+    private static boolean isRepeatedBelow(String key) {
+        return key.startsWith("cvc-datatype") || key.endsWith("-valid") || key.startsWith("cvc-simple");
+    }
+
+    private static String wrongRoot(String element) {
+        String name = element.substring(element.indexOf('}') + 1);
+        if (name.equals("scene") || name.equals("database")) {
+            return "<" + name + "> must have xmlns=\"" + SceneFormat.NAMESPACE + "\", but has "
+                    + (element.startsWith("{}") ? "none" : "\"" + namespace(element) + "\"");
+        }
+        return "a scene file starts with <scene xmlns=\"" + SceneFormat.NAMESPACE + "\"> or <database …>, but here is <" + name + ">"
+                + Similar.suggestion(name, List.of("scene", "database"));
+    }
+
+    private String unexpected(List<String> path) {
+        String element = last(path);
+        String parent = path.size() > 1 ? path.get(path.size() - 2) : "";
+        if (element.startsWith("{")) {
+            return "<" + parent + "> must hold elements of the namespace " + SceneFormat.NAMESPACE + " only, but here is <"
+                    + element.substring(element.indexOf('}') + 1) + "> of " + (element.startsWith("{}") ? "none" : "\"" + namespace(element) + "\"");
+        }
+        if (SURFACES.contains(element) && OPERATIONS.contains(parent)) {
+            return "a " + element + " has no inside, so <" + parent + "> cannot use it; give it "
+                    + (element.equals("disc") ? "a <cylinder>" : "a <block>");
+        }
+        Map<String, String> allowed = grammar.children(grammar.type(path.subList(0, path.size() - 1)));
+        if (allowed.containsKey(element)) {
+            return element.equals("material") ? "<material> must come first, and once, within <" + parent + ">"
+                    : "there must be only one <" + element + "> within <" + parent + ">";
+        }
+        if (allowed.isEmpty()) {
+            return "<" + parent + "> holds no elements, but here is <" + element + ">";
+        }
+        String known = grammar.allElements().contains(element) ? " here" : "";
+        return "<" + parent + "> has no element <" + element + ">" + known + Wording.suggestion(element, allowed.keySet());
+    }
+
+    private void unknownAttributes(String element, String type, Attributes found, int line, int column) {
+        Map<String, String> known = grammar.attributes(type);
+        Set<String> free = new TreeSet<>(known.keySet());
+        for (int i = 0; i < found.getLength(); i++) {
+            free.remove(found.getQName(i));
+        }
+        for (int i = 0; i < found.getLength(); i++) {
+            String name = found.getQName(i);
+            if (!known.containsKey(name) && !found.getURI(i).equals(XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI)) {
+                problems.add(line, column, "<" + element + "> has no attribute \"" + name + "\"" + Wording.suggestion(name, free));
+            } else if (found.getURI(i).equals(XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI) && !found.getLocalName(i).endsWith("chemaLocation")) {
+                problems.add(line, column, "<" + element + "> must not have xsi:type or xsi:nil; remove them");
+            }
+        }
+    }
+
+    /** One that is there under a misspelt name is not called missing as well. */
+    private void missingAttributes(String element, String type, Attributes found, int line, int column) {
+        Set<String> misspelt = new TreeSet<>();
+        for (int i = 0; i < found.getLength(); i++) {
+            if (!grammar.attributes(type).containsKey(found.getQName(i))) {
+                Wording.meant(found.getQName(i), grammar.attributes(type).keySet()).ifPresent(misspelt::add);
+            }
+        }
+        for (String name : grammar.required(type)) {
+            if (found.getValue(name) == null && !misspelt.contains(name)) {
+                String wanted = grammar.expected(grammar.attributes(type).getOrDefault(name, ""));
+                problems.add(line, column, "<" + element + "> needs the attribute " + name + ", " + wanted);
+            }
+        }
+    }
+
+    private void wrongValue(String message, String element, String type, Attributes found, int line, int column) {
+        // … of attribute 'radius' on element …: the last such words, because the value before them is a stranger's.
+        String before = " of attribute '";
+        int start = message.lastIndexOf(before) + before.length();
+        String name = message.substring(start, Math.max(start, message.indexOf('\'', start)));
+        String value = String.valueOf(found.getValue(name));
+        String typeOfValue = grammar.attributes(type).getOrDefault(name, "");
+        String expected = grammar.expected(typeOfValue);
+        String quoted = "\"" + PlainText.of(value, LONGEST_QUOTE) + "\"";
+        problems.add(line, column, element + " " + name + " must be " + expected + ", but "
+                + LookAlikes.in(value).filter(anything -> !typeOfValue.equals("name")).map(odd -> "has " + odd + ": " + quoted).orElseGet(() ->
+                        isWrongCount(expected, value) ? "has " + new StringTokenizer(value).countTokens() + ": " + quoted : "is " + quoted)
+                + (typeOfValue.equals("color") ? Similar.suggestion(value.strip(), ColorWords.names()) : ""));
+    }
+
+    /** Whether there are numbers, but too few or too many. */
+    private static boolean isWrongCount(String expected, String value) {
+        int count = 0;
+        for (StringTokenizer words = new StringTokenizer(value); words.hasMoreTokens(); count++) {
+            if ("+-.0123456789".indexOf(words.nextToken().charAt(0)) < 0) {
+                return false;
+            }
+        }
+        int wanted = expected.startsWith("three ") ? 3 : expected.startsWith("two ") ? 2 : count;
+        return count > 0 && (expected.startsWith("one ") ? count != 1 && count != 3 : count != wanted);
+    }
+
+    private static String last(List<String> path) {
+        return path.get(path.size() - 1);
+    }
+
+    private static String namespace(String element) {
+        return PlainText.of(element.substring(1, element.indexOf('}')), LONGEST_QUOTE);
+    }
+}

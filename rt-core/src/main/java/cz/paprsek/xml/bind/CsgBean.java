@@ -1,0 +1,73 @@
+package cz.paprsek.xml.bind;
+
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Csg.Operation;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Solid;
+import jakarta.xml.bind.annotation.XmlAccessType;
+import jakarta.xml.bind.annotation.XmlAccessorType;
+import jakarta.xml.bind.annotation.XmlElement;
+import jakarta.xml.bind.annotation.XmlElements;
+import java.util.ArrayList;
+import java.util.List;
+
+/** {@code <union>}, {@code <difference>} and {@code <intersection>}. */
+@XmlAccessorType(XmlAccessType.FIELD)
+abstract class CsgBean extends ShapeBean {
+    @XmlElements({
+        @XmlElement(name = "sphere", type = ShapeBeans.SphereBean.class),
+        @XmlElement(name = "block", type = ShapeBeans.BlockBean.class),
+        @XmlElement(name = "ellipsoid", type = ShapeBeans.EllipsoidBean.class),
+        @XmlElement(name = "plane", type = ShapeBeans.PlaneBean.class),
+        @XmlElement(name = "cylinder", type = ShapeBeans.CylinderBean.class),
+        @XmlElement(name = "cone", type = ShapeBeans.ConeBean.class),
+        @XmlElement(name = "torus", type = ShapeBeans.TorusBean.class),
+        @XmlElement(name = "union", type = CsgBean.UnionBean.class),
+        @XmlElement(name = "difference", type = CsgBean.DifferenceBean.class),
+        @XmlElement(name = "intersection", type = CsgBean.IntersectionBean.class)})
+    List<ShapeBean> operands = new ArrayList<>();
+
+    abstract Operation operation();
+
+    @Override
+    Shape toShape(Problems problems) {
+        List<Operand> made = new ArrayList<>();
+        for (ShapeBean bean : operands) {
+            Operand operand = problems.make(bean,
+                    () -> new Operand(bean.name, (Solid) bean.toShape(problems), bean.toPlacement(), bean.toMaterial()));
+            if (operand != null) {
+                made.add(operand);
+            }
+        }
+        if (made.isEmpty() || made.size() < operands.size()) {
+            // The schema sees to it that there is an operand; one that is missing here was refused.
+            throw new Problems.ToldAlready();
+        }
+        return new Csg(operation(), made);
+    }
+
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class UnionBean extends CsgBean {
+        @Override
+        Operation operation() {
+            return Operation.UNION;
+        }
+    }
+
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class DifferenceBean extends CsgBean {
+        @Override
+        Operation operation() {
+            return Operation.DIFFERENCE;
+        }
+    }
+
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class IntersectionBean extends CsgBean {
+        @Override
+        Operation operation() {
+            return Operation.INTERSECTION;
+        }
+    }
+}

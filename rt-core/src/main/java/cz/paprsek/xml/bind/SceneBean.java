@@ -1,0 +1,161 @@
+package cz.paprsek.xml.bind;
+
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SceneRules;
+import cz.paprsek.text.Similar;
+import jakarta.xml.bind.annotation.XmlAccessType;
+import jakarta.xml.bind.annotation.XmlAccessorType;
+import jakarta.xml.bind.annotation.XmlAttribute;
+import jakarta.xml.bind.annotation.XmlElement;
+import jakarta.xml.bind.annotation.XmlElements;
+import jakarta.xml.bind.annotation.XmlRootElement;
+import jakarta.xml.bind.annotation.XmlType;
+import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+
+/** {@code <scene>} and what only a scene holds. */
+@XmlRootElement(name = "scene")
+@XmlAccessorType(XmlAccessType.FIELD)
+@XmlType(propOrder = {})
+final class SceneBean extends Located {
+    @XmlAttribute String name = "";
+    @XmlAttribute List<String> tags = new ArrayList<>();
+    @XmlElement String description = "";
+    @XmlElement RenderBean render = new RenderBean();
+    @XmlElement @Nullable ColoredBean background;
+    @XmlElement @Nullable ColoredBean ambient;
+    @XmlElement @Nullable CameraBean camera;
+    @XmlElement(name = "point-light") List<LightBean> lights = new ArrayList<>();
+    @XmlElement(name = "material") List<MaterialBean> materials = new ArrayList<>();
+    @XmlElements({
+        @XmlElement(name = "sphere", type = ShapeBeans.SphereBean.class),
+        @XmlElement(name = "block", type = ShapeBeans.BlockBean.class),
+        @XmlElement(name = "ellipsoid", type = ShapeBeans.EllipsoidBean.class),
+        @XmlElement(name = "rectangle", type = ShapeBeans.RectangleBean.class),
+        @XmlElement(name = "disc", type = ShapeBeans.DiscBean.class),
+        @XmlElement(name = "plane", type = ShapeBeans.PlaneBean.class),
+        @XmlElement(name = "cylinder", type = ShapeBeans.CylinderBean.class),
+        @XmlElement(name = "cone", type = ShapeBeans.ConeBean.class),
+        @XmlElement(name = "torus", type = ShapeBeans.TorusBean.class),
+        @XmlElement(name = "union", type = CsgBean.UnionBean.class),
+        @XmlElement(name = "difference", type = CsgBean.DifferenceBean.class),
+        @XmlElement(name = "intersection", type = CsgBean.IntersectionBean.class)})
+    List<ShapeBean> objects = new ArrayList<>();
+
+    /** The scene; null, and at least one problem reported, if there is none. */
+    @Nullable Scene toScene(Problems problems) {
+        if (camera == null && Similar.nearest("camera", problems.skipped()).isEmpty()) {
+            problems.add(this, "a scene needs a camera; add <camera position=\"0 1 5\" direction=\"0 0 -1\"/>");
+        }
+        Camera eye = camera == null ? null : problems.make(camera, camera::toCamera);
+        checkTexts(problems);
+        Map<String, Material> named = named(problems);
+        List<Light> lamps = made(lights, problems, LightBean::toLight);
+        List<SceneObject> made = made(objects, problems, bean -> bean.toObject(problems));
+        // References to materials that were refused are no fault of those who refer.
+        if (Similar.nearest("material", problems.skipped()).isEmpty()) {
+            SceneRules.check(lamps, named, made, (culprit, sentence) -> problems.add(problems.origin(culprit, this), sentence));
+        }
+        return problems.size() > 0 || eye == null ? null
+                : new Scene(name, description, tags, render.toSettings(), background == null ? Rgb.BLACK : background.color,
+                        ambient == null ? Rgb.BLACK : ambient.color, eye, lamps, named, made);
+    }
+
+    private static <B extends Located, T> List<T> made(List<B> beans, Problems problems, Function<B, T> maker) {
+        List<T> made = new ArrayList<>(beans.size());
+        for (B bean : beans) {
+            T one = problems.make(bean, () -> maker.apply(bean));
+            if (one != null) {
+                made.add(one);
+            }
+        }
+        return made;
+    }
+
+    /** The materials by name. One that refuses counts as there, so that only itself is a problem. */
+    private Map<String, Material> named(Problems problems) {
+        Map<String, Material> named = new LinkedHashMap<>();
+        for (MaterialBean bean : materials) {
+            Material material = problems.make(bean, bean::toMaterial);
+            if (named.put(bean.name, material == null ? Material.DEFAULT : material) != null) {
+                problems.add(bean, "there is already a material named \"" + bean.name + "\" here; give one of them another name");
+            }
+        }
+        return named;
+    }
+
+    private void checkTexts(Problems problems) {
+        try {
+            if (!name.isEmpty()) {
+                SceneRules.checkName("scene name", name);
+            }
+            tags.forEach(tag -> SceneRules.checkName("scene tag", tag));
+        } catch (IllegalArgumentException refused) {
+            problems.add(this, String.valueOf(refused.getMessage()));
+        }
+    }
+
+    /** {@code <render>}. */
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class RenderBean extends Located {
+        @XmlAttribute int width = RenderSettings.DEFAULT.width();
+        @XmlAttribute int height = RenderSettings.DEFAULT.height();
+        @XmlAttribute(name = "max-depth") int maxDepth = RenderSettings.DEFAULT.maxDepth();
+        @XmlAttribute int samples = RenderSettings.DEFAULT.samples();
+
+        RenderSettings toSettings() {
+            return new RenderSettings(width, height, maxDepth, samples);
+        }
+    }
+
+    /** {@code <background>} and {@code <ambient>}. */
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class ColoredBean extends Located {
+        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Color.class) Rgb color = Rgb.BLACK;
+    }
+
+    /** {@code <camera>}. */
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class CameraBean extends Located {
+        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 position = Vec3.ZERO;
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 direction;
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 target;
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 up = Camera.DEFAULT.up();
+        @XmlAttribute double fovy = Camera.DEFAULT.fovy();
+
+        Camera toCamera() {
+            Require.that(direction != null || target != null, "<camera> needs a direction or a target");
+            Require.that(direction == null || target == null, "<camera> has either a direction or a target, not both; remove one of them");
+            Camera.Aim aim = direction != null ? new Camera.Direction(direction)
+                    : new Camera.Target(Objects.requireNonNull(target));
+            return new Camera(position, aim, up, fovy);
+        }
+    }
+
+    /** {@code <point-light>}. */
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class LightBean extends Located {
+        @XmlAttribute String name = "";
+        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 position = Vec3.ZERO;
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb color = Rgb.WHITE;
+        @XmlAttribute double intensity = 1;
+
+        Light toLight() {
+            return new Light(name, position, color, intensity);
+        }
+    }
+}

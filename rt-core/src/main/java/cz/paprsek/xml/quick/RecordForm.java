@@ -1,0 +1,72 @@
+package cz.paprsek.xml.quick;
+
+import cz.paprsek.attribute.Described;
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.RecordComponent;
+import java.util.Arrays;
+import java.util.List;
+
+/** What stands at the components of a record: which attributes it is made of, and how. */
+final class RecordForm<R extends Record> {
+    private static final int NO_ATTRIBUTE = -1;
+
+    private final Constructor<R> constructor;
+    private final List<Slot> slots;
+    /** For each component, which attribute has its value. */
+    private final int[] places;
+
+    RecordForm(Class<R> type) {
+        RecordComponent[] components = type.getRecordComponents();
+        List<Described> described = Described.of(type);
+        List<String> names = described.stream().map(one -> one.component().getName()).toList();
+        slots = described.stream().map(Slot::of).toList();
+        places = Arrays.stream(components).mapToInt(component -> names.indexOf(component.getName())).toArray();
+        try {
+            constructor = type.getConstructor(Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new));
+        } catch (NoSuchMethodException e) {
+            throw new IllegalStateException("every record has this constructor", e);
+        }
+    }
+
+    /** In the order of the components. */
+    List<Slot> slots() {
+        return slots;
+    }
+
+    /**
+     * Makes the record.
+     *
+     * @param values of the attributes, among those of others
+     * @param from where they begin
+     * @param others the values of components that are no attributes, in their order
+     * @throws Unusual if the record refuses
+     */
+    R make(Object[] values, int from, Object... others) {
+        Object[] arguments = new Object[places.length];
+        int other = 0;
+        for (int i = 0; i < arguments.length; i++) {
+            arguments[i] = places[i] == NO_ATTRIBUTE ? others[other++] : values[from + places[i]];
+        }
+        try {
+            return constructor.newInstance(arguments);
+        } catch (InvocationTargetException e) {
+            if (e.getCause() instanceof IllegalArgumentException) {
+                throw new Unusual();
+            }
+            throw new IllegalStateException("a record failed: " + e.getCause(), e);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException("a record is not to be made as its components say", e);
+        }
+    }
+
+    /** Whether all values are what they are if they are not given. */
+    boolean isStandard(Object[] values, int from) {
+        for (int i = 0; i < slots.size(); i++) {
+            if (!slots.get(i).otherwise().equals(values[from + i])) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,150 @@
+package cz.paprsek.xml.quick;
+
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SceneRules;
+import cz.paprsek.xml.format.SceneFormat;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** Reads {@code <scene>}: what is inside comes in any order. */
+final class WholeSceneReader {
+    private static final byte[] SCENE = Slot.ascii("scene");
+    private static final byte[] DESCRIPTION = Slot.ascii("description");
+    private static final byte[] RENDER = Slot.ascii("render");
+    private static final byte[] BACKGROUND = Slot.ascii("background");
+    private static final byte[] AMBIENT = Slot.ascii("ambient");
+    private static final byte[] CAMERA = Slot.ascii("camera");
+    private static final byte[] LIGHT = Slot.ascii("point-light");
+
+    private static final RecordForm<RenderSettings> SETTINGS = new RecordForm<>(RenderSettings.class);
+    private static final RecordForm<Camera> EYE = new RecordForm<>(Camera.class);
+    private static final RecordForm<Light> LAMP = new RecordForm<>(Light.class);
+    private static final Slot NAME = Slot.optional("name", ValueForm.TEXT, Slot.NONE);
+    private static final TagForm SCENE_TAG = new TagForm(List.of(NAME), List.of(Slot.optional("tags", ValueForm.WORDS, List.of())));
+    private static final TagForm SETTINGS_TAG = new TagForm(List.of(), SETTINGS.slots());
+    private static final TagForm COLOR_TAG = new TagForm(List.of(), List.of(Slot.required("color", ValueForm.COLOR)));
+    private static final TagForm EYE_TAG = new TagForm(
+            List.of(Slot.optional("direction", ValueForm.VECTOR, Slot.NONE), Slot.optional("target", ValueForm.VECTOR, Slot.NONE)), EYE.slots());
+    private static final TagForm LAMP_TAG = new TagForm(List.of(NAME), LAMP.slots());
+
+    private final Markup markup;
+    private final double[] room;
+    private final MaterialReader materials;
+    private final ShapeReader shapes;
+
+    /** @param room for three numbers */
+    WholeSceneReader(Markup markup, double[] room) {
+        this.markup = markup;
+        this.room = room;
+        materials = new MaterialReader(markup, room);
+        shapes = new ShapeReader(markup, room, materials);
+    }
+
+    /** What has been read of the scene at hand; null for what must come once at most, and has not come. */
+    private static final class Parts {
+        private @Nullable String description;
+        private @Nullable RenderSettings settings;
+        private @Nullable Rgb background;
+        private @Nullable Rgb ambient;
+        private @Nullable Camera camera;
+        private final List<Light> lights = new ArrayList<>();
+        private final Map<String, Material> materials = new LinkedHashMap<>();
+        private final List<SceneObject> objects = new ArrayList<>();
+    }
+
+    /** The scene whose start tag is at hand, and which is the whole file. */
+    Scene readRoot() throws IOException {
+        Unusual.unless(markup.isNamed(SCENE));
+        return scene(SCENE_TAG.readRoot(markup, room), 1);
+    }
+
+    /** The scene whose start tag is at hand. */
+    Scene read(int depth) throws IOException {
+        Unusual.unless(markup.isNamed(SCENE));
+        return scene(SCENE_TAG.read(markup, room), depth);
+    }
+
+    @SuppressWarnings("unchecked") // Words come in a list.
+    private Scene scene(Object[] values, int depth) throws IOException {
+        Parts parts = new Parts();
+        if (markup.hasContent(depth)) {
+            while (markup.nextTag()) {
+                part(parts, depth + 1);
+            }
+            markup.endTag(SCENE);
+        }
+        String name = (String) values[0];
+        if (!name.isEmpty()) {
+            SceneRules.checkName("scene name", name);
+        }
+        List<String> tags = (List<String>) values[1];
+        tags.forEach(tag -> SceneRules.checkName("scene tag", tag));
+        if (parts.camera == null) {
+            throw new Unusual();
+        }
+        return new Scene(name, parts.description == null ? "" : parts.description, tags, parts.settings == null ? RenderSettings.DEFAULT : parts.settings,
+                parts.background == null ? Rgb.BLACK : parts.background, parts.ambient == null ? Rgb.BLACK : parts.ambient,
+                parts.camera, parts.lights, parts.materials, parts.objects);
+    }
+
+    private void part(Parts parts, int depth) throws IOException {
+        if (markup.isNamed(LIGHT)) {
+            Object[] values = leaf(LAMP_TAG, LIGHT, depth);
+            parts.lights.add(LAMP.make(values, 1, values[0]));
+        } else if (markup.isNamed(MaterialReader.ELEMENT)) {
+            MaterialReader.Named named = materials.read(depth);
+            Unusual.unless(parts.materials.put(named.name(), named.material()) == null);
+        } else if (markup.isNamed(CAMERA)) {
+            Unusual.unless(parts.camera == null);
+            parts.camera = camera(leaf(EYE_TAG, CAMERA, depth));
+        } else if (markup.isNamed(RENDER)) {
+            Unusual.unless(parts.settings == null);
+            parts.settings = SETTINGS.make(leaf(SETTINGS_TAG, RENDER, depth), 0);
+        } else if (markup.isNamed(BACKGROUND)) {
+            Unusual.unless(parts.background == null);
+            parts.background = (Rgb) leaf(COLOR_TAG, BACKGROUND, depth)[0];
+        } else if (markup.isNamed(AMBIENT)) {
+            Unusual.unless(parts.ambient == null);
+            parts.ambient = (Rgb) leaf(COLOR_TAG, AMBIENT, depth)[0];
+        } else if (markup.isNamed(DESCRIPTION)) {
+            Unusual.unless(parts.description == null);
+            parts.description = text(DESCRIPTION);
+        } else {
+            parts.objects.add(shapes.object(depth));
+        }
+    }
+
+    private static Camera camera(Object[] values) {
+        Unusual.unless(values[0] == Slot.NONE != (values[1] == Slot.NONE));
+        return EYE.make(values, 2, values[0] instanceof Vec3 direction ? new Camera.Direction(direction) : new Camera.Target((Vec3) values[1]));
+    }
+
+    /** The attributes of an element that has nothing inside. */
+    private Object[] leaf(TagForm tag, byte[] element, int depth) throws IOException {
+        Object[] values = tag.read(markup, room);
+        markup.noContent(element, depth);
+        return values;
+    }
+
+    private String text(byte[] element) throws IOException {
+        Unusual.unless(!markup.nextAttribute());
+        if (markup.isEmptyElement()) {
+            return "";
+        }
+        String text = markup.content();
+        Unusual.unless(text.length() <= SceneFormat.LONGEST_DESCRIPTION && !markup.nextTag());
+        markup.endTag(element);
+        return text;
+    }
+}

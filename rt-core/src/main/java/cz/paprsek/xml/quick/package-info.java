@@ -1,0 +1,2 @@
+/** Reads good files, and those of the common kind only, in no time: straight into records, by what stands at their components. */
+package cz.paprsek.xml.quick;
