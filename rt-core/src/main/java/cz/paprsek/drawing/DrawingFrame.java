@@ -7,6 +7,7 @@ import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Outline;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
@@ -35,8 +36,8 @@ public record DrawingFrame(Scene scene, Set<Integer> objects, Vec3 middle, doubl
         Set<Integer> objects = new TreeSet<>();
         Bounds box = collect(outline, objects);
         if (outline.ray().encounter().isPresent()) {
-            SceneObject first = scene.objects().get(outline.ray().encounter().get().place().surface().object());
-            Bounds around = first.shape().bounds().transformed(first.placement().toParent());
+            BodyAt first = outline.ray().encounter().get().place().surface().part().object();
+            Bounds around = first.in(scene).shape().bounds().transformed(first.toWorld(scene));
             box = around.isFinite() ? box.union(around) : box;
         }
         if (box.isEmpty()) {
@@ -53,7 +54,7 @@ public record DrawingFrame(Scene scene, Set<Integer> objects, Vec3 middle, doubl
         Bounds box = Bounds.EMPTY;
         if (outline.ray().encounter().isPresent()) {
             Encounter.Place place = outline.ray().encounter().get().place();
-            objects.add(place.surface().object());
+            objects.add(place.surface().part().object().index());
             box = Bounds.of(place.point(), place.point());
         }
         for (Outline child : outline.children()) {

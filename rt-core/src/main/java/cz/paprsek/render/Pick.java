@@ -2,27 +2,21 @@ package cz.paprsek.render;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.eye.Eye;
-import cz.paprsek.render.integrate.PartNames;
+import cz.paprsek.render.integrate.PartPaths;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
-import java.util.List;
 import java.util.Optional;
 
 /**
  * What is seen at a point of the picture.
  *
- * @param object number of the object in the scene's list
- * @param operands numbers that lead from the object through nested CSG operations to the primitive whose surface is seen; empty if the object
- *         is no CSG
+ * @param body the object, or within an operation the primitive, whose surface is seen
  * @param point where the surface is, world space
  * @param distance from the eye, scene units
  */
-public record Pick(int object, List<Integer> operands, Vec3 point, double distance) {
-    public Pick {
-        operands = List.copyOf(operands);
-    }
-
+public record Pick(BodyAt body, Vec3 point, double distance) {
     /**
      * Looks along the ray through a point of the picture.
      *
@@ -39,9 +33,8 @@ public record Pick(int object, List<Integer> operands, Vec3 point, double distan
             return Optional.empty();
         }
         int object = scene.world().parts().object(ray.part);
-        List<Integer> path = new PartNames(object, scene.scene().objects().get(object)).names()
-                .get(ray.part - scene.world().parts().firstOfObject(ray.part)).path().numbers();
+        BodyAt body = PartPaths.of(scene.scene(), object).get(ray.part - scene.world().parts().firstOfObject(ray.part));
         Vec3 point = new Vec3(ray.ox + ray.max * ray.dx, ray.oy + ray.max * ray.dy, ray.oz + ray.max * ray.dz);
-        return Optional.of(new Pick(object, path.subList(1, path.size()), point, ray.max));
+        return Optional.of(new Pick(body, point, ray.max));
     }
 }

@@ -15,6 +15,8 @@ import java.util.List;
 public record Block(
         @Attribute(value = Kind.VECTOR, means = "Below max along every axis") Vec3 min,
         @Attribute(value = Kind.VECTOR, means = "Above min along every axis") Vec3 max) implements Solid {
+    private static final List<Face> FACES = List.of(Face.MINUS_X, Face.PLUS_X, Face.MINUS_Y, Face.PLUS_Y, Face.MINUS_Z, Face.PLUS_Z);
+
     public Block {
         Require.place("block min", min);
         Require.place("block max", max);
@@ -27,8 +29,8 @@ public record Block(
     }
 
     @Override
-    public String faceName(int face) {
-        return (face % 2 == 0 ? "−" : "+") + "xyz".charAt(face / 2) + " face";
+    public Face face(int number) {
+        return FACES.get(number);
     }
 
     @Override

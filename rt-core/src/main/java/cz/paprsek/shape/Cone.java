@@ -28,8 +28,8 @@ public record Cone(
     }
 
     @Override
-    public String faceName(int face) {
-        return face == Placed.SIDE ? "side" : face == Placed.BOTTOM ? "bottom" : "top";
+    public Face face(int number) {
+        return number == Placed.SIDE ? Face.SIDE : number == Placed.BOTTOM ? Face.BOTTOM : Face.TOP;
     }
 
     @Override

@@ -14,9 +14,33 @@ public sealed interface Shape permits Solid, Rectangle, Disc {
         return getClass().getSimpleName().toLowerCase(Locale.ROOT);
     }
 
-    /** The name of a face, such as {@code top}, by its own numbering; {@code surface} if there is only one. */
-    default String faceName(int face) {
-        return "surface";
+    /** A face of a shape. */
+    enum Face {
+        /** That of a shape which has no others. */
+        ONLY("surface"),
+        SIDE("side"), BOTTOM("bottom"), TOP("top"),
+        MINUS_X("−x face"), PLUS_X("+x face"), MINUS_Y("−y face"), PLUS_Y("+y face"), MINUS_Z("−z face"), PLUS_Z("+z face");
+
+        private final String text;
+
+        Face(String text) {
+            this.text = text;
+        }
+
+        /** Its name in English. */
+        public String text() {
+            return text;
+        }
+
+        /** The direction a face of a block looks in, such as {@code −x}. */
+        public String axis() {
+            return text.substring(0, 2);
+        }
+    }
+
+    /** The face of a number, by its own numbering. */
+    default Face face(int number) {
+        return Face.ONLY;
     }
 
     /** The box around the shape in its own space; may be unbounded. */

@@ -12,12 +12,15 @@ import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Refraction;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Plane;
+import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
@@ -71,7 +74,7 @@ class HandCalculationTest {
                 .plus(SceneObject.of(new Sphere(1)).named("ball").madeOf(Material.color(grey(0.5)).withDiffusion(0.5).withHighlight(0.25, 2)))
                 .plus(SceneObject.of(new Sphere(0.5)).named("screen").at(1.5, 0, 3)));
         Encounter met = ray.encounter().orElseThrow();
-        assertThat(met.place().surface()).hasToString("sphere \"ball\"");
+        assertThat(label(met.place().surface())).isEqualTo("sphere \"ball\"");
         assertThat(met.place().distance()).isCloseTo(4, EXACT);
         assertIsAt(met.place().point(), 0, 0, 1);
         assertIsAt(met.place().normal(), 0, 0, 1);
@@ -91,7 +94,7 @@ class HandCalculationTest {
         assertThat(blocked.facing()).isCloseTo(0.8, EXACT);
         assertThat(blocked.visibility()).isZero();
         assertThat(blocked.obstacles()).singleElement().satisfies(obstacle -> {
-            assertThat(obstacle.surface()).hasToString("sphere \"screen\"");
+            assertThat(label(obstacle.surface())).isEqualTo("sphere \"screen\"");
             assertThat(obstacle.distance()).isCloseTo(2, EXACT);
         });
 
@@ -117,7 +120,7 @@ class HandCalculationTest {
                 .plus(SceneObject.of(new Block(new Vec3(-10, -1, -10), new Vec3(10, 0, 10))).named("slab").madeOf(glass))
                 .plus(SceneObject.of(new Plane()).named("floor").at(0, -4, 0).madeOf(Material.color(grey(0.5)))));
         Encounter entering = first.encounter().orElseThrow();
-        assertThat(entering.place().face()).isEqualTo("+y face");
+        assertThat(entering.place().face()).isEqualTo(Shape.Face.PLUS_Y);
         assertThat(entering.place().distance()).isCloseTo(5, EXACT);
         Refraction in = entering.refraction().orElseThrow();
         assertThat(in.from()).isEqualTo(1);
@@ -129,7 +132,7 @@ class HandCalculationTest {
         assertIsAt(second.direction(), 0.6, -0.8, 0);
         assertThat(second.medium().refractiveIndex()).isEqualTo(4.0 / 3);
         Encounter leaving = second.encounter().orElseThrow();
-        assertThat(leaving.place().face()).isEqualTo("−y face");
+        assertThat(leaving.place().face()).isEqualTo(Shape.Face.MINUS_Y);
         assertThat(leaving.place().fromInside()).isTrue();
         assertThat(leaving.place().distance()).isCloseTo(1.25, EXACT);
         assertIsAt(leaving.place().point(), 0.75, -1, 0);
@@ -137,7 +140,7 @@ class HandCalculationTest {
 
         TracedRay third = leaving.refracted().orElseThrow();
         assertIsAt(third.direction(), 0.8, -0.6, 0);
-        assertThat(third.medium().name()).isEmpty();
+        assertThat(third.medium().solid()).isEmpty();
         Encounter floor = third.encounter().orElseThrow();
         assertIsAt(floor.place().point(), 4.75, -4, 0);
         assertThat(floor.place().distance()).isCloseTo(5, EXACT);
@@ -159,7 +162,7 @@ class HandCalculationTest {
         TracedRay first = onlyPixel(scene(new Vec3(0, -3, 0), new Vec3(0.8, 0.6, 0), 2)
                 .withAmbient(grey(0.2))
                 .plus(SceneObject.of(new Block(new Vec3(-50, -6, -50), new Vec3(50, 0, 50))).named("block").madeOf(glass)));
-        assertThat(first.medium().name()).isEqualTo("block \"block\"");
+        assertThat(label(first.medium().solid().orElseThrow())).isEqualTo("block \"block\"");
         Encounter top = first.encounter().orElseThrow();
         assertIsAt(top.place().point(), 4, 0, 0);
         assertIsAt(top.place().normal(), 0, 1, 0);
@@ -177,5 +180,9 @@ class HandCalculationTest {
         assertThat(bottom.cutOff()).isTrue();
         assertIsGrey(second.light(), 0.1);
         assertIsGrey(first.light(), 0.175);
+    }
+
+    private static String label(InScene<BodyAt> body) {
+        return body.part().label(body.scene());
     }
 }

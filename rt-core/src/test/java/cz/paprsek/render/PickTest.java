@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Sphere;
-import java.util.List;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
@@ -27,19 +27,17 @@ class PickTest {
     @Test
     void thePrimitiveThatIsSeenIsFoundInNestedOperations() {
         Pick bottomOfTheHole = at(16.5, 12.5);
-        assertThat(bottomOfTheHole.object()).isEqualTo(1);
-        assertThat(bottomOfTheHole.operands()).isEqualTo(List.of(1, 1));
+        assertThat(bottomOfTheHole.body()).isEqualTo(ScenePath.body(1, 1, 1));
         assertThat(bottomOfTheHole.distance()).isCloseTo(5, Offset.offset(1e-12));
         Pick besideTheHole = at(18.5, 12.5);
-        assertThat(besideTheHole.operands()).isEqualTo(List.of(1, 0));
+        assertThat(besideTheHole.body()).isEqualTo(ScenePath.body(1, 1, 0));
     }
 
     @Test
     void aPlainObjectHasNoOperands() {
         double column = 16.5 - 2 / (5 * 2 * Math.tan(Math.PI / 8)) * 25;
         Pick pick = at(column, 12.5);
-        assertThat(pick.object()).isZero();
-        assertThat(pick.operands()).isEmpty();
+        assertThat(pick.body()).isEqualTo(ScenePath.body(0));
         assertThat(pick.point().minus(new Vec3(-2, 0, 0)).length()).isCloseTo(1, Offset.offset(1e-12));
     }
 

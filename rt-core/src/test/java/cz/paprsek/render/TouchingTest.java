@@ -184,7 +184,7 @@ class TouchingTest {
                 if (alone.isPresent() && Math.abs(alone.get().place().normal().y()) > 0.9) {
                     seen++;
                     var met = all.explain(i % 80, i / 80).rays().get(0).encounter().orElseThrow();
-                    assertThat(met.place().surface().object()).as("at pixel %d", i).isZero();
+                    assertThat(met.place().surface().part().object().index()).as("at pixel %d", i).isZero();
                     assertThat(met.lights().get(0).visibility()).as("light at pixel %d", i).isEqualTo(1);
                 }
             }

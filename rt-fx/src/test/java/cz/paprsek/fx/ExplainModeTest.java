@@ -115,7 +115,7 @@ class ExplainModeTest {
         editor.gui.keys(KeyCode.DOWN);
         Outline chosen = Gui.on(() -> tree.getSelectionModel().getSelectedItem().getValue());
         assertThat(editor.model().selection())
-                .isEqualTo(java.util.Set.of(Item.body(chosen.ray().encounter().orElseThrow().place().surface().object())));
+                .isEqualTo(java.util.Set.of(Item.body(chosen.ray().encounter().orElseThrow().place().surface().part().object().index())));
         ExplainPane pane = pane();
         assertThat(Gui.on(() -> pane.drawnProperty().get().orElseThrow().highlighted())).isEqualTo(chosen.name());
     }

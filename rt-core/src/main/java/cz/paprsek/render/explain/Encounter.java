@@ -2,6 +2,9 @@ package cz.paprsek.render.explain;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.Shape;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -49,8 +52,8 @@ public record Encounter(
     /**
      * Where a ray has hit a surface.
      *
-     * @param surface which
-     * @param face the face's name, such as {@code side}; {@code surface} if there is only one
+     * @param surface whose: an object's, or within an operation that of a primitive
+     * @param face which of its faces
      * @param flipped whether a difference turned the surface inside out: it is the wall of a hole
      * @param fromInside whether the ray comes from inside the body, or on the −z side of a flat figure
      * @param distance from the ray's origin
@@ -63,8 +66,8 @@ public record Encounter(
      * @param mirrored R, the mirrored direction, of length 1
      */
     public record Place(
-            SurfacePath surface,
-            String face,
+            InScene<BodyAt> surface,
+            Shape.Face face,
             boolean flipped,
             boolean fromInside,
             double distance,

@@ -21,7 +21,7 @@ final class Exercise {
     List<Step> steps() {
         step(Topic.RAY, words.of("name.ray"), "o", "", Figures.of(ray.origin()));
         step(Topic.RAY, "", "d", "", Figures.of(ray.direction()));
-        say(Topic.RAY, words.of("name.medium"), (ray.medium().name().isEmpty() ? words.of("outside-all") : words.medium(ray.medium()))
+        say(Topic.RAY, words.of("name.medium"), ray.medium().solid().map(words::surface).orElse(words.of("outside-all"))
                 + words.of("medium", Figures.of(ray.medium().refractiveIndex())));
         ray.encounter().ifPresentOrElse(this::met, this::missed);
         return steps;

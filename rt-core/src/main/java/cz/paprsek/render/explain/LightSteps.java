@@ -10,7 +10,7 @@ import java.util.stream.Collectors;
 record LightSteps(Encounter met, LightTerm term, Words words, List<Step> steps) {
 
     void write() {
-        step(words.of("name.light", term.name()), words.of("towards", Figures.of(term.position())), "", Figures.of(term.direction()));
+        step(words.of("name.light", term.label()), words.of("towards", Figures.of(term.position())), "", Figures.of(term.direction()));
         step("", "N·L", Figures.of(met.place().towardsViewer()) + "·" + Figures.of(term.direction()), Figures.of(term.facing()));
         if (!term.isFacing()) {
             steps.add(Step.saying(Topic.SHADOW, "", words.of("turned-away")));

@@ -1,13 +1,15 @@
 package cz.paprsek.render.explain;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.List;
 
 /**
  * What one light adds at one point, and the shadow ray that went to look for it: V·I·(kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ).
  *
  * @param light its number in the scene, from 0
- * @param name its name, or its number if it has none
+ * @param name its name; empty for none
  * @param position of the light, world space
  * @param intensity I, its colour times its intensity
  * @param direction L, from the point to the light, of length 1
@@ -45,6 +47,11 @@ public record LightTerm(
                 diffuseShare, highlightShare, term);
     }
 
+    /** Its name in quotes; its number, from 1, if it has none. */
+    String label() {
+        return name.isEmpty() ? "#" + (light + 1) : "\"" + name + "\"";
+    }
+
     /** Whether the surface faces the light; if not, nobody looks what stands between. */
     public boolean isFacing() {
         return facing > 0;
@@ -56,5 +63,5 @@ public record LightTerm(
      * @param distance from the point
      * @param transparency kT, the share of the light it lets through
      */
-    public record Obstacle(SurfacePath surface, double distance, double transparency) {}
+    public record Obstacle(InScene<BodyAt> surface, double distance, double transparency) {}
 }

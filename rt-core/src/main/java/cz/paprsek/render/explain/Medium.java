@@ -1,9 +1,18 @@
 package cz.paprsek.render.explain;
 
+import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import java.util.Optional;
+
 /**
  * What a ray travels through.
  *
- * @param name of the solid entered last; empty outside of all
+ * @param solid the object entered last; empty outside of all
  * @param refractiveIndex relative to the vacuum
  */
-public record Medium(String name, double refractiveIndex) {}
+public record Medium(Optional<InScene<BodyAt>> solid, double refractiveIndex) {
+    /** Whether it is the inside of the object that a surface belongs to. */
+    boolean isInside(InScene<BodyAt> surface) {
+        return solid.isPresent() && solid.get().part().equals(surface.part().object());
+    }
+}

@@ -50,13 +50,13 @@ public record Outline(String name, TracedRay ray, double share, List<Outline> ch
             return kind + inside(words) + words.of("sees-background");
         }
         Encounter.Place place = ray.encounter().get().place();
-        boolean isInSame = place.fromInside() && place.surface().objectLabel().equals(ray.medium().name());
+        boolean isInSame = place.fromInside() && ray.medium().isInside(place.surface());
         return kind + (isInSame ? words.of("hits-from-inside", words.surface(place.surface()))
                 : inside(words) + words.of("hits", words.surface(place.surface())));
     }
 
     private String inside(Words words) {
-        return ray.medium().name().isEmpty() ? "" : words.of("inside", words.medium(ray.medium()));
+        return ray.medium().solid().map(solid -> words.of("inside", words.surface(solid))).orElse("");
     }
 
     /** The {@link #share} in percent, for people. */

@@ -9,7 +9,7 @@ record SumSteps(String name, TracedRay ray, Encounter met, Words words, List<Ste
     void write() {
         int before = steps.size();
         term(words.of("name.ambient"), met.ambient());
-        met.lights().forEach(light -> term(words.of("name.light", light.name()), light.added()));
+        met.lights().forEach(light -> term(words.of("name.light", light.label()), light.added()));
         met.reflected().ifPresent(child -> term(words.of("plus-mirrored", name + "R"), child.light().times(child.weight())));
         met.refracted().ifPresent(child -> term(words.of("plus-through", name + "T"), child.light().times(child.weight())));
         if (steps.size() == before + 1) {

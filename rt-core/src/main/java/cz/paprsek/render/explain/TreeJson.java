@@ -4,6 +4,8 @@ import cz.paprsek.attribute.Described;
 import cz.paprsek.io.Json;
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.LightTerm.Obstacle;
+import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.Locale;
 
 /** A pixel's tree as a JSON object, every number in full; colours are linear. */
@@ -25,7 +27,8 @@ public final class TreeJson {
                 .with("weight", ray.weight())
                 .with("origin", ray.origin())
                 .with("direction", ray.direction())
-                .with("medium", new Json().with("name", ray.medium().name()).with("refractive-index", ray.medium().refractiveIndex()));
+                .with("medium", new Json().with("name", ray.medium().solid().map(solid -> solid.part().label(solid.scene())).orElse(""))
+                        .with("refractive-index", ray.medium().refractiveIndex()));
         color(json, "light", ray.light());
         ray.encounter().ifPresent(met -> json.with("hit", of(met)));
         return json;
@@ -46,7 +49,7 @@ public final class TreeJson {
     private static Json of(Encounter.Place place) {
         return new Json()
                 .with("surface", of(place.surface()))
-                .with("face", place.face())
+                .with("face", place.face().text())
                 .with("flipped", place.flipped())
                 .with("from-inside", place.fromInside())
                 .with("distance", place.distance())
@@ -59,10 +62,10 @@ public final class TreeJson {
                 .with("mirrored", place.mirrored());
     }
 
-    private static Json of(SurfacePath path) {
+    private static Json of(InScene<BodyAt> surface) {
         return new Json()
-                .withNumbers("path", path.numbers().stream().mapToDouble(Integer::doubleValue).toArray())
-                .withTexts("names", path.labels());
+                .withNumbers("path", surface.part().numbers().stream().mapToDouble(Integer::doubleValue).toArray())
+                .withTexts("names", surface.part().way().map(step -> step.label(surface.scene())).toList());
     }
 
     private static Json of(Material material) {
@@ -74,7 +77,7 @@ public final class TreeJson {
     private static Json of(LightTerm term) {
         Json json = new Json()
                 .with("light", term.light())
-                .with("name", term.name())
+                .with("name", term.label())
                 .with("position", term.position());
         color(json, "intensity", term.intensity())
                 .with("direction", term.direction())

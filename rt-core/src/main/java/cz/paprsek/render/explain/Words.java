@@ -1,7 +1,10 @@
 package cz.paprsek.render.explain;
 
 import cz.paprsek.math.Require;
-import java.util.List;
+import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.Shape;
 import java.util.Locale;
 import java.util.ResourceBundle;
 import java.util.stream.Collectors;
@@ -10,7 +13,6 @@ import java.util.stream.Collectors;
 public final class Words {
     public static final Words ENGLISH = new Words(Locale.ENGLISH);
     private static final Words CZECH = new Words(Locale.forLanguageTag("cs"));
-    private static final String AXIS_FACE = " face";
 
     private final ResourceBundle texts;
 
@@ -38,26 +40,19 @@ public final class Words {
         return text;
     }
 
-    String surface(SurfacePath path) {
-        return path.labels().stream().map(this::label).collect(Collectors.joining(" › "));
-    }
-
-    /** The name of a medium: the label of an object. */
-    String medium(Medium medium) {
-        return label(medium.name());
+    /** What a body is called, from the outermost operation inwards, such as {@code difference "bowl" › sphere "hollow"}. */
+    String surface(InScene<BodyAt> surface) {
+        Scene scene = surface.scene();
+        return surface.part().way().map(step -> of("kind." + step.in(scene).shape().kind()) + " " + step.nameOrNumber(scene))
+                .collect(Collectors.joining(" › "));
     }
 
     /** What comes after the surface: its face if it has several. */
-    String face(String face) {
-        if (face.equals("surface")) {
-            return "";
-        }
-        return ", " + (face.endsWith(AXIS_FACE) ? of("face.axis", face.substring(0, face.length() - AXIS_FACE.length())) : of("face." + face));
-    }
-
-    /** A kind and a name, such as {@code sphere "ball"}: only the kind has words of its own. */
-    private String label(String label) {
-        List<String> words = List.of(label.split(" ", 2));
-        return words.size() < 2 ? label : of("kind." + words.get(0)) + " " + words.get(1);
+    String face(Shape.Face face) {
+        return switch (face) {
+            case ONLY -> "";
+            case SIDE, BOTTOM, TOP -> ", " + of("face." + face.text());
+            default -> ", " + of("face.axis", face.axis());
+        };
     }
 }

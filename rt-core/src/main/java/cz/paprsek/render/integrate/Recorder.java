@@ -6,15 +6,17 @@ import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Medium;
 import cz.paprsek.render.explain.Refraction;
-import cz.paprsek.render.explain.SurfacePath;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
+import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Light;
-import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Hit;
 import cz.paprsek.shape.Ray;
+import cz.paprsek.shape.Shape;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -29,7 +31,7 @@ public final class Recorder extends Whitted {
     private final int maxDepth;
     private final LinearRgb ambient;
     private final ShadowWalk shadowWalk;
-    private final Map<Integer, List<PartNames.Name>> names = new HashMap<>();
+    private final Map<Integer, List<BodyAt>> paths = new HashMap<>();
     private final List<TracedRay> trees = new ArrayList<>();
     private final Deque<Draft> open = new ArrayDeque<>();
     private TracedRay.Kind kind = TracedRay.Kind.PRIMARY;
@@ -40,7 +42,7 @@ public final class Recorder extends Whitted {
         this.scene = scene;
         this.maxDepth = maxDepth;
         this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());
-        this.shadowWalk = new ShadowWalk(scene, this::path);
+        this.shadowWalk = new ShadowWalk(scene, this::surface);
     }
 
     /** The rays from the eye traced so far. */
@@ -63,10 +65,10 @@ public final class Recorder extends Whitted {
     public void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
         Ray ray = level.ray;
         Hit hit = level.hit;
-        PartNames.Name name = name(ray.part);
+        InScene<BodyAt> surface = surface(ray.part);
         boolean flipped = ray.face < 0;
         Vec3 towardsViewer = new Vec3(hit.nx, hit.ny, hit.nz);
-        Encounter.Place place = new Encounter.Place(name.path(), name.shape().faceName(flipped ? ~ray.face : ray.face), flipped, leaving,
+        Encounter.Place place = new Encounter.Place(surface, face(surface, flipped ? ~ray.face : ray.face), flipped, leaving,
                 ray.max, new Vec3(hit.px, hit.py, hit.pz), leaving ? towardsViewer.negated() : towardsViewer, towardsViewer,
                 hit.u, hit.v, cosine, new Vec3(mirrorX, mirrorY, mirrorZ));
         open.push(new Draft(begin(level), place, scene.parts().finish(ray.part).material,
@@ -80,7 +82,7 @@ public final class Recorder extends Whitted {
         Light light = scene.scene().lights().get(lamp);
         Lamp ready = scene.lamps()[lamp];
         Vec3 direction = new Vec3(x, y, z);
-        draft.lights.add(new LightTerm(lamp, light.name().isEmpty() ? "#" + (lamp + 1) : "\"" + light.name() + "\"", light.position(),
+        draft.lights.add(new LightTerm(lamp, light.name(), light.position(),
                 new LinearRgb(ready.red(), ready.green(), ready.blue()), direction, distance, facing, draft.place.mirrored().dot(direction), visibility,
                 facing > 0 && visibility < 1 ? shadowWalk.obstacles(draft.start, direction, distance) : List.of(),
                 0, 0, LinearRgb.BLACK));
@@ -107,7 +109,7 @@ public final class Recorder extends Whitted {
         Ray ray = level.ray;
         int around = level.media.innermost();
         return new TracedRay(kind, open.size() + 1, weight, new Vec3(ray.ox, ray.oy, ray.oz), new Vec3(ray.dx, ray.dy, ray.dz),
-                new Medium(around < 0 ? "" : names(around).get(0).path().objectLabel(), level.media.refractiveIndex()),
+                new Medium(around < 0 ? Optional.empty() : Optional.of(new InScene<>(scene.scene(), ScenePath.body(around))), level.media.refractiveIndex()),
                 Optional.empty(), light(level));
     }
 
@@ -121,17 +123,13 @@ public final class Recorder extends Whitted {
         }
     }
 
-    private SurfacePath path(int part) {
-        return name(part).path();
+    private static Shape.Face face(InScene<BodyAt> surface, int face) {
+        return surface.part().in(surface.scene()).shape().face(face);
     }
 
-    private PartNames.Name name(int part) {
-        return names(scene.parts().object(part)).get(part - scene.parts().firstOfObject(part));
-    }
-
-    private List<PartNames.Name> names(int number) {
-        SceneObject object = scene.scene().objects().get(number);
-        return names.computeIfAbsent(number, n -> new PartNames(n, object).names());
+    private InScene<BodyAt> surface(int part) {
+        List<BodyAt> ofObject = paths.computeIfAbsent(scene.parts().object(part), object -> PartPaths.of(scene.scene(), object));
+        return new InScene<>(scene.scene(), ofObject.get(part - scene.parts().firstOfObject(part)));
     }
 
     private static LinearRgb light(Level level) {

@@ -2,12 +2,13 @@ package cz.paprsek.render.integrate;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.LightTerm.Obstacle;
-import cz.paprsek.render.explain.SurfacePath;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Contacts;
 import cz.paprsek.render.surface.Media;
 import cz.paprsek.render.surface.PartTable;
 import cz.paprsek.render.surface.World;
+import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
 import java.util.ArrayList;
@@ -25,7 +26,7 @@ public final class ShadowWalk {
     private final Contacts contacts;
     private final Spans spans = new Spans();
     private final Ray ray = new Ray(spans);
-    private final IntFunction<SurfacePath> path;
+    private final IntFunction<InScene<BodyAt>> path;
 
     /**
      * Where a shadow ray starts.
@@ -38,7 +39,7 @@ public final class ShadowWalk {
      */
     public record Start(Vec3 point, double size, int part, boolean inwards, Media around, boolean atOnce) {}
 
-    public ShadowWalk(World scene, IntFunction<SurfacePath> path) {
+    public ShadowWalk(World scene, IntFunction<InScene<BodyAt>> path) {
         this.scene = scene;
         this.parts = scene.parts();
         this.bodies = scene.bodies();

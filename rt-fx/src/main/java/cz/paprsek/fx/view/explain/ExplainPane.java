@@ -9,9 +9,9 @@ import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.render.explain.SurfacePath;
 import cz.paprsek.render.explain.Words;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -52,7 +52,7 @@ public final class ExplainPane extends BorderPane {
     private final StepTable steps;
     private final SplitPane parts;
     private final ReadOnlyObjectWrapper<Optional<DrawnRays>> drawn = new ReadOnlyObjectWrapper<>(Optional.empty());
-    private BiConsumer<Scene, SurfacePath> onChosen = (scene, surface) -> {};
+    private BiConsumer<Scene, ScenePath.BodyAt> onChosen = (scene, surface) -> {};
     /** All rays of the tree, in the order of the rows. */
     private List<TreeItem<Outline>> rays = List.of();
     private Optional<PicturePoint> explained = Optional.empty();
@@ -106,7 +106,7 @@ public final class ExplainPane extends BorderPane {
     }
 
     /** Is told which surface a ray hits that the user chooses, and of which scene it is. */
-    public void setOnChosen(BiConsumer<Scene, SurfacePath> listener) {
+    public void setOnChosen(BiConsumer<Scene, ScenePath.BodyAt> listener) {
         onChosen = listener;
     }
 
@@ -231,7 +231,7 @@ public final class ExplainPane extends BorderPane {
 
     private void tellChosen() {
         selected().flatMap(outline -> outline.ray().encounter()).map(Encounter::place).map(Encounter.Place::surface)
-                .ifPresent(surface -> explained.ifPresent(point -> onChosen.accept(point.scene().scene(), surface)));
+                .ifPresent(surface -> explained.ifPresent(point -> onChosen.accept(point.scene().scene(), surface.part())));
     }
 
     private void draw() {

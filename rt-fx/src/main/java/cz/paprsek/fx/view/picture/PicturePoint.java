@@ -4,8 +4,6 @@ import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.render.Pick;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.scene.RenderSettings;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 
 /**
@@ -35,11 +33,6 @@ public record PicturePoint(RenderScene scene, RenderSettings settings, double x,
 
     /** Where in the scene stands what is seen there: the object, or the operand that the surface belongs to. */
     public Optional<BodyAt> body() {
-        return pick().map(pick -> {
-            List<Integer> path = new ArrayList<>();
-            path.add(pick.object());
-            path.addAll(pick.operands());
-            return new BodyAt(path);
-        });
+        return pick().map(pick -> new BodyAt(pick.body().numbers()));
     }
 }
