@@ -38,7 +38,7 @@ public class TreeBenchmark {
     @Setup
     public void prepare() {
         scene = StandardScenes.cloud(spheres);
-        bodies = build().bodies();
+        bodies = build().world().bodies();
         finder = bodies.newFinder();
     }
 
