@@ -29,7 +29,7 @@ import org.junit.jupiter.api.io.TempDir;
 class ModuleTest {
     private static final Path SOURCES = Path.of("src/main/java");
     /** What is on offer to everybody is to be learnt and kept for long. 90 is the aim: the words of explaining can go to a room of their own. */
-    private static final int MOST_PUBLIC_TYPES = 99;
+    private static final int MOST_PUBLIC_TYPES = 100;
 
     @TempDir
     private static Path folder;
