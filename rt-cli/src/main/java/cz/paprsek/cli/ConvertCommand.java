@@ -2,10 +2,10 @@ package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.process.ExitCode;
-import cz.paprsek.cli.process.Failures;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.io.Failures;
 import cz.paprsek.pov.PovFiles;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.text.Similar;

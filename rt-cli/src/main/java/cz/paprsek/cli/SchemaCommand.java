@@ -1,10 +1,10 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.cli.process.ExitCode;
-import cz.paprsek.cli.process.Failures;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.io.Failures;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

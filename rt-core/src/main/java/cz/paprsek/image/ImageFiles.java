@@ -4,6 +4,7 @@ import cz.paprsek.image.exr.ExrReader;
 import cz.paprsek.image.png.PngReader;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.BinaryInput;
+import cz.paprsek.io.Failures;
 import cz.paprsek.math.Require;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -127,7 +128,7 @@ public final class ImageFiles {
         } catch (FileSystemException e) {
             throw e;
         } catch (IOException | IllegalArgumentException unreadable) {
-            throw new IOException(file + ": " + unreadable.getMessage(), unreadable);
+            throw new IOException(file + ": " + Failures.sentence(unreadable), unreadable);
         } catch (OutOfMemoryError tooLarge) {
             throw new IOException(file + ": not enough memory for this picture; give Java more with -Xmx", tooLarge);
         }

@@ -120,7 +120,7 @@ public final class DatabaseFile {
     /** A pipe gives once what it has, and keeps nothing. */
     static void requireFile(Path path) throws IOException {
         if (Files.exists(path) && !Files.isDirectory(path) && !Files.isRegularFile(path)) {
-            throw new IOException(path + ": a database that is to be changed must be a file, not a pipe or a device");
+            throw new IOException(path + ": what is to be changed must be a file, not a pipe or a device");
         }
     }
 

@@ -1,32 +1,50 @@
 package cz.paprsek.xml;
 
+import java.io.CharConversionException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UnsupportedEncodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import javax.xml.stream.XMLInputFactory;
-import javax.xml.stream.XMLStreamException;
-import javax.xml.stream.XMLStreamReader;
+import javax.xml.parsers.ParserConfigurationException;
+import org.xml.sax.Attributes;
+import org.xml.sax.SAXException;
+import org.xml.sax.helpers.DefaultHandler;
 
-/** Looks at the first element of a file and no further. */
-final class RootElement {
-    private RootElement() {}
+/** Looks at the first element of a file and no further. Not with the platform's pulling reader, which tells faults to standard error, too. */
+final class RootElement extends DefaultHandler {
+    private final String element;
+
+    private RootElement(String element) {
+        this.element = element;
+    }
 
     /** Whether it is this one; not if the file is no XML. */
     static boolean is(String element, Path file) throws IOException {
-        XMLInputFactory factory = XMLInputFactory.newInstance();
-        factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
-        factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
         try (InputStream input = Files.newInputStream(file)) {
-            XMLStreamReader reader = factory.createXMLStreamReader(input);
-            while (reader.hasNext()) {
-                if (reader.next() == XMLStreamReader.START_ELEMENT) {
-                    return reader.getLocalName().equals(element) && SceneFiles.NAMESPACE.equals(reader.getNamespaceURI());
-                }
-            }
+            Parse.hardened().parse(input, new RootElement(element));
             return false;
-        } catch (XMLStreamException notXml) {
+        } catch (Found found) {
+            return found.isWanted;
+        } catch (CharConversionException | UnsupportedEncodingException | SAXException notXml) {
             return false;
+        } catch (ParserConfigurationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @Override
+    public void startElement(String uri, String localName, String qName, Attributes attributes) throws SAXException {
+        throw new Found(localName.equals(element) && SceneFiles.NAMESPACE.equals(uri));
+    }
+
+    /** Ends the parse. */
+    private static final class Found extends SAXException {
+        private static final long serialVersionUID = 1L;
+        private final boolean isWanted;
+
+        Found(boolean isWanted) {
+            this.isWanted = isWanted;
         }
     }
 }

@@ -1,13 +1,15 @@
 package cz.paprsek.shape;
 
 import cz.paprsek.math.Vec3;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.Map;
 
 /** An example of every shape, and by a formula of its own whether a point lies inside, independent of the code that meets rays. */
 public final class Examples {
     private Examples() {}
 
-    public static final Map<Class<? extends Shape>, Shape> ALL = Map.ofEntries(
+    public static final Map<Class<? extends Shape>, Shape> ALL = inOrder(
             Map.entry(Sphere.class, new Sphere(1.3)),
             Map.entry(Block.class, new Block(new Vec3(-1, -0.5, 0.2), new Vec3(1, 0.7, 1.4))),
             Map.entry(Ellipsoid.class, new Ellipsoid(new Vec3(0.5, 1.2, 0.8))),
@@ -20,6 +22,16 @@ public final class Examples {
             Map.entry(Csg.class, Csg.difference(
                     Operand.of(Csg.union(new Sphere(1), new Block(new Vec3(0, 0, 0), new Vec3(1.2, 1.2, 1.2)))),
                     Operand.of(new Torus(0.8, 0.3)).at(0.2, 0.4, 0), Operand.of(new Cone(0.5, 1.3)).rotated(40, 0, 20))));
+
+    /** In this order: that of {@code Map.of} differs from one run of Java to the next, and with it whatever is drawn at random for each shape. */
+    @SafeVarargs
+    private static Map<Class<? extends Shape>, Shape> inOrder(Map.Entry<Class<? extends Shape>, Shape>... examples) {
+        Map<Class<? extends Shape>, Shape> all = new LinkedHashMap<>();
+        for (Map.Entry<Class<? extends Shape>, Shape> example : examples) {
+            all.put(example.getKey(), example.getValue());
+        }
+        return Collections.unmodifiableMap(all);
+    }
 
     /** Below 0 inside, above 0 outside, in the solid's own space; grows about as fast as the distance. */
     public static double inside(Solid solid, Vec3 p) {

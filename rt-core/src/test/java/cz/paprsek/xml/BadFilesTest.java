@@ -94,7 +94,7 @@ class BadFilesTest {
                 in("<sphere radius='1' scale='1 2'/>", "3:1: sphere scale must be one finite number or three, none of them 0, but has 2: \"1 2\""),
                 in("<rectangle min='0 0 0' max='1 1'/>", "3:1: rectangle min must be two finite numbers, x y, but has 3: \"0 0 0\""),
                 in("<background color='rde'/>", "3:1: background color must be three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb, but is \"rde\"; did you mean \"red\"?"),
-                in("<background color='Red'/>\n<ambient color='#ff00'/>", "3:1: background color must be three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb, but is \"Red\"; did you mean \"red\"?",
+                in("<background color='Reed'/>\n<ambient color='#ff00'/>", "3:1: background color must be three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb, but is \"Reed\"; did you mean \"red\"?",
                         "4:1: ambient color must be three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb, but is \"#ff00\""),
                 in("<spher/><spher/>\n<spher/>", "3:1: <scene> has no element <spher>; did you mean \"sphere\"?",
                         "3:9: <scene> has no element <spher>; did you mean \"sphere\"?", "4:1: <scene> has no element <spher>; did you mean \"sphere\"?"),

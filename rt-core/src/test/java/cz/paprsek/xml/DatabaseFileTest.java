@@ -5,7 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -89,6 +92,20 @@ class DatabaseFileTest {
         people.shutdown();
         assertThat(SceneFiles.readDatabase(path).size()).isEqualTo(26);
         assertThat(folder.toFile().list()).containsExactly("db.xml");
+    }
+
+    /** The platform's parsers tell standard error of such bytes, unless they are told not to. */
+    @Test
+    void whetherABinaryFileIsADatabaseIsAskedInSilence() throws Exception {
+        PrintStream before = System.err;
+        ByteArrayOutputStream told = new ByteArrayOutputStream();
+        System.setErr(new PrintStream(told, true, StandardCharsets.UTF_8));
+        try {
+            assertThat(SceneFiles.isDatabase(Files.write(folder.resolve("binary.xml"), new byte[] {'<', (byte) 0xF0, (byte) 0x80, 'a'}))).isFalse();
+        } finally {
+            System.setErr(before);
+        }
+        assertThat(told.toString(StandardCharsets.UTF_8)).doesNotContain("Error");
     }
 
     @Test

@@ -117,6 +117,8 @@ class EveryWayInTest {
         "0 0 \u20115, U+2011 (non-breaking hyphen); write \"-\" instead", "0 0 \uff0d5, U+FF0D (fullwidth hyphen-minus); write \"-\" instead",
         "0 0 \uff15, U+FF15 (fullwidth digit five); write \"5\" instead", "0 0 \u0665, U+0665 (arabic-indic digit five); write \"5\" instead",
         "0 0 5\uff0e5, U+FF0E (fullwidth full stop); write \".\" instead", "0 0 \u200b5, 'U+200B (zero width space); remove it, nobody sees it'",
+        "0 0 \u201c5, 'U+201C (left double quotation mark); remove it, the straight quotes are enough'",
+        "0 0 5\u2019, 'U+2019 (right single quotation mark); remove it, the straight quotes are enough'",
         "0 0 5\u00ad, 'U+00AD (soft hyphen); remove it, nobody sees it'", "0 0 \ufeff5, 'U+FEFF (zero width no-break space); remove it, nobody sees it'"})
     void whatLooksLikeANumberAndIsNoneIsNamed(String value, String advice) throws IOException {
         assertThat(WayIn.all(PLAIN.replace("0 0 5", value)).problems()).singleElement().asString()
@@ -166,7 +168,7 @@ class EveryWayInTest {
 
     @ParameterizedTest
     @CsvSource({"red, 255 0 0", "#ff0000, 255 0 0", "#f00, 255 0 0", "#Ff8000, 255 128 0", "#f80, 255 136 0", "rebeccapurple, 102 51 153", " white , 255 255 255", "gray, 128 128 128",
-        "lightgoldenrodyellow, 250 250 210"})
+        "lightgoldenrodyellow, 250 250 210", "Red, 255 0 0", "DarkSlateGrey, 47 79 79", "WHITE, 255 255 255"})
     void coloursHaveNamesToo(String word, String numbers) throws IOException {
         String all = PLAIN.replace("10 20 30", "%1$s").replace("</scene>", "<ambient color='%1$s'/><point-light position='0 0 0' color='%1$s'/><material name='m' color='%1$s'/>"
                 + "<material name='n'><checker size='1' even='%1$s' odd='%1$s'/></material><disc radius='1'><material><checkerboard columns='1' rows='1' even='%1$s' odd='%1$s'/>"
@@ -182,7 +184,7 @@ class EveryWayInTest {
         Path pipe = folder.resolve("pipe.xml");
         assumeTrue(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0);
         assertThatThrownBy(() -> DatabaseFile.update(pipe, database -> database)).isInstanceOf(IOException.class)
-                .hasMessage(pipe + ": a database that is to be changed must be a file, not a pipe or a device");
+                .hasMessage(pipe + ": what is to be changed must be a file, not a pipe or a device");
         assertThatThrownBy(() -> DatabaseFile.create(pipe).save(SceneDatabase.EMPTY)).hasMessageEndingWith("must be a file, not a pipe or a device");
         assertThat(Files.exists(pipe)).isTrue();
     }

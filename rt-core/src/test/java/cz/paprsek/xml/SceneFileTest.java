@@ -70,6 +70,27 @@ class SceneFileTest {
     }
 
     @Test
+    void colorsKeepTheirWordsUntilTheyAreOthers() throws Exception {
+        String text = EXAM.replace("<sphere radius=\"1\"/>", "<sphere radius=\"1\"><material color=\"Tomato\" diffusion=\".50\"/></sphere>")
+                .replace("position=\"1 2 3\"", "position=\"1 2 3\" color=\"#FFF\"");
+        assertThat(changed(text, first(ball -> ball.withShape(new Sphere(2))))).isEqualTo(text.replace("radius=\"1\"", "radius=\"2\""));
+        assertThat(changed(text, first(ball -> ball.madeOf(Material.color(255, 99, 71).withDiffusion(0.25))))).isEqualTo(text.replace("\".50\"", "\"0.25\""));
+        assertThat(changed(text, first(ball -> ball.madeOf(Material.color(1, 2, 3).withDiffusion(0.5))))).isEqualTo(text.replace("Tomato", "1 2 3"));
+    }
+
+    /** The examples that engineers share, as they are found in the wild: a mark, UTF-16, prefixes, CDATA. */
+    @ParameterizedTest
+    @ValueSource(strings = {"\uFEFF%s", "\uFEFF<?xml version='1.0' encoding='UTF-16'?>\n%s", "<?xml version='1.1'?><?p i?>\n%s"})
+    void whateverIsOpenedIsSavedAsItWas(String frame) throws Exception {
+        String text = String.format(frame, EXAM.substring(EXAM.indexOf("<scene")).replace("<render", "<description><![CDATA[a < b]]></description>\n  <render"));
+        Charset charset = frame.contains("UTF-16") ? StandardCharsets.UTF_16LE : StandardCharsets.UTF_8;
+        Path file = Files.write(folder.resolve("w.xml"), text.getBytes(charset));
+        SceneFile opened = SceneFiles.open(file);
+        opened.save(opened.scene().withObjects(List.of(opened.scene().objects().get(0).at(1, 2, 3))));
+        assertThat(new String(Files.readAllBytes(file), charset)).isEqualTo(text.replace("radius=\"1\"", "radius=\"1\" position=\"1 2 3\""));
+    }
+
+    @Test
     void whatIsNewComesBehindWhatItIsLike() throws Exception {
         assertThat(changed(EXAM, scene -> scene.plus(SceneObject.of(new Sphere(2)), SceneObject.of(Csg.union(Operand.of(new Sphere(3))))))).isEqualTo(
                 EXAM.replace("</scene>", "  <sphere radius=\"2\"/>\n  <union>\n    <sphere radius=\"3\"/>\n  </union>\n</scene>"));

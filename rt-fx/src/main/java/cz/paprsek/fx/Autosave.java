@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.file.Document;
 import cz.paprsek.fx.model.file.KeptText;
 import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
+import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
 import java.util.Optional;
@@ -52,7 +53,7 @@ final class Autosave {
             try {
                 recovery.keep(source, scene, text);
             } catch (IOException | IllegalArgumentException e) {
-                Platform.runLater(() -> onFault.accept(String.valueOf(e.getMessage())));
+                Platform.runLater(() -> onFault.accept(Failures.sentence(e)));
             }
         });
     }

@@ -8,6 +8,7 @@ import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.fx.model.file.Settings;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.SceneFileException;
@@ -83,7 +84,7 @@ final class FileActions {
         try {
             recovery.discard(before);
         } catch (IOException e) {
-            notices.say(String.valueOf(e.getMessage()));
+            notices.say(Failures.sentence(e));
         }
     }
 
@@ -121,7 +122,7 @@ final class FileActions {
             notices.say("");
             notices.problems(texts.get().of("file.problems", file.getFileName(), wrong.problems().size()), wrong.problems());
         } else if (fault instanceof IOException) {
-            notices.say(String.valueOf(fault.getMessage()));
+            notices.say(Failures.sentence(fault));
         } else {
             dialogs.fault(fault, this::saveAs);
         }
@@ -150,7 +151,7 @@ final class FileActions {
         try {
             Files.deleteIfExists(copy);
         } catch (IOException e) {
-            notices.say(copy + ": " + e.getMessage());
+            notices.say(Failures.sentence(copy.toString(), e));
         }
     }
 
@@ -171,7 +172,7 @@ final class FileActions {
                 return false;
             }
         } catch (IOException unreadable) {
-            notices.say(String.valueOf(unreadable.getMessage()));
+            notices.say(Failures.sentence(unreadable));
             return false;
         }
         return save(SceneSource.file(chosen.get()));
@@ -183,7 +184,7 @@ final class FileActions {
             document.save(source);
             recovery.discard(before);
         } catch (IOException | SceneFileException | IllegalArgumentException e) {
-            notices.ask(texts.get().of("file.not-saved", source.title(), String.valueOf(e.getMessage())),
+            notices.ask(texts.get().of("file.not-saved", source.title(), Failures.sentence(e)),
                     List.of(new MessageBar.Choice("save-elsewhere", texts.get().of("file.save-elsewhere"), this::saveAs)));
             return false;
         }
@@ -250,7 +251,7 @@ final class FileActions {
         try {
             recovery.discard(document.sourceProperty().get());
         } catch (IOException e) {
-            notices.say(String.valueOf(e.getMessage()));
+            notices.say(Failures.sentence(e));
         }
     }
 

@@ -7,6 +7,7 @@ import cz.paprsek.cli.process.Memory;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.io.Failures;
 import cz.paprsek.render.Renderer;
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -103,7 +104,7 @@ public final class BenchCommand implements Callable<Integer> {
         } catch (InterruptedIOException stopped) {
             return Interruption.told(terminal, json);
         } catch (IOException e) {
-            terminal.message("paprsek: " + e.getMessage());
+            terminal.message("paprsek: " + Failures.sentence(e));
             return ExitCode.FAILED;
         } catch (OutOfMemoryError e) {
             terminal.message("paprsek: " + Memory.sentence("the scene", 0));

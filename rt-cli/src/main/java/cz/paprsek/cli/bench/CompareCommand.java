@@ -1,8 +1,8 @@
 package cz.paprsek.cli.bench;
 
+import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.Share;
 import cz.paprsek.cli.process.ExitCode;
-import cz.paprsek.cli.process.Failures;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
@@ -10,6 +10,7 @@ import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.StoredImage;
+import cz.paprsek.io.Failures;
 import cz.paprsek.io.Json;
 import cz.paprsek.text.Numbers;
 import java.io.IOException;
@@ -100,7 +101,7 @@ public final class CompareCommand implements Callable<Integer> {
         try {
             return Optional.of(ImageFiles.readStored(file));
         } catch (IOException e) {
-            terminal.message(Failures.sentence(file.toString(), e));
+            terminal.message(Failures.sentence(file.toString(), e) + Foreign.sceneInPlaceOfPicture(file));
             return Optional.empty();
         }
     }

@@ -6,13 +6,13 @@ import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.input.Share;
 import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.process.ExitCode;
-import cz.paprsek.cli.process.Failures;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.text.Numbers;
 import java.io.IOException;
@@ -134,7 +134,7 @@ public final class CrossCheckCommand implements Callable<Integer> {
             }
             return isSame ? ExitCode.DONE : ExitCode.FAILED;
         } catch (IOException | IllegalArgumentException noPicture) {
-            terminal.message(name + ": " + noPicture.getMessage());
+            terminal.message(name + ": " + Failures.sentence(noPicture));
             return ExitCode.FAILED;
         }
     }

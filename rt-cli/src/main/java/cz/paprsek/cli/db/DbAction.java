@@ -3,10 +3,10 @@ package cz.paprsek.cli.db;
 import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.process.BadScene;
 import cz.paprsek.cli.process.ExitCode;
-import cz.paprsek.cli.process.Failures;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.io.Failures;
 import cz.paprsek.query.Filter;
 import cz.paprsek.query.FilterException;
 import cz.paprsek.query.SceneTables;
@@ -48,7 +48,7 @@ public abstract class DbAction implements Callable<Integer> {
             e.sentences().forEach(terminal::message);
             return ExitCode.BAD_SCENE;
         } catch (IOException e) {
-            terminal.message(stop.requested() ? "interrupted, nothing is changed" : String.valueOf(e.getMessage()));
+            terminal.message(stop.requested() ? "interrupted, nothing is changed" : Failures.sentence(e));
             return stop.requested() ? ExitCode.INTERRUPTED : ExitCode.FAILED;
         }
     }

@@ -48,6 +48,12 @@ public final class Foreign {
         }
     }
 
+    /** What to do with a scene that stands where a picture should; nothing of others. */
+    public static String sceneInPlaceOfPicture(Path file) {
+        String name = String.valueOf(file.getFileName());
+        return Files.isRegularFile(file) && name.endsWith(".xml") && isMarkup(file, name) ? ", but looks like a scene; render it, and compare the picture" : "";
+    }
+
     /** A scene may have any name; but other markup has a name of its own. */
     private static boolean isMarkup(Path file, String name) {
         if (name.endsWith(".svg") || name.endsWith(".dae") || name.endsWith(".x3d") || name.endsWith(".xsd")) {

@@ -1,6 +1,6 @@
 package cz.paprsek.cli.input;
 
-import cz.paprsek.cli.process.Failures;
+import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;

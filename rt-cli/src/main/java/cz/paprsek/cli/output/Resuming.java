@@ -1,8 +1,8 @@
 package cz.paprsek.cli.output;
 
-import cz.paprsek.cli.process.Failures;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.image.Image;
+import cz.paprsek.io.Failures;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.Tile;
 import java.io.IOException;

@@ -2,10 +2,10 @@ package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.input.SceneSource;
 import cz.paprsek.cli.input.Words;
-import cz.paprsek.cli.process.Failures;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.io.Failures;
 import cz.paprsek.text.Similar;
 import java.io.IOException;
 import java.nio.file.FileSystems;

@@ -1,5 +1,6 @@
 package cz.paprsek.cli.process;
 
+import cz.paprsek.io.Failures;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Optional;
@@ -28,7 +29,7 @@ public final class Results extends OutputStream {
     @Override
     public synchronized void write(byte[] bytes, int offset, int length) throws IOException {
         if (failure != null) {
-            throw new IOException(failure.getMessage(), failure);
+            throw new IOException(Failures.sentence(failure), failure);
         }
         try {
             out.write(bytes, offset, length);

@@ -73,7 +73,7 @@ final class Parse extends XMLFilterImpl {
     }
 
     /** A parser that opens nothing but what it is given: no document type, no entities, no includes. */
-    private static SAXParser hardened() throws ParserConfigurationException, SAXException {
+    static SAXParser hardened() throws ParserConfigurationException, SAXException {
         SAXParserFactory factory = SAXParserFactory.newInstance();
         factory.setNamespaceAware(true);
         factory.setXIncludeAware(false);

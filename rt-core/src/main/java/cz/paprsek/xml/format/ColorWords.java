@@ -1,6 +1,7 @@
 package cz.paprsek.xml.format;
 
 import cz.paprsek.material.Rgb;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -60,12 +61,12 @@ public final class ColorWords {
     }
 
     /**
-     * The colour that a name, {@code #rrggbb} or {@code #rgb} stands for.
+     * The colour that a name in letters of any case, {@code #rrggbb} or {@code #rgb} stands for.
      *
      * @throws IllegalArgumentException if it is none of these
      */
     public static Rgb of(String word) {
-        String digits = word.startsWith("#") ? word.substring(1) : HEXADECIMAL.getOrDefault(word, "");
+        String digits = word.startsWith("#") ? word.substring(1) : HEXADECIMAL.getOrDefault(word.toLowerCase(Locale.ROOT), "");
         if (!digits.matches("[0-9a-fA-F]{3}|[0-9a-fA-F]{6}")) {
             throw new IllegalArgumentException("\"" + word + "\" is no colour");
         }

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model.file;
 
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.io.Failures;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
 import java.io.Reader;
@@ -32,7 +33,7 @@ public final class Settings {
             try (Reader reader = Files.newBufferedReader(file)) {
                 values.load(reader);
             } catch (IOException | IllegalArgumentException e) {
-                onFault.accept(file + ": the settings cannot be read: " + e.getMessage());
+                onFault.accept(file + ": the settings cannot be read: " + Failures.sentence(e));
             }
         }
     }
@@ -93,7 +94,7 @@ public final class Settings {
                 writer.flush();
             });
         } catch (IOException e) {
-            onFault.accept("the settings cannot be written: " + e.getMessage());
+            onFault.accept("the settings cannot be written: " + Failures.sentence(e));
         }
     }
 }

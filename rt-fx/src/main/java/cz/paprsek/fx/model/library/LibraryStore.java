@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model.library;
 
 import cz.paprsek.fx.model.file.FileStamp;
+import cz.paprsek.io.Failures;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.xml.DatabaseFile;
 import java.nio.file.Path;
@@ -179,7 +180,7 @@ public final class LibraryStore {
             writeIfUnsaved();
         } catch (ExecutionException e) {
             job = null;
-            done.failed().accept(String.valueOf(e.getCause() == null ? e.getMessage() : e.getCause().getMessage()));
+            done.failed().accept(Failures.sentence(e.getCause() == null ? e : e.getCause()));
         } catch (IllegalArgumentException conflict) {
             refusal.set(String.valueOf(conflict.getMessage()));
         } catch (InterruptedException e) {

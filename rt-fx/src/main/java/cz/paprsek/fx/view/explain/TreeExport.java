@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.fx.view.picture.PicturePoint;
-import cz.paprsek.fx.view.texts.Faults;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.io.Failures;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.Words;
 import java.io.IOException;
@@ -48,7 +48,7 @@ final class TreeExport extends MenuButton {
             kind.write(point, pixel, ExplainPane.SMALLEST_SHARE, Words.in(texts.locale()), file);
             message.accept(texts.of("render.saved", file.getFileName()));
         } catch (IOException e) {
-            message.accept(texts.of("render.not-saved", file.getFileName(), Faults.sentence(e)));
+            message.accept(texts.of("render.not-saved", file.getFileName(), Failures.sentence(e)));
         }
     }
 }

@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.library.LibraryStore;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.io.Failures;
 import cz.paprsek.query.SceneTables;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
@@ -269,7 +270,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
             AtomicFile.write(path, out -> write(out, lines.iterator()));
             return texts.of("library.saved", path);
         } catch (IOException e) {
-            return String.valueOf(e.getMessage());
+            return Failures.sentence(path.toString(), e);
         }
     }
 

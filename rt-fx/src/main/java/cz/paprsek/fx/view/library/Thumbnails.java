@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.library;
 
+import cz.paprsek.io.Failures;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.render.RenderMonitor;
@@ -119,7 +120,7 @@ final class Thumbnails implements AutoCloseable {
             RenderResult result = Renderer.render(RenderScene.of(scene), RenderOptions.of(small).withThreads(1), monitor);
             return result.outcome() == RenderResult.Outcome.CANCELLED ? Optional.empty() : Optional.of(new Picture(Optional.of(image(result)), ""));
         } catch (RuntimeException | StackOverflowError | OutOfMemoryError fault) {
-            return Optional.of(new Picture(Optional.empty(), String.valueOf(fault.getMessage())));
+            return Optional.of(new Picture(Optional.empty(), Failures.sentence(fault)));
         }
     }
 

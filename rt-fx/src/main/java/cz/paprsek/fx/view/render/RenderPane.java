@@ -9,11 +9,10 @@ import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.picture.PictureChooser;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureStyle;
-import cz.paprsek.fx.view.texts.Faults;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
-
+import cz.paprsek.io.Failures;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.Scene;
 import java.nio.file.Path;
@@ -212,7 +211,7 @@ public final class RenderPane extends BorderPane {
         };
         message.setText(texts.of("render.saving", file.getFileName()));
         writing.setOnSucceeded(event -> message.setText(texts.of("render.saved", file.getFileName())));
-        writing.setOnFailed(event -> message.setText(texts.of("render.not-saved", file.getFileName(), Faults.sentence(writing.getException()))));
+        writing.setOnFailed(event -> message.setText(texts.of("render.not-saved", file.getFileName(), Failures.sentence(writing.getException()))));
         start(writing, "paprsek-save-picture");
     }
 

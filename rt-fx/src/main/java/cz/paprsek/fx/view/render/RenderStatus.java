@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.render;
 
-import cz.paprsek.fx.view.texts.Faults;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.io.Failures;
 import java.util.Locale;
 import java.util.Optional;
 import javafx.concurrent.Worker;
@@ -20,7 +20,7 @@ final class RenderStatus {
                     percent(progress), time(progress.elapsedSeconds()), time(progress.remainingSeconds()), speed(progress));
             case SUCCEEDED -> texts.of("render.done", time(progress.elapsedSeconds()), speed(progress));
             case CANCELLED -> texts.of("render.cancelled", percent(progress), time(progress.elapsedSeconds()));
-            case FAILED -> texts.of("render.failed", fault.map(Faults::sentence).orElse(""));
+            case FAILED -> texts.of("render.failed", fault.map(Failures::sentence).orElse(""));
         };
     }
 

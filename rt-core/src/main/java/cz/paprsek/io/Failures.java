@@ -1,0 +1,71 @@
+package cz.paprsek.io;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.channels.ClosedByInterruptException;
+import java.nio.channels.ClosedChannelException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryNotEmptyException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.FileSystemLoopException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
+import java.util.Locale;
+import java.util.Optional;
+
+/** What went wrong, in one line: many an exception's message is the file's name and nothing else, and some have none at all. */
+public final class Failures {
+    private Failures() {}
+
+    /** In front stands the file's name, where the failure knows it. */
+    public static String sentence(Throwable failure) {
+        if (failure instanceof UncheckedIOException wrapped) {
+            return sentence(wrapped.getCause());
+        }
+        String what = what(failure);
+        String file = failure instanceof FileSystemException broken ? broken.getFile() : null;
+        return file == null ? what : file + ": " + small(what);
+    }
+
+    /** In front stands the file's name. */
+    public static String sentence(String file, IOException failure) {
+        String what = what(failure);
+        return what.startsWith(file) ? what : file + ": " + small(what);
+    }
+
+    private static String what(Throwable failure) {
+        String said = failure instanceof FileSystemException broken ? broken.getReason() : failure.getMessage();
+        return Optional.ofNullable(said).filter(text -> !text.isBlank()).or(() -> meaning(failure)).orElseGet(() -> words(failure.getClass().getSimpleName()));
+    }
+
+    /** Systems begin their sentences in capitals; ours stand after a colon. */
+    private static String small(String sentence) {
+        return sentence.length() > 1 && Character.isLowerCase(sentence.charAt(1)) ? Character.toLowerCase(sentence.charAt(0)) + sentence.substring(1) : sentence;
+    }
+
+    /** Of those that leave it to their class to say it. */
+    private static Optional<String> meaning(Throwable failure) {
+        return Optional.ofNullable(
+                failure instanceof NoSuchFileException ? "no such file"
+                : failure instanceof AccessDeniedException ? "permission denied"
+                : failure instanceof FileAlreadyExistsException ? "there is such a file already"
+                : failure instanceof DirectoryNotEmptyException ? "the directory is not empty"
+                : failure instanceof NotDirectoryException ? "this is not a directory"
+                : failure instanceof FileSystemLoopException ? "links lead in a circle"
+                : failure instanceof EOFException ? "the file is cut off"
+                : failure instanceof ClosedByInterruptException ? "interrupted"
+                : failure instanceof ClosedChannelException ? "the file was closed while it was in use"
+                : failure instanceof CharacterCodingException ? "there are bytes that are no text in this encoding"
+                : failure instanceof OutOfMemoryError ? "out of memory"
+                : null);
+    }
+
+    /** {@code ZipException} and its kind without a word: "zip". */
+    private static String words(String name) {
+        String words = name.replaceAll("(Exception|Error)$", "").replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT).strip();
+        return words.isEmpty() || words.equals("io") ? "it cannot be read or written" : words;
+    }
+}
