@@ -13,6 +13,7 @@ import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -28,6 +29,8 @@ public record DrawingFrame(Scene scene, Set<Integer> objects, Vec3 middle, doubl
     private static final double MARGIN = 1.25;
 
     public DrawingFrame {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(middle, "middle");
         objects = Set.copyOf(objects);
     }
 

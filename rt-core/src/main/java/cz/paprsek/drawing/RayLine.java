@@ -8,6 +8,7 @@ import cz.paprsek.render.explain.Words;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.stream.Stream;
 
 /**
@@ -19,6 +20,13 @@ import java.util.stream.Stream;
  * @param to world space; of rays that see the background, a point on the way
  */
 public record RayLine(String ray, Style style, Vec3 from, Vec3 to) {
+    public RayLine {
+        Objects.requireNonNull(ray, "ray");
+        Objects.requireNonNull(style, "style");
+        Objects.requireNonNull(from, "from");
+        Objects.requireNonNull(to, "to");
+    }
+
 
     /** What a line is, with the colour and the dashes that tell it apart, also without the other. */
     public enum Style {

@@ -2,6 +2,7 @@ package cz.paprsek.image;
 
 import cz.paprsek.image.StoredImage.Precision;
 import cz.paprsek.math.Require;
+import java.util.Objects;
 
 /**
  * How far two pictures of one size are apart, channel by channel, in steps of the coarser of the two.
@@ -19,6 +20,10 @@ import cz.paprsek.math.Require;
  */
 public record ImageComparison(Unit unit, boolean isGrey, double tolerance, double largest, int x, int y, double mean, double rootMeanSquare,
         long beyond, long pixels) {
+    public ImageComparison {
+        Objects.requireNonNull(unit, "unit");
+    }
+
 
     /** What differences are counted in. */
     public enum Unit {

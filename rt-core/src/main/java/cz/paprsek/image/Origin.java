@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * Where a picture comes from, to be told in its file. Nothing that would differ if it were made again: no clock, no machine, no number of
@@ -17,6 +18,13 @@ import java.util.Map;
 public record Origin(String scene, String digest, String program, String settings) {
     /** Tells nothing. */
     public static final Origin UNTOLD = new Origin("", "", "", "");
+
+    public Origin {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(digest, "digest");
+        Objects.requireNonNull(program, "program");
+        Objects.requireNonNull(settings, "settings");
+    }
 
     /** What is told, by the words that PNG has for it. */
     Map<String, String> texts() {

@@ -1,5 +1,7 @@
 package cz.paprsek.image;
 
+import java.util.Objects;
+
 /**
  * A picture as it was read from a file.
  *
@@ -8,6 +10,11 @@ package cz.paprsek.image;
  * @param isGrey whether the file holds brightness only
  */
 public record StoredImage(Image image, Precision precision, boolean isGrey) {
+    public StoredImage {
+        Objects.requireNonNull(image, "image");
+        Objects.requireNonNull(precision, "precision");
+    }
+
 
     /** How finely a file tells light. */
     public enum Precision {

@@ -3,6 +3,7 @@ package cz.paprsek.material;
 import cz.paprsek.attribute.Attribute;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
+import java.util.Objects;
 
 /**
  * How a surface answers light.
@@ -29,6 +30,7 @@ public record Material(
 
     /** @throws IllegalArgumentException if a number is outside its range */
     public Material {
+        Objects.requireNonNull(pattern, "pattern");
         Require.within("diffusion", diffusion, 0, 1);
         Require.within("specular", specular, 0, 1);
         Require.within("shininess", shininess, 0, 1e6);

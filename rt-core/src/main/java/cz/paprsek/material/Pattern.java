@@ -4,12 +4,17 @@ import cz.paprsek.attribute.Attribute;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import java.util.Objects;
 
 /** What gives a surface its colour at each point. */
 public sealed interface Pattern {
 
     /** One colour everywhere. */
-    record Plain(Rgb color) implements Pattern {}
+    record Plain(Rgb color) implements Pattern {
+        public Plain {
+            Objects.requireNonNull(color, "color");
+        }
+    }
 
     /**
      * A board of columns × rows squares over a rectangle or disc; the square at the minimum corner is even.
@@ -23,6 +28,8 @@ public sealed interface Pattern {
         public static final int MOST = 1_000_000;
 
         public Checkerboard {
+            Objects.requireNonNull(even, "even");
+            Objects.requireNonNull(odd, "odd");
             Require.within("checkerboard columns", columns, 1, MOST);
             Require.within("checkerboard rows", rows, 1, MOST);
         }
@@ -38,6 +45,8 @@ public sealed interface Pattern {
             @Attribute(value = Kind.COLOR, means = "Colour of the even ones", otherwise = "255 255 255") Rgb even,
             @Attribute(value = Kind.COLOR, means = "Colour of the odd ones", otherwise = "0 0 0") Rgb odd) implements Pattern {
         public Checker {
+            Objects.requireNonNull(even, "even");
+            Objects.requireNonNull(odd, "odd");
             Require.size("checker size", size);
             Require.place("checker origin", origin);
         }

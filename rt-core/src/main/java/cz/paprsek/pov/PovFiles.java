@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * Writes scenes as POV-Ray 3.7 reads them, such that it computes the same light at every pixel. POV-Ray's own tolerances are absolute, so
@@ -33,6 +34,8 @@ public final class PovFiles {
      * @return as {@link #write(Scene, Appendable)}
      */
     public static List<String> write(Scene scene, Path file) throws IOException {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(file, "file");
         List<String> warnings = new ArrayList<>();
         AtomicFile.write(file, out -> {
             BufferedWriter text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));

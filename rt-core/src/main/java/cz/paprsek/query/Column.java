@@ -4,6 +4,7 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -36,27 +37,39 @@ public final class Column<R> {
     }
 
     public static <R> Column<R> number(String name, ToDoubleFunction<R> value) {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(value, "value");
         return new Column<>(name, Type.NUMBER, (row, test) -> test.test(new Value.Scalar(value.applyAsDouble(row))));
     }
 
     public static <R> Column<R> text(String name, Function<R, String> value) {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(value, "value");
         return new Column<>(name, Type.TEXT, (row, test) -> test.test(new Value.Text(value.apply(row))));
     }
 
     public static <R> Column<R> texts(String name, Function<R, List<String>> value) {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(value, "value");
         return new Column<>(name, Type.TEXT, (row, test) -> value.apply(row).stream().anyMatch(text -> test.test(new Value.Text(text))));
     }
 
     public static <R> Column<R> vector(String name, Function<R, Vec3> value) {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(value, "value");
         return new Column<>(name, Type.VECTOR, (row, test) -> test.test(new Value.Triple(value.apply(row))));
     }
 
     /** For rows that may have none. */
     public static <R> Column<R> vectors(String name, Function<R, Optional<Vec3>> value) {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(value, "value");
         return new Column<>(name, Type.VECTOR, (row, test) -> value.apply(row).filter(vector -> test.test(new Value.Triple(vector))).isPresent());
     }
 
     public static <R> Column<R> color(String name, Function<R, Optional<Rgb>> value) {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(value, "value");
         return new Column<>(name, Type.COLOR, (row, test) -> value.apply(row)
                 .filter(color -> test.test(new Value.Triple(new Vec3(color.red(), color.green(), color.blue())))).isPresent());
     }

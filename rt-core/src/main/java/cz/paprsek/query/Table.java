@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 
@@ -17,6 +18,7 @@ import java.util.Set;
  */
 public record Table<R>(String name, List<Column<R>> columns, List<Relation<R, ?>> related) {
     public Table {
+        Objects.requireNonNull(name, "name");
         columns = List.copyOf(columns);
         related = List.copyOf(related);
     }

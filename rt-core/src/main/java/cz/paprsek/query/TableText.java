@@ -2,6 +2,7 @@ package cz.paprsek.query;
 
 import cz.paprsek.io.Json;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -21,6 +22,7 @@ public final class TableText {
 
     /** A JSON object for each row, in a line of its own, with a member for every column that has a value. */
     public static <R> Stream<String> json(List<Column<R>> columns, List<R> rows) {
+        Objects.requireNonNull(columns, "columns");
         return rows.stream().map(row -> json(columns, row) + "\n");
     }
 

@@ -2,6 +2,7 @@ package cz.paprsek.query;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.text.Numbers;
+import java.util.Objects;
 
 /** What stands in a cell of a table. */
 public sealed interface Value {
@@ -17,10 +18,18 @@ public sealed interface Value {
     }
 
     /** A text of any length, also none. */
-    record Text(String text) implements Value {}
+    record Text(String text) implements Value {
+        public Text {
+            Objects.requireNonNull(text, "text");
+        }
+    }
 
     /** Three numbers: a vector, or a colour. */
     record Triple(Vec3 numbers) implements Value {
+        public Triple {
+            Objects.requireNonNull(numbers, "numbers");
+        }
+
         @Override
         public String text() {
             return Numbers.text(numbers);
@@ -44,6 +53,8 @@ public sealed interface Value {
 
     /** The order of a sorted column: nothing first, numbers by size, text without regard to case. */
     static int compare(Value a, Value b) {
+        Objects.requireNonNull(a, "a");
+        Objects.requireNonNull(b, "b");
         if (a instanceof Scalar x && b instanceof Scalar y) {
             return Double.compare(x.value, y.value);
         }

@@ -4,6 +4,7 @@ import cz.paprsek.math.Require;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import java.util.Objects;
 
 /**
  * How to render.
@@ -18,6 +19,9 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
 
     /** @throws IllegalArgumentException if the region does not lie inside the picture */
     public RenderOptions {
+        Objects.requireNonNull(settings, "settings");
+        Objects.requireNonNull(region, "region");
+        Objects.requireNonNull(mode, "mode");
         Require.within("threads", threads, 1, 1024);
         Require.that(region.x() + region.width() <= settings.width() && region.y() + region.height() <= settings.height(),
                 "region " + region.x() + "," + region.y() + "," + region.width() + "," + region.height()

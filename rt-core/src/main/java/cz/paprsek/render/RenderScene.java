@@ -7,6 +7,7 @@ import cz.paprsek.render.integrate.Explainer;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 
@@ -56,6 +57,7 @@ public final class RenderScene {
      * @throws IllegalStateException as there
      */
     public RenderScene changedTo(Scene changed, RenderMonitor monitor) {
+        Objects.requireNonNull(monitor, "monitor");
         // The lists of two scenes that share their objects are one list; comparing what is in them would take as long as preparing them.
         boolean sameBodies = changed.objects() == scene().objects() && changed.materials().equals(scene().materials());
         return sameBodies ? ready(System.nanoTime(), () -> new World(changed, world)) : of(changed, monitor);

@@ -7,6 +7,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.tree.Kernel;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.CancellationException;
 
 /** Renders scenes to images. The same scene gives the same image, to the last bit, for any number of threads. */
@@ -39,12 +40,19 @@ public final class Renderer {
      *     what was thrown as its cause, and naming the pixel or how much memory would do
      */
     public static RenderResult render(RenderScene scene, RenderOptions options, RenderMonitor monitor) {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(options, "options");
+        Objects.requireNonNull(monitor, "monitor");
         Eye eye = Eye.of(scene.scene().camera(), options.settings().width(), options.settings().height());
         return render(scene, options, eye, monitor);
     }
 
     /** Renders a prepared scene as an eye sees it, throwing as above. */
     public static RenderResult render(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor) {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(options, "options");
+        Objects.requireNonNull(eye, "eye");
+        Objects.requireNonNull(monitor, "monitor");
         long begin = System.nanoTime();
         RenderJob job = job(scene, options, eye, monitor);
         boolean interrupted = false;
@@ -65,6 +73,9 @@ public final class Renderer {
      * @throws IllegalStateException as {@link #render(RenderScene, RenderOptions, RenderMonitor)}
      */
     public static RenderResult render(Scene scene, RenderOptions options, RenderMonitor monitor) {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(options, "options");
+        Objects.requireNonNull(monitor, "monitor");
         try {
             return render(RenderScene.of(scene, monitor), options, monitor);
         } catch (CancellationException cancelled) {

@@ -9,9 +9,16 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 
 /** What objects and operands have in common, so that they are edited alike. */
 public record Body(String name, Shape shape, Placement placement, MaterialSource material) {
+    public Body {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(shape, "shape");
+        Objects.requireNonNull(placement, "placement");
+        Objects.requireNonNull(material, "material");
+    }
 
     public static Body of(SceneObject object) {
         return new Body(object.name(), object.shape(), object.placement(), object.material());

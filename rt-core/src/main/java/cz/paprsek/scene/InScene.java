@@ -1,4 +1,11 @@
 package cz.paprsek.scene;
 
+import java.util.Objects;
+
 /** A part of a scene together with the scene: a camera, a light, a named material, the place of an object or operand. */
-public record InScene<T>(Scene scene, T part) {}
+public record InScene<T>(Scene scene, T part) {
+    public InScene {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(part, "part");
+    }
+}

@@ -5,6 +5,7 @@ import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import java.util.Objects;
 
 /**
  * A point that shines evenly in all directions, without fall-off.
@@ -23,6 +24,8 @@ public record Light(
     public static final double BRIGHTEST = 1e12;
 
     public Light {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(color, "color");
         Require.place("light position", position);
         Require.notNegative("light intensity", intensity);
         Require.within("light intensity", intensity, 0, BRIGHTEST);

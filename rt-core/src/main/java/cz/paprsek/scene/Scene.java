@@ -7,6 +7,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * A whole scene: the one immutable truth that files are read into, the editor edits and the renderer renders.
@@ -41,6 +42,12 @@ public record Scene(
 
     /** @throws IllegalArgumentException with the first sentence of {@link SceneRules} that is broken */
     public Scene {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(description, "description");
+        Objects.requireNonNull(settings, "settings");
+        Objects.requireNonNull(background, "background");
+        Objects.requireNonNull(ambient, "ambient");
+        Objects.requireNonNull(camera, "camera");
         tags = List.copyOf(tags);
         lights = List.copyOf(lights);
         materials = Collections.unmodifiableMap(new LinkedHashMap<>(materials));
@@ -92,6 +99,7 @@ public record Scene(
 
     /** With one more light. */
     public Scene plus(Light light) {
+        Objects.requireNonNull(light, "light");
         return withLights(appended(lights, light));
     }
 
@@ -104,6 +112,8 @@ public record Scene(
 
     /** With a named material added, or replaced. */
     public Scene plus(String materialName, Material material) {
+        Objects.requireNonNull(materialName, "materialName");
+        Objects.requireNonNull(material, "material");
         Map<String, Material> all = new LinkedHashMap<>(materials);
         all.put(materialName, material);
         return withMaterials(all);

@@ -14,6 +14,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -52,6 +53,7 @@ public final class SceneDatabase {
     }
 
     public Optional<Scene> find(String name) {
+        Objects.requireNonNull(name, "name");
         return Optional.ofNullable(scenes.get(name));
     }
 
@@ -67,7 +69,7 @@ public final class SceneDatabase {
 
     /** As {@link #plus(Collection)}. */
     public SceneDatabase plus(Scene... more) {
-        return plus(Arrays.asList(more));
+        return plus(Arrays.asList(Objects.requireNonNull(more, "more")));
     }
 
     /**
@@ -78,6 +80,7 @@ public final class SceneDatabase {
     public SceneDatabase plus(Collection<Scene> more) {
         Map<String, Scene> all = new LinkedHashMap<>(scenes);
         for (Scene scene : more) {
+            Objects.requireNonNull(scene, "scene");
             checkName(scene.name());
             Require.that(all.put(scene.name(), scene) == null, taken(scene.name()));
         }
@@ -121,6 +124,7 @@ public final class SceneDatabase {
      * @throws IllegalArgumentException if names clash and that is to be refused
      */
     public SceneDatabase merge(SceneDatabase other, Clash clash) {
+        Objects.requireNonNull(clash, "clash");
         Map<String, Scene> all = new LinkedHashMap<>(scenes);
         List<String> clashes = new ArrayList<>();
         other.scenes.forEach((name, scene) -> {
@@ -143,6 +147,7 @@ public final class SceneDatabase {
      * @throws IllegalArgumentException naming the scenes that both changed, each in another way
      */
     public SceneDatabase rebase(SceneDatabase base, SceneDatabase theirs) {
+        Objects.requireNonNull(base, "base");
         Set<String> names = new LinkedHashSet<>(theirs.scenes.keySet());
         names.addAll(scenes.keySet());
         Map<String, Scene> all = new LinkedHashMap<>();

@@ -6,6 +6,7 @@ import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
+import java.util.Objects;
 
 /**
  * A shape placed in the world and made of something.
@@ -13,6 +14,13 @@ import cz.paprsek.shape.Shape;
  * @param name free text for people; empty for none, unique among the scene's objects otherwise
  */
 public record SceneObject(String name, Shape shape, Placement placement, MaterialSource material) {
+    public SceneObject {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(shape, "shape");
+        Objects.requireNonNull(placement, "placement");
+        Objects.requireNonNull(material, "material");
+    }
+
 
     public static SceneObject of(Shape shape) {
         return new SceneObject("", shape, Placement.NONE, Inherited.INHERITED);

@@ -11,6 +11,7 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Parts;
 import cz.paprsek.shape.Surface;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -27,7 +28,7 @@ public sealed interface ScenePath {
      * @throws IllegalArgumentException if the scene has nothing there
      */
     default String text(Scene scene) {
-        return PathText.of(scene, this);
+        return PathText.of(Objects.requireNonNull(scene, "scene"), this);
     }
 
     /**
@@ -73,7 +74,11 @@ public sealed interface ScenePath {
     }
 
     /** A named material. */
-    record MaterialAt(String name) implements ScenePath {}
+    record MaterialAt(String name) implements ScenePath {
+        public MaterialAt {
+            Objects.requireNonNull(name, "name");
+        }
+    }
 
     /**
      * An object, or an operand within one. What takes a scene throws an {@link IllegalArgumentException} if that has nothing here.

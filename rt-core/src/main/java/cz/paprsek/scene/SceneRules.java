@@ -16,6 +16,7 @@ import cz.paprsek.text.Similar;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 
 /** What must hold between the parts of a scene, beyond what each part checks by itself. */
@@ -38,6 +39,7 @@ public final class SceneRules {
     /** Checks names, references to materials and patterns of a scene's parts, in the order of the lists. */
     public static void check(
             List<Light> lights, Map<String, Material> materials, List<SceneObject> objects, Report report) {
+        Objects.requireNonNull(report, "report");
         Set<String> names = new HashSet<>();
         for (Light light : lights) {
             checkName("light", light.name(), light, names, report);
@@ -65,6 +67,7 @@ public final class SceneRules {
      * @throws IllegalArgumentException if the name is empty, too long, or has a control character or one that changes the direction of writing
      */
     public static void checkName(String what, String name) {
+        Objects.requireNonNull(what, "what");
         Require.that(!name.isEmpty() && name.length() <= LONGEST_NAME,
                 what + " must have 1 to " + LONGEST_NAME + " characters, but has " + name.length());
         for (int i = 0; i < name.length(); i += Character.charCount(name.codePointAt(i))) {

@@ -9,6 +9,7 @@ import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.text.Numbers;
 import java.util.List;
+import java.util.Objects;
 
 /** A box with faces perpendicular to the axes, from its minimum to its maximum corner. */
 @Element("A box from its minimum to its maximum corner.")
@@ -40,6 +41,7 @@ public record Block(
 
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
+        Objects.requireNonNull(along, "along");
         return Outlines.box(min, max);
     }
 

@@ -8,6 +8,7 @@ import cz.paprsek.tree.TreeBuilder;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
@@ -88,6 +89,7 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
 
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
+        Objects.requireNonNull(along, "along");
         return List.of();
     }
 

@@ -8,6 +8,7 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import java.util.List;
+import java.util.Objects;
 
 /** A disc in the plane z = 0 about the origin, facing +z, seen from both sides. It has no inside. */
 @Element("A disc in its plane z = 0, facing +z, seen from both sides. It has no inside.")
@@ -23,6 +24,7 @@ public record Disc(@Attribute(value = Kind.POSITIVE, means = "Above 0") double r
 
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
+        Objects.requireNonNull(along, "along");
         return List.of(Outlines.circle(Vec3.ZERO, new Vec3(radius, 0, 0), new Vec3(0, radius, 0), steps));
     }
 

@@ -3,6 +3,7 @@ package cz.paprsek.shape;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Vec3;
+import java.util.Objects;
 
 /**
  * One solid of a CSG operation, placed in the space of the operation.
@@ -10,6 +11,13 @@ import cz.paprsek.math.Vec3;
  * @param name free text for people; empty for none, unique among its siblings otherwise
  */
 public record Operand(String name, Solid solid, Placement placement, MaterialSource material) {
+    public Operand {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(solid, "solid");
+        Objects.requireNonNull(placement, "placement");
+        Objects.requireNonNull(material, "material");
+    }
+
 
     public static Operand of(Solid solid) {
         return new Operand("", solid, Placement.NONE, Inherited.INHERITED);

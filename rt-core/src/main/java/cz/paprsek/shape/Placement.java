@@ -5,6 +5,7 @@ import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import java.util.Objects;
 
 /**
  * Where a shape stands in the space around it: scaled, then rotated, then moved.
@@ -21,6 +22,7 @@ public record Placement(
 
     /** @throws IllegalArgumentException if a scale is 0, or a number is out of all proportion ({@link Require#LARGEST}) */
     public Placement {
+        Objects.requireNonNull(rotation, "rotation");
         Require.place("position", position);
         if (scale.x() == 0 || scale.y() == 0 || scale.z() == 0) {
             throw new IllegalArgumentException("scale must not be 0 along any axis, but is " + scale.x() + " " + scale.y() + " " + scale.z());

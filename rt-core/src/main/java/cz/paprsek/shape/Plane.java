@@ -5,6 +5,7 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import java.util.List;
+import java.util.Objects;
 
 /** The solid half-space y ≤ 0: ground without end, or a knife for CSG. */
 @Element("The solid half-space y at most 0.")
@@ -20,6 +21,7 @@ public record Plane() implements Solid {
 
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
+        Objects.requireNonNull(along, "along");
         return List.of(Curve.through(new Vec3(-FAR, 0, -FAR), new Vec3(FAR, 0, -FAR), new Vec3(FAR, 0, FAR), new Vec3(-FAR, 0, FAR),
                 new Vec3(-FAR, 0, -FAR)));
     }

@@ -7,6 +7,7 @@ import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.text.Numbers;
 import java.util.List;
+import java.util.Objects;
 
 /** A rectangle in the plane z = 0, facing +z, seen from both sides. It has no inside. */
 @Element("A rectangle in its plane z = 0, facing +z, seen from both sides. It has no inside.")
@@ -29,6 +30,7 @@ public record Rectangle(double minX, double minY, double maxX, double maxY) impl
 
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
+        Objects.requireNonNull(along, "along");
         return List.of(Outlines.loop(minX, minY, maxX, maxY, 0));
     }
 

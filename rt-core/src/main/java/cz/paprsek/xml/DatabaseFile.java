@@ -11,6 +11,7 @@ import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
+import java.util.Objects;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 
@@ -52,6 +53,7 @@ public final class DatabaseFile {
 
     /** A database that is to be a new file; there is none yet. */
     public static DatabaseFile create(Path path) {
+        Objects.requireNonNull(path, "path");
         return new DatabaseFile(path, SceneDatabase.EMPTY, new byte[0], null);
     }
 
@@ -64,6 +66,8 @@ public final class DatabaseFile {
      */
     @SuppressWarnings("try") // The lock is held, not used.
     public static DatabaseFile update(Path path, UnaryOperator<SceneDatabase> change) throws SceneFileException, IOException {
+        Objects.requireNonNull(path, "path");
+        Objects.requireNonNull(change, "change");
         requireFile(path);
         try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
             DatabaseFile file = open(path);
@@ -80,6 +84,7 @@ public final class DatabaseFile {
      */
     @SuppressWarnings("try")
     public DatabaseFile update(UnaryOperator<SceneDatabase> change) throws SceneFileException, IOException {
+        Objects.requireNonNull(change, "change");
         requireFile(path);
         try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
             DatabaseFile file = Arrays.equals(digest(path), digest) ? this : open(path);
@@ -107,6 +112,7 @@ public final class DatabaseFile {
      */
     @SuppressWarnings("try")
     public DatabaseFile save(SceneDatabase changed) throws SceneFileException, IOException {
+        Objects.requireNonNull(changed, "changed");
         requireFile(path);
         try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
             if (Arrays.equals(digest(path), digest)) {

@@ -1,5 +1,7 @@
 package cz.paprsek.xml;
 
+import java.util.Objects;
+
 /**
  * One thing that is wrong with a file.
  *
@@ -9,6 +11,11 @@ package cz.paprsek.xml;
  * @param message what was expected and what was found, in one line
  */
 public record Problem(String file, int line, int column, String message) {
+    public Problem {
+        Objects.requireNonNull(file, "file");
+        Objects.requireNonNull(message, "message");
+    }
+
     @Override
     public String toString() {
         return file + ":" + line + ":" + column + ": " + message;

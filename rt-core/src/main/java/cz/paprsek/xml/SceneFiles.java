@@ -44,6 +44,7 @@ public final class SceneFiles {
 
         /** As a database: a scene on its own is one of one, under that name if it has none of its own. */
         public SceneDatabase database(String nameIfNone) {
+            Objects.requireNonNull(nameIfNone, "nameIfNone");
             boolean isNameless = scenes.size() == 1 && scenes.get(0).name().isEmpty();
             return SceneDatabase.of(isNameless ? List.of(scenes.get(0).withName(nameIfNone)) : scenes);
         }
@@ -85,7 +86,7 @@ public final class SceneFiles {
      * @throws java.util.concurrent.CancellationException if the monitor cancels
      */
     public static SceneFile open(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
-        return SceneFile.open(file, monitor);
+        return SceneFile.open(file, Objects.requireNonNull(monitor, "monitor"));
     }
 
     /** As {@link #read(Path)}, from a stream, which is not closed; the name is used in messages only. */
@@ -130,6 +131,7 @@ public final class SceneFiles {
      * @throws java.util.concurrent.CancellationException if the monitor cancels
      */
     public static Contents contents(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
+        Objects.requireNonNull(monitor, "monitor");
         checkReadable(file);
         return SceneReader.read(file, monitor);
     }

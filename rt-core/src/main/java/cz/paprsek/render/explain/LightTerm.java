@@ -4,6 +4,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * What one light adds at one point, and the shadow ray that went to look for it: V·I·(kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ).
@@ -38,6 +39,11 @@ public record LightTerm(
         LinearRgb added) {
 
     public LightTerm {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(position, "position");
+        Objects.requireNonNull(intensity, "intensity");
+        Objects.requireNonNull(direction, "direction");
+        Objects.requireNonNull(added, "added");
         obstacles = List.copyOf(obstacles);
     }
 

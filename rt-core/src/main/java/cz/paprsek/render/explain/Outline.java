@@ -2,6 +2,7 @@ package cz.paprsek.render.explain;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * A ray with a name, and the rays that it gives rise to; each can be written out as a worked exercise.
@@ -12,6 +13,8 @@ import java.util.List;
  */
 public record Outline(String name, TracedRay ray, double share, List<Outline> children) {
     public Outline {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(ray, "ray");
         children = List.copyOf(children);
     }
 

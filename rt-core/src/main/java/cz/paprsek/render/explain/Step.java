@@ -1,5 +1,7 @@
 package cz.paprsek.render.explain;
 
+import java.util.Objects;
+
 /**
  * One line of a worked exercise, read as <i>formula = numbers = result</i>.
  *
@@ -10,6 +12,14 @@ package cz.paprsek.render.explain;
  * @param result what comes out; empty in a line that only states something
  */
 public record Step(Topic topic, String name, String formula, String numbers, String result) {
+    public Step {
+        Objects.requireNonNull(topic, "topic");
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(formula, "formula");
+        Objects.requireNonNull(numbers, "numbers");
+        Objects.requireNonNull(result, "result");
+    }
+
 
     /** What a line is about. */
     public enum Topic { RAY, POINT, AMBIENT, LIGHT, SHADOW, REFLECTION, REFRACTION, SUM }

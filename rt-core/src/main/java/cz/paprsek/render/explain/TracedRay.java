@@ -2,6 +2,7 @@ package cz.paprsek.render.explain;
 
 import cz.paprsek.math.Vec3;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 
@@ -19,6 +20,15 @@ import java.util.stream.Stream;
  */
 public record TracedRay(
         Kind kind, int level, double weight, Vec3 origin, Vec3 direction, Medium medium, Optional<Encounter> encounter, LinearRgb light) {
+    public TracedRay {
+        Objects.requireNonNull(kind, "kind");
+        Objects.requireNonNull(origin, "origin");
+        Objects.requireNonNull(direction, "direction");
+        Objects.requireNonNull(medium, "medium");
+        Objects.requireNonNull(encounter, "encounter");
+        Objects.requireNonNull(light, "light");
+    }
+
 
     /** What makes a ray. */
     public enum Kind { PRIMARY, REFLECTED, REFRACTED }

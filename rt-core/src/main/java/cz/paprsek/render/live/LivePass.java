@@ -4,6 +4,7 @@ import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.scene.RenderSettings;
+import java.util.Objects;
 
 /**
  * One of the ever finer pictures by which a {@link LiveRender} gets to the final one.
@@ -14,6 +15,11 @@ import cz.paprsek.scene.RenderSettings;
  * @param isLast whether this is the final picture: every pixel with all its samples
  */
 public record LivePass(RenderScene scene, RenderSettings settings, int step, boolean isLast) {
+    public LivePass {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(settings, "settings");
+    }
+
 
     /** What to render for this pass. */
     RenderOptions options(int threads) {
