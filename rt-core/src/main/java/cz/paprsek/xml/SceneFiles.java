@@ -3,6 +3,7 @@ package cz.paprsek.xml;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.xml.bind.RootElement;
 import cz.paprsek.xml.format.SceneFormat;
 import cz.paprsek.xml.write.SceneWriter;
 import java.io.IOException;

@@ -1,5 +1,6 @@
-package cz.paprsek.xml;
+package cz.paprsek.xml.bind;
 
+import cz.paprsek.xml.format.SceneFormat;
 import java.io.CharConversionException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -12,7 +13,7 @@ import org.xml.sax.SAXException;
 import org.xml.sax.helpers.DefaultHandler;
 
 /** Looks at the first element of a file and no further. Not with the platform's pulling reader, which tells faults to standard error, too. */
-final class RootElement extends DefaultHandler {
+public final class RootElement extends DefaultHandler {
     private final String element;
 
     private RootElement(String element) {
@@ -20,7 +21,7 @@ final class RootElement extends DefaultHandler {
     }
 
     /** Whether it is this one; not if the file is no XML. */
-    static boolean is(String element, Path file) throws IOException {
+    public static boolean is(String element, Path file) throws IOException {
         try (InputStream input = Files.newInputStream(file)) {
             Parse.hardened().parse(input, new RootElement(element));
             return false;
@@ -35,7 +36,7 @@ final class RootElement extends DefaultHandler {
 
     @Override
     public void startElement(String uri, String localName, String qName, Attributes attributes) throws SAXException {
-        throw new Found(localName.equals(element) && SceneFiles.NAMESPACE.equals(uri));
+        throw new Found(localName.equals(element) && SceneFormat.NAMESPACE.equals(uri));
     }
 
     /** Ends the parse. */
