@@ -7,6 +7,7 @@ import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Spans;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -17,6 +18,11 @@ import java.util.Optional;
  * @param distance from the eye, scene units
  */
 public record Pick(BodyAt body, Vec3 point, double distance) {
+    public Pick {
+        Objects.requireNonNull(body, "body");
+        Objects.requireNonNull(point, "point");
+    }
+
     /**
      * Looks along the ray through a point of the picture.
      *

@@ -7,6 +7,7 @@ import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Shape;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -36,6 +37,14 @@ public record Encounter(
         boolean cutOff) {
 
     public Encounter {
+        Objects.requireNonNull(place, "place");
+        Objects.requireNonNull(material, "material");
+        Objects.requireNonNull(color, "color");
+        Objects.requireNonNull(ambientLight, "ambientLight");
+        Objects.requireNonNull(ambient, "ambient");
+        Objects.requireNonNull(refraction, "refraction");
+        Objects.requireNonNull(reflected, "reflected");
+        Objects.requireNonNull(refracted, "refracted");
         lights = List.copyOf(lights);
     }
 
@@ -78,6 +87,15 @@ public record Encounter(
             double v,
             double cosine,
             Vec3 mirrored) {
+        public Place {
+            Objects.requireNonNull(surface, "surface");
+            Objects.requireNonNull(face, "face");
+            Objects.requireNonNull(point, "point");
+            Objects.requireNonNull(normal, "normal");
+            Objects.requireNonNull(towardsViewer, "towardsViewer");
+            Objects.requireNonNull(mirrored, "mirrored");
+        }
+
 
         /** The angle between the ray and the normal, 0–90. */
         public double angleDegrees() {

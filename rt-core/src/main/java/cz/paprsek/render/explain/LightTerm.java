@@ -69,5 +69,9 @@ public record LightTerm(
      * @param distance from the point
      * @param transparency kT, the share of the light it lets through
      */
-    public record Obstacle(InScene<BodyAt> surface, double distance, double transparency) {}
+    public record Obstacle(InScene<BodyAt> surface, double distance, double transparency) {
+        public Obstacle {
+            Objects.requireNonNull(surface, "surface");
+        }
+    }
 }

@@ -2,6 +2,7 @@ package cz.paprsek.render.explain;
 
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -11,6 +12,10 @@ import java.util.Optional;
  * @param refractiveIndex relative to the vacuum
  */
 public record Medium(Optional<InScene<BodyAt>> solid, double refractiveIndex) {
+    public Medium {
+        Objects.requireNonNull(solid, "solid");
+    }
+
     /** Whether it is the inside of the object that a surface belongs to. */
     boolean isInside(InScene<BodyAt> surface) {
         return solid.isPresent() && solid.get().part().equals(surface.part().object());
