@@ -22,8 +22,9 @@ public final class Failures {
 
     /** In front stands the file's name, where the failure knows it. */
     public static String sentence(Throwable failure) {
-        if (failure instanceof UncheckedIOException wrapped) {
-            return sentence(wrapped.getCause());
+        Throwable cause = failure.getCause();
+        if (failure instanceof UncheckedIOException && cause != null) {
+            return sentence(cause);
         }
         String what = what(failure);
         String file = failure instanceof FileSystemException broken ? broken.getFile() : null;
