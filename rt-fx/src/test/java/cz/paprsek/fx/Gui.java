@@ -61,13 +61,19 @@ public final class Gui implements AutoCloseable {
     public static <T> T on(Callable<T> work) {
         startToolkit();
         CompletableFuture<T> result = new CompletableFuture<>();
-        Platform.runLater(() -> {
+        Runnable now = () -> {
             try {
                 result.complete(work.call());
             } catch (Throwable e) {
                 result.completeExceptionally(e);
             }
-        });
+        };
+        if (Platform.isFxApplicationThread()) {
+            // What is waited for on JavaFX's thread would wait for itself.
+            now.run();
+        } else {
+            Platform.runLater(now);
+        }
         return await(result);
     }
 
