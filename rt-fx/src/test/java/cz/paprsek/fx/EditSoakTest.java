@@ -60,8 +60,8 @@ class EditSoakTest {
                     early = usedAtRest(editor);
                 }
             }
-            // A picture more or less is 11 MB, and there may be two; a window's worth of nodes kept for every edit would be hundreds.
-            assertThat(usedAtRest(editor) - early).as("bytes more after %d edits", ROUNDS * EDITS).isLessThan(30_000_000);
+            // A picture more or less is 11 MB; a window's worth of nodes kept for every edit would be hundreds.
+            assertThat(usedAtRest(editor) - early).as("bytes more after %d edits", ROUNDS * EDITS).isLessThan(16_000_000);
         }
     }
 
