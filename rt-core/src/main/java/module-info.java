@@ -14,6 +14,7 @@ module cz.paprsek.core {
     exports cz.paprsek.material;
     exports cz.paprsek.math;
     exports cz.paprsek.query;
+    exports cz.paprsek.ray;
     exports cz.paprsek.render;
     exports cz.paprsek.render.explain;
     exports cz.paprsek.render.live;
@@ -26,6 +27,7 @@ module cz.paprsek.core {
     exports cz.paprsek.drawing to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.io to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.pov to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.shape.placed to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.standard to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.text to cz.paprsek.cli, cz.paprsek.fx;
 

@@ -27,7 +27,8 @@ class ArchitectureTest {
             .layer("attribute").definedBy("cz.paprsek.attribute")
             .layer("tree").definedBy("cz.paprsek.tree")
             .layer("material").definedBy("cz.paprsek.material")
-            .layer("shape").definedBy("cz.paprsek.shape")
+            .layer("ray").definedBy("cz.paprsek.ray")
+            .layer("shape").definedBy("cz.paprsek.shape..")
             .layer("scene").definedBy("cz.paprsek.scene")
             .layer("query").definedBy("cz.paprsek.query")
             .layer("image").definedBy("cz.paprsek.image..")
@@ -44,6 +45,7 @@ class ArchitectureTest {
             .whereLayer("tree").mayOnlyBeAccessedByLayers("shape", "render")
             .whereLayer("attribute").mayOnlyBeAccessedByLayers("material", "shape", "scene", "query", "explain", "xml")
             .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "query", "image", "render", "explain", "drawing", "xml", "pov", "standard")
+            .whereLayer("ray").mayOnlyBeAccessedByLayers("material", "shape", "scene", "render")
             .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "explain", "drawing", "xml", "pov", "standard")
             .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "explain", "drawing", "xml", "pov", "standard")
             .whereLayer("query").mayNotBeAccessedByAnyLayer()
@@ -58,7 +60,7 @@ class ArchitectureTest {
 
     @ArchTest
     static final ArchRule MATH_KNOWS_NOTHING = noClasses().that().resideInAPackage("cz.paprsek.math")
-            .should().dependOnClassesThat().resideInAnyPackage("cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.io");
+            .should().dependOnClassesThat().resideInAnyPackage("cz.paprsek.material", "cz.paprsek.ray", "cz.paprsek.shape..", "cz.paprsek.scene", "cz.paprsek.io");
 
     @ArchTest
     static final ArchRule ATTRIBUTES_KNOW_NOBODY = noClasses().that().resideInAPackage("cz.paprsek.attribute")
@@ -130,7 +132,7 @@ class ArchitectureTest {
 
     @ArchTest
     static final ArchRule FILES_ONLY_AT_THE_BORDER = noClasses().that()
-            .resideInAnyPackage("cz.paprsek.math", "cz.paprsek.tree", "cz.paprsek.material", "cz.paprsek.shape", "cz.paprsek.scene", "cz.paprsek.query", "cz.paprsek.render..")
+            .resideInAnyPackage("cz.paprsek.math", "cz.paprsek.tree", "cz.paprsek.material", "cz.paprsek.ray", "cz.paprsek.shape..", "cz.paprsek.scene", "cz.paprsek.query", "cz.paprsek.render..")
             .should().dependOnClassesThat().resideInAnyPackage("java.nio..");
 
     @ArchTest

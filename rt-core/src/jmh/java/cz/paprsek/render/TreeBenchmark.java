@@ -2,9 +2,9 @@ package cz.paprsek.render;
 
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Rays;
-import cz.paprsek.shape.Spans;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.standard.StandardScenes;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;

@@ -2,6 +2,8 @@ package cz.paprsek.shape;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Volume;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;

@@ -1,6 +1,8 @@
 package cz.paprsek.shape;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
 import java.util.Random;
 
 /** Random rays from a sphere of radius 4 towards points near the origin, the same every time; handed out in turn, so that none is learnt by heart. */

@@ -5,8 +5,8 @@ import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.integrate.PartPaths;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.ScenePath.BodyAt;
-import cz.paprsek.shape.Ray;
-import cz.paprsek.shape.Spans;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
 import java.util.Objects;
 import java.util.Optional;
 

@@ -7,6 +7,13 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.ray.Line;
+import cz.paprsek.shape.placed.Convex;
+import cz.paprsek.shape.placed.LocalConvex;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.text.Numbers;
 import java.util.List;
 import java.util.Objects;
@@ -77,7 +84,7 @@ public record Block(
         }
 
         @Override
-        boolean clip(Ray ray) {
+        protected boolean clip(Ray ray) {
             ray.needReciprocals();
             boolean forwardX = ray.rx > 0;
             ray.enter = ((forwardX ? minX : maxX) - ray.ox) * ray.rx;
@@ -113,7 +120,7 @@ public record Block(
         }
 
         @Override
-        boolean clip(Line line, Ray ray) {
+        protected boolean clip(Line line, Ray ray) {
             open(ray);
             return narrow(ray, line.ox, line.dx, min.x(), max.x(), 0)
                     && narrow(ray, line.oy, line.dy, min.y(), max.y(), 2)
@@ -121,7 +128,7 @@ public record Block(
         }
 
         @Override
-        void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
+        protected void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
             double side = face % 2 == 0 ? -1 : 1;
             hit.normal(toLocal, face / 2 == 0 ? side : 0, face / 2 == 1 ? side : 0, face / 2 == 2 ? side : 0);
         }

@@ -7,6 +7,12 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.ray.Line;
+import cz.paprsek.shape.placed.LocalConvex;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Volume;
 import java.util.List;
 
 /** A closed cone about the y axis: {@code radius} at y = 0, {@code topRadius} at y = height; pointed if that is 0. */
@@ -74,7 +80,7 @@ public record Cone(
         }
 
         @Override
-        boolean clip(Line line, Ray ray) {
+        protected boolean clip(Line line, Ray ray) {
             open(ray);
             if (!narrow(ray, line.oy, line.dy, 0, height, BOTTOM)) {
                 return false;
@@ -111,7 +117,7 @@ public record Cone(
         }
 
         @Override
-        void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
+        protected void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
             if (face == SIDE) {
                 hit.normal(toLocal, x, -slope * (radius + slope * y), z);
             } else {

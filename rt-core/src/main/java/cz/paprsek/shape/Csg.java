@@ -4,6 +4,14 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.placed.Combination;
+import cz.paprsek.shape.placed.IntStack;
+import cz.paprsek.shape.placed.Operands;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Surface;
+import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.tree.TreeBuilder;
 import java.util.Arrays;
 import java.util.List;
@@ -21,10 +29,10 @@ import org.jspecify.annotations.Nullable;
 public record Csg(Operation operation, List<Operand> operands) implements Solid {
 
     /** How two solids make one. */
-    public enum Operation {
+    public enum Operation implements Combination {
         UNION, DIFFERENCE, INTERSECTION;
 
-        /** Whether a point is inside the result, given whether it is inside the left and the right solid. */
+        @Override
         public boolean inside(boolean inLeft, boolean inRight) {
             return switch (this) {
                 case UNION -> inLeft || inRight;
@@ -100,7 +108,7 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
             TreeBuilder.stopIfAsked(i, parts::isCancelled);
             Operand operand = operands.get(i);
             Affine operandToWorld = toWorld.after(operand.placement().toParent());
-            placed[i] = operand.solid().place(operandToWorld, parts.within(operand, operandToWorld));
+            placed[i] = operand.solid().place(operandToWorld, parts.within(operand.material(), operandToWorld));
         }
         return placed.length == 1 ? placed[0] : new Placed(operation, placed, parts::isCancelled);
     }

@@ -7,6 +7,9 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.placed.Flat;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Surface;
 import java.util.List;
 import java.util.Objects;
 
@@ -43,17 +46,17 @@ public record Disc(@Attribute(value = Kind.POSITIVE, means = "Above 0") double r
         }
 
         @Override
-        boolean holds(double x, double y) {
+        protected boolean holds(double x, double y) {
             return x * x + y * y <= radius * radius;
         }
 
         @Override
-        double u(double x) {
+        protected double u(double x) {
             return (x / radius + 1) / 2;
         }
 
         @Override
-        double v(double y) {
+        protected double v(double y) {
             return (y / radius + 1) / 2;
         }
     }

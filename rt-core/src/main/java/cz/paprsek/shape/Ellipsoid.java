@@ -7,6 +7,12 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.ray.Line;
+import cz.paprsek.shape.placed.LocalConvex;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Volume;
 import java.util.List;
 
 /** An ellipsoid about the origin with semi-axes along x, y and z. */
@@ -40,7 +46,7 @@ public record Ellipsoid(@Attribute(value = Kind.POSITIVE_VECTOR, means = "Along 
         }
 
         @Override
-        boolean clip(Line line, Ray ray) {
+        protected boolean clip(Line line, Ray ray) {
             double dd = line.dx * line.dx + line.dy * line.dy + line.dz * line.dz;
             double middle = -(line.ox * line.dx + line.oy * line.dy + line.oz * line.dz) / dd;
             double px = line.ox + middle * line.dx;
@@ -59,7 +65,7 @@ public record Ellipsoid(@Attribute(value = Kind.POSITIVE_VECTOR, means = "Along 
         }
 
         @Override
-        void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
+        protected void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
             hit.normal(toLocal, x, y, z);
         }
     }

@@ -4,6 +4,12 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.ray.Line;
+import cz.paprsek.shape.placed.LocalConvex;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Volume;
 import java.util.List;
 import java.util.Objects;
 
@@ -37,13 +43,13 @@ public record Plane() implements Solid {
         }
 
         @Override
-        boolean clip(Line line, Ray ray) {
+        protected boolean clip(Line line, Ray ray) {
             open(ray);
             return narrow(ray, line.oy, line.dy, Double.NEGATIVE_INFINITY, 0, -1);
         }
 
         @Override
-        void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
+        protected void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
             hit.normal(toLocal, 0, 1, 0);
         }
     }

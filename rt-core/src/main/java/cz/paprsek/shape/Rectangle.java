@@ -5,6 +5,9 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.placed.Flat;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.text.Numbers;
 import java.util.List;
 import java.util.Objects;
@@ -48,17 +51,17 @@ public record Rectangle(double minX, double minY, double maxX, double maxY) impl
         }
 
         @Override
-        boolean holds(double x, double y) {
+        protected boolean holds(double x, double y) {
             return x >= shape.minX && x <= shape.maxX && y >= shape.minY && y <= shape.maxY;
         }
 
         @Override
-        double u(double x) {
+        protected double u(double x) {
             return (x - shape.minX) / (shape.maxX - shape.minX);
         }
 
         @Override
-        double v(double y) {
+        protected double v(double y) {
             return (y - shape.minY) / (shape.maxY - shape.minY);
         }
     }

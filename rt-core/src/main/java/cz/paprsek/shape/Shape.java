@@ -3,6 +3,8 @@ package cz.paprsek.shape;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Surface;
 import java.util.List;
 import java.util.Locale;
 

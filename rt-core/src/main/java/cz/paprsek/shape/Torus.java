@@ -7,6 +7,13 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.ray.Line;
+import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Volume;
 import java.util.List;
 
 /**
@@ -81,8 +88,7 @@ public record Torus(
          */
         @Override
         public void spans(Ray ray, Spans out) {
-            Line line = ray.local;
-            line.set(ray, toLocal);
+            Line line = ray.in(toLocal);
             double length = Math.sqrt(line.dx * line.dx + line.dy * line.dy + line.dz * line.dz);
             line.dx /= length;
             line.dy /= length;

@@ -3,19 +3,19 @@ package cz.paprsek.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.surface.Media;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.shape.Block;
-import cz.paprsek.shape.Operand;
-import cz.paprsek.shape.Part;
-import cz.paprsek.shape.Parts;
-import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Solid;
-import cz.paprsek.shape.Spans;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
 import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -98,7 +98,7 @@ class TextbookTest {
             }
 
             @Override
-            public Parts within(Operand operand, Affine toWorld) {
+            public Parts within(MaterialSource material, Affine toWorld) {
                 return this;
             }
         }).spans(ray, spans);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
@@ -12,12 +13,12 @@ import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.MaterialAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
-import cz.paprsek.shape.Part;
-import cz.paprsek.shape.Parts;
-import cz.paprsek.shape.Ray;
-import cz.paprsek.shape.Spans;
 import cz.paprsek.shape.Sphere;
-import cz.paprsek.shape.Volume;
+import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.xml.RandomScenes;
 import java.util.HashMap;
 import java.util.List;
@@ -208,7 +209,7 @@ class ScenePathTest {
         }
 
         @Override
-        public Parts within(Operand operand, Affine toWorld) {
+        public Parts within(MaterialSource material, Affine toWorld) {
             BodyAt child = at.child(operands++);
             maps.put(child, toWorld);
             return new Watched(child, maps);

@@ -2,10 +2,18 @@ package cz.paprsek.shape;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg.Operation;
+import cz.paprsek.shape.placed.IntStack;
+import cz.paprsek.shape.placed.Operands;
+import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Volume;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -92,7 +100,7 @@ class OperandsTest {
             }
 
             @Override
-            public Parts within(Operand operand, Affine toWorld) {
+            public Parts within(MaterialSource material, Affine toWorld) {
                 return this;
             }
         });

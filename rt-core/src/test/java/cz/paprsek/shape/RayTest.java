@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;

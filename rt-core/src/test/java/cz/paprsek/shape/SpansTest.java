@@ -3,6 +3,7 @@ package cz.paprsek.shape;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.shape.Csg.Operation;
+import cz.paprsek.shape.placed.Spans;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.stream.IntStream;

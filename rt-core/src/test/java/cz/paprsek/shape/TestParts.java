@@ -1,6 +1,11 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
@@ -17,7 +22,7 @@ final class TestParts implements Parts {
     }
 
     @Override
-    public Parts within(Operand operand, Affine toWorld) {
+    public Parts within(MaterialSource material, Affine toWorld) {
         return this;
     }
 

@@ -2,9 +2,9 @@ package cz.paprsek.cli.describe;
 
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.shape.Ray;
-import cz.paprsek.shape.Spans;
-import cz.paprsek.shape.Volume;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Volume;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;

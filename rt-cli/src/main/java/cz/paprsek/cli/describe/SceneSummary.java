@@ -5,7 +5,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
-import cz.paprsek.shape.Parts;
+import cz.paprsek.shape.placed.Parts;
 import java.util.Map;
 import java.util.TreeMap;
 

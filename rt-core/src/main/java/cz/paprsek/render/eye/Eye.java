@@ -1,7 +1,7 @@
 package cz.paprsek.render.eye;
 
 import cz.paprsek.scene.Camera;
-import cz.paprsek.shape.Ray;
+import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.tree.Bundle;
 
 /** A camera ready to make rays for pictures of one size: one class for each lens. Immutable. */

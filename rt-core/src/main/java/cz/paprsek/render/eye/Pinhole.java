@@ -3,7 +3,7 @@ package cz.paprsek.render.eye;
 import cz.paprsek.math.Angles;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
-import cz.paprsek.shape.Ray;
+import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.tree.Bundle;
 
 /**

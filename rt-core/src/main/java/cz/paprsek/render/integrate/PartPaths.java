@@ -1,12 +1,12 @@
 package cz.paprsek.render.integrate;
 
+import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
-import cz.paprsek.shape.Operand;
-import cz.paprsek.shape.Part;
-import cz.paprsek.shape.Parts;
+import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.Parts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
@@ -40,7 +40,7 @@ public final class PartPaths {
         }
 
         @Override
-        public Parts within(Operand operand, Affine toWorld) {
+        public Parts within(MaterialSource material, Affine toWorld) {
             return new Scope(at.child(operands++));
         }
     }

@@ -1,6 +1,7 @@
 package cz.paprsek.render.integrate;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LinearRgb;
@@ -14,9 +15,8 @@ import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
-import cz.paprsek.shape.Hit;
-import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.placed.Ray;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;

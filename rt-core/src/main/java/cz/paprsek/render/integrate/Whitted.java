@@ -1,5 +1,6 @@
 package cz.paprsek.render.integrate;
 
+import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.light.Arrival;
@@ -11,10 +12,9 @@ import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.Media;
 import cz.paprsek.render.surface.PartTable;
 import cz.paprsek.render.surface.World;
-import cz.paprsek.shape.Hit;
-import cz.paprsek.shape.Ray;
-import cz.paprsek.shape.Spans;
-import cz.paprsek.shape.Surface;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
 import java.util.function.BooleanSupplier;

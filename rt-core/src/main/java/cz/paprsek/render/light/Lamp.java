@@ -1,8 +1,8 @@
 package cz.paprsek.render.light;
 
 import cz.paprsek.material.Rgb;
+import cz.paprsek.ray.Hit;
 import cz.paprsek.scene.Light;
-import cz.paprsek.shape.Hit;
 import cz.paprsek.tree.Bundle;
 
 /** A light ready for shading: one class for each kind. Immutable. */

@@ -1,7 +1,7 @@
 package cz.paprsek.render.light;
 
+import cz.paprsek.ray.Hit;
 import cz.paprsek.scene.Light;
-import cz.paprsek.shape.Hit;
 import cz.paprsek.tree.Bundle;
 
 /** A light of no size, without fall-off. */

@@ -1,6 +1,7 @@
 package cz.paprsek.render.mode;
 
 import cz.paprsek.material.Rgb;
+import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.integrate.Sampling;
@@ -8,7 +9,6 @@ import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
-import cz.paprsek.shape.Hit;
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 

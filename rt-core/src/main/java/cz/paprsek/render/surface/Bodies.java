@@ -1,9 +1,9 @@
 package cz.paprsek.render.surface;
 
-import cz.paprsek.shape.Balls;
-import cz.paprsek.shape.Ray;
-import cz.paprsek.shape.Spans;
-import cz.paprsek.shape.Surface;
+import cz.paprsek.shape.placed.Balls;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
 import cz.paprsek.tree.Search;

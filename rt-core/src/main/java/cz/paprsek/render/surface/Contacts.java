@@ -1,9 +1,8 @@
 package cz.paprsek.render.surface;
 
-
-import cz.paprsek.shape.Hit;
-import cz.paprsek.shape.Ray;
-import cz.paprsek.shape.Spans;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
 
 /**
  * Decides what a ray meets of surfaces that lie in one place, where rounding alone would. Scratch of one worker.

@@ -1,8 +1,8 @@
 package cz.paprsek.render.surface;
 
-import cz.paprsek.shape.Hit;
-import cz.paprsek.shape.Ray;
-import cz.paprsek.shape.Spans;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
 
 /** Scratch of one level of recursion: a ray, what it met, and the light it brings back. */
 public final class Level {

@@ -4,7 +4,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.shape.Hit;
+import cz.paprsek.ray.Hit;
 
 /** A pattern ready to be asked for its colour at a point: two colours in linear light, and which of them lies where. */
 public abstract class Paint {

@@ -8,10 +8,9 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Affine;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
-import cz.paprsek.shape.Operand;
-import cz.paprsek.shape.Part;
-import cz.paprsek.shape.Parts;
-import cz.paprsek.shape.Surface;
+import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Surface;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -128,8 +127,8 @@ public final class PartTable {
         }
 
         @Override
-        public Parts within(Operand operand, Affine toWorld) {
-            return new Scope(object, own(operand.material(), toWorld, finish));
+        public Parts within(MaterialSource material, Affine toWorld) {
+            return new Scope(object, own(material, toWorld, finish));
         }
 
         @Override

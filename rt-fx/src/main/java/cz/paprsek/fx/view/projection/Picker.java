@@ -4,17 +4,17 @@ import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.item.Bodies;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.shape.Operand;
-import cz.paprsek.shape.Part;
-import cz.paprsek.shape.Parts;
-import cz.paprsek.shape.Ray;
 import cz.paprsek.shape.Shape;
-import cz.paprsek.shape.Spans;
-import cz.paprsek.shape.Surface;
+import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Surface;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
@@ -157,7 +157,7 @@ final class Picker {
         }
 
         @Override
-        public Parts within(Operand operand, Affine toWorld) {
+        public Parts within(MaterialSource material, Affine toWorld) {
             return this;
         }
     }

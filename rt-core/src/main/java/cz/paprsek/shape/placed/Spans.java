@@ -1,6 +1,5 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
-import cz.paprsek.shape.Csg.Operation;
 import java.util.Arrays;
 
 /**
@@ -43,7 +42,7 @@ public final class Spans {
     }
 
     /** Whether the stretches from {@code mark} on reach between the ray's min and max. */
-    boolean reaches(int mark, Ray ray) {
+    public boolean reaches(int mark, Ray ray) {
         return size > mark && t[mark] < ray.reach && t[size - 1] > ray.min;
     }
 
@@ -63,7 +62,7 @@ public final class Spans {
      *
      * @param scale the size of the numbers behind the ray's origin
      */
-    void combine(Operation operation, int left, int right, double scale) {
+    public void combine(Combination operation, int left, int right, double scale) {
         if (left == right || right == size || together(t[right - 1], scale) < t[right] || together(t[size - 1], scale) < t[left]) {
             combineApart(operation, left, right, scale);
         } else {
@@ -72,21 +71,20 @@ public final class Spans {
     }
 
     /** Combines two runs of which one is empty, or ends before the other begins. */
-    private void combineApart(Operation operation, int left, int right, double scale) {
-        if (operation == Operation.INTERSECTION) {
-            size = left;
-        } else if (operation == Operation.DIFFERENCE) {
-            size = right;
+    private void combineApart(Combination operation, int left, int right, double scale) {
+        if (!operation.inside(false, true)) {
+            size = operation.inside(true, false) ? right : left;
         } else if (left < right && right < size && t[right] < t[left]) {
             merge(operation, left, right, scale);
         }
     }
 
-    private void merge(Operation operation, int left, int right, double scale) {
+    private void merge(Combination operation, int left, int right, double scale) {
         int end = size;
         grow(end + end - left);
         int a = left;
         int b = right;
+        boolean flips = !operation.inside(false, true) && operation.inside(true, false);
         boolean inA = false;
         boolean inB = false;
         boolean inside = false;
@@ -107,7 +105,7 @@ public final class Spans {
             if (operation.inside(inA, inB) != inside) {
                 inside = !inside;
                 int source = changedA ? fromA : fromB;
-                boolean flipped = !changedA && operation == Operation.DIFFERENCE;
+                boolean flipped = !changedA && flips;
                 add(t[source], part[source], flipped ? ~face[source] : face[source]);
             }
         }
@@ -127,7 +125,7 @@ public final class Spans {
      * Drops of a primitive's boundaries, from {@code mark} on, the one that the ray starts at, and those before it. It is the nearest to the
      * start of those that lead the way the ray goes.
      */
-    void leaveFrom(int mark, boolean inwards) {
+    public void leaveFrom(int mark, boolean inwards) {
         int start = -1;
         for (int i = inwards ? mark : mark + 1; i < size; i += 2) {
             if (start < 0 || Math.abs(t[i]) < Math.abs(t[start])) {
@@ -147,7 +145,7 @@ public final class Spans {
     }
 
     /** Keeps of the run [from, size) only the boundaries strictly between two values of t. */
-    void clip(int from, double min, double max) {
+    public void clip(int from, double min, double max) {
         int kept = from;
         for (int i = from; i < size; i++) {
             if (t[i] > min && t[i] < max) {

@@ -1,6 +1,8 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
+import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.ray.Line;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -42,24 +44,24 @@ public final class Ray {
     /** What lies less far from the start than this touches the surface that the ray starts from. */
     public double contact;
     /** Up to where a hit lies in one place with the one at max. */
-    double reach;
+    public double reach;
     /** The {@linkplain Parts part} hit, or −1. */
     public int part;
     /** Which face of the part was hit, the part's own numbering; the complement {@code ~face} if an odd number of CSG operations flipped it. */
     public int face;
 
     /** The stretch of the ray that a convex body was last found to cover, and the faces at its ends. */
-    double enter;
-    double leave;
-    int enterFace;
-    int leaveFace;
+    public double enter;
+    public double leave;
+    public int enterFace;
+    public int leaveFace;
 
-    final Line local = new Line();
+    private final Line local = new Line();
     /** The operands, of all operations being evaluated, that the ray meets. */
-    final IntStack met = new IntStack();
+    public final IntStack met = new IntStack();
     Operands.@Nullable Finder finder;
-    final double[] breaks = new double[3];
-    final Spans spans;
+    public final double[] breaks = new double[3];
+    public final Spans spans;
 
     public Ray(Spans spans) {
         this.spans = spans;
@@ -113,6 +115,18 @@ public final class Ray {
         min = from;
     }
 
+    /** The ray in the space that the map leads to. Its direction keeps the length that the map gives it, so t keeps its meaning. */
+    public Line in(Affine map) {
+        Line line = local;
+        line.ox = map.pointX(ox, oy, oz);
+        line.oy = map.pointY(ox, oy, oz);
+        line.oz = map.pointZ(ox, oy, oz);
+        line.dx = map.directionX(dx, dy, dz);
+        line.dy = map.directionY(dx, dy, dz);
+        line.dz = map.directionZ(dx, dy, dz);
+        return line;
+    }
+
     /** How far from a hit at t others lie in one place with it. */
     public double touch(double t) {
         return TOUCH * (scale + Math.abs(t));
@@ -129,7 +143,7 @@ public final class Ray {
     }
 
     /** Takes a hit that is known to lie between min and reach. Of hits in one place the lowest part's counts, whichever was found first. */
-    void accept(double t, int hitPart, int hitFace) {
+    public void accept(double t, int hitPart, int hitFace) {
         if (part < 0 || hitPart < part || t < max - (reach - max)) {
             max = t;
             reach = t + touch(t);

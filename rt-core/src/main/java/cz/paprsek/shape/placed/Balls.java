@@ -1,4 +1,4 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
 /**
  * Balls side by side, to find out which of a row of surfaces a ray passes by: asking those by themselves takes a call and a walk through
@@ -13,7 +13,7 @@ public final class Balls {
         double[] found = new double[4 * surfaces.length];
         boolean any = false;
         for (int i = 0; i < surfaces.length; i++) {
-            if (surfaces[i] instanceof Sphere.Ball ball) {
+            if (surfaces[i] instanceof Ball ball) {
                 ball.put(found, 4 * i);
                 any = true;
             } else {
@@ -26,6 +26,6 @@ public final class Balls {
     /** Whether the line of the ray may meet a surface; for a ball by the very arithmetic by which it is met. */
     public boolean mayBeMet(int surface, Ray ray) {
         return values.length == 0
-                || Sphere.Ball.half(ray, values[4 * surface], values[4 * surface + 1], values[4 * surface + 2], values[4 * surface + 3]) > 0;
+                || Ball.half(ray, values[4 * surface], values[4 * surface + 1], values[4 * surface + 2], values[4 * surface + 3]) > 0;
     }
 }

@@ -1,28 +1,29 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.ray.Hit;
 
 /** A figure in the plane z = 0 of its own space, met there at t = −o_z / d_z. */
-abstract class Flat extends Surface implements Part {
+public abstract class Flat extends Surface implements Part {
     private final int part;
     private final Affine toLocal;
     private final Bounds bounds;
 
-    Flat(int part, Affine toWorld, Bounds worldBounds) {
+    protected Flat(int part, Affine toWorld, Bounds worldBounds) {
         this.part = part;
         this.toLocal = toWorld.inverse();
         this.bounds = worldBounds;
     }
 
     /** Whether a point of the plane belongs to the figure. */
-    abstract boolean holds(double x, double y);
+    protected abstract boolean holds(double x, double y);
 
     /** The figure's x as 0–1. */
-    abstract double u(double x);
+    protected abstract double u(double x);
 
     /** The figure's y as 0–1. */
-    abstract double v(double y);
+    protected abstract double v(double y);
 
     @Override
     public Bounds bounds() {

@@ -1,4 +1,6 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
+
+import cz.paprsek.ray.Hit;
 
 /** One primitive as placed in the world, alone or within a CSG body: what a boundary belongs to. */
 public interface Part {

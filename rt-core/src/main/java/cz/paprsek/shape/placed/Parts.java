@@ -1,5 +1,6 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
+import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
 import java.util.function.IntFunction;
 
@@ -13,7 +14,7 @@ public interface Parts {
         }
 
         @Override
-        public Parts within(Operand operand, Affine toWorld) {
+        public Parts within(MaterialSource material, Affine toWorld) {
             return this;
         }
     };
@@ -21,8 +22,8 @@ public interface Parts {
     /** Registers the part that {@code maker} makes for its number. */
     <P extends Part> P add(IntFunction<P> maker);
 
-    /** Where the parts of an operand are to be registered. */
-    Parts within(Operand operand, Affine toWorld);
+    /** Where the parts of an operand of the given material are to be registered. */
+    Parts within(MaterialSource material, Affine toWorld);
 
     /** Whether to give up; asked while many operands are placed. */
     default boolean isCancelled() {

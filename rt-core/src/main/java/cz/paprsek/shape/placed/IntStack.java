@@ -1,21 +1,21 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
 import java.util.Arrays;
 
 /** Scratch of one worker: whole numbers, in a growing array. */
-final class IntStack {
+public final class IntStack {
     private int[] values = new int[32];
     private int size;
 
-    int size() {
+    public int size() {
         return size;
     }
 
-    int get(int i) {
+    public int get(int i) {
         return values[i];
     }
 
-    void push(int value) {
+    public void push(int value) {
         if (size == values.length) {
             values = Arrays.copyOf(values, 2 * size);
         }
@@ -23,12 +23,12 @@ final class IntStack {
     }
 
     /** Forgets the numbers from {@code mark} on. */
-    void release(int mark) {
+    public void release(int mark) {
         size = mark;
     }
 
     /** Sorts the numbers from {@code mark} on. */
-    void sort(int mark) {
+    public void sort(int mark) {
         Arrays.sort(values, mark, size);
     }
 }

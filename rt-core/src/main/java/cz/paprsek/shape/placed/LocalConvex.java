@@ -1,24 +1,26 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.ray.Line;
 
 /** A convex primitive that is met in its own space, through the map that leads there. */
-abstract class LocalConvex extends Convex {
+public abstract class LocalConvex extends Convex {
     private final Affine toLocal;
     private final Bounds bounds;
 
-    LocalConvex(int part, Affine toWorld, Bounds worldBounds) {
+    protected LocalConvex(int part, Affine toWorld, Bounds worldBounds) {
         super(part);
         this.toLocal = toWorld.inverse();
         this.bounds = worldBounds;
     }
 
     /** As {@link #clip(Ray)}, for the line in the shape's own space. */
-    abstract boolean clip(Line line, Ray ray);
+    protected abstract boolean clip(Line line, Ray ray);
 
     /** Calls {@link Hit#normal} for a point on a face, both in the shape's own space. */
-    abstract void describe(int face, double x, double y, double z, Affine toLocal, Hit hit);
+    protected abstract void describe(int face, double x, double y, double z, Affine toLocal, Hit hit);
 
     @Override
     public Bounds bounds() {
@@ -31,9 +33,8 @@ abstract class LocalConvex extends Convex {
     }
 
     @Override
-    boolean clip(Ray ray) {
-        ray.local.set(ray, toLocal);
-        return clip(ray.local, ray);
+    protected boolean clip(Ray ray) {
+        return clip(ray.in(toLocal), ray);
     }
 
     @Override
@@ -48,7 +49,7 @@ abstract class LocalConvex extends Convex {
      * @param lowFace the face at low; the one at high is the next number
      * @return whether anything is left
      */
-    static boolean narrow(Ray ray, double o, double d, double low, double high, int lowFace) {
+    protected static boolean narrow(Ray ray, double o, double d, double low, double high, int lowFace) {
         double r = 1 / d;
         if (Double.isInfinite(r)) {
             return o >= low && o <= high;
@@ -59,7 +60,7 @@ abstract class LocalConvex extends Convex {
     }
 
     /** Opens the ray's stretch to the whole line. */
-    static void open(Ray ray) {
+    protected static void open(Ray ray) {
         ray.enter = Double.NEGATIVE_INFINITY;
         ray.leave = Double.POSITIVE_INFINITY;
     }

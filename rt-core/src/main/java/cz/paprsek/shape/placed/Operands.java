@@ -1,4 +1,4 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
 import cz.paprsek.math.Bounds;
 import cz.paprsek.tree.Search;
@@ -8,7 +8,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 
 /** Which of many operands a ray meets, without asking all. Those without end stand apart and are always met. */
-final class Operands {
+public final class Operands {
     private final Bounds[] boxes;
     /** Numbers of operands in the order of the tree's leaves. */
     private final int[] finite;
@@ -20,7 +20,7 @@ final class Operands {
      * @param cost about how long it takes to meet one, in units of what a sphere takes
      * @throws java.util.concurrent.CancellationException if it was to stop
      */
-    Operands(Bounds[] boxes, double[] cost, BooleanSupplier stop) {
+    public Operands(Bounds[] boxes, double[] cost, BooleanSupplier stop) {
         this.boxes = boxes;
         endless = IntStream.range(0, boxes.length).filter(i -> !boxes[i].isFinite()).toArray();
         finite = IntStream.range(0, boxes.length).filter(i -> boxes[i].isFinite() && !boxes[i].isEmpty()).toArray();
@@ -34,7 +34,7 @@ final class Operands {
     }
 
     /** Pushes the numbers of the operands whose boxes the ray meets, in rising order. */
-    void meet(Ray ray, IntStack out) {
+    public void meet(Ray ray, IntStack out) {
         int mark = out.size();
         for (int i : endless) {
             out.push(i);

@@ -1,15 +1,15 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
 /** A primitive that every line meets in one stretch at most. */
-abstract class Convex extends Volume implements Part {
+public abstract class Convex extends Volume implements Part {
     final int part;
 
-    Convex(int part) {
+    protected Convex(int part) {
         this.part = part;
     }
 
     /** Finds the stretch of the line inside and sets the ray's enter, leave and their faces; false if there is none. */
-    abstract boolean clip(Ray ray);
+    protected abstract boolean clip(Ray ray);
 
     /** As {@link #clip}, but of a ray that starts on the surface only what follows: the far side if it starts inwards, else nothing. */
     final boolean meets(Ray ray) {
@@ -53,7 +53,7 @@ abstract class Convex extends Volume implements Part {
     }
 
     /** Narrows the ray's stretch to [enter, leave]; whether anything is left. */
-    static boolean narrow(Ray ray, double enter, int enterFace, double leave, int leaveFace) {
+    protected static boolean narrow(Ray ray, double enter, int enterFace, double leave, int leaveFace) {
         if (enter > ray.enter) {
             ray.enter = enter;
             ray.enterFace = enterFace;

@@ -1,4 +1,4 @@
-package cz.paprsek.shape;
+package cz.paprsek.ray;
 
 import cz.paprsek.math.Affine;
 
@@ -19,7 +19,7 @@ public final class Hit {
     public double v;
 
     /** Sets the normal from one in a shape's own space, of any length, by the transpose of the map into that space. */
-    void normal(Affine toLocal, double x, double y, double z) {
+    public void normal(Affine toLocal, double x, double y, double z) {
         unitNormal(
                 toLocal.xx() * x + toLocal.yx() * y + toLocal.zx() * z,
                 toLocal.xy() * x + toLocal.yy() * y + toLocal.zy() * z,
@@ -27,7 +27,7 @@ public final class Hit {
     }
 
     /** Sets the normal from a vector of any length but 0, world space. */
-    void unitNormal(double x, double y, double z) {
+    public void unitNormal(double x, double y, double z) {
         double k = 1 / Math.sqrt(x * x + y * y + z * z);
         nx = x * k;
         ny = y * k;

@@ -1,4 +1,4 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
 import cz.paprsek.math.Vec3;
 

@@ -1,0 +1,101 @@
+package cz.paprsek.shape.placed;
+
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
+
+/**
+ * A ball in world space. With l from the eye to the centre and b = l·d the distance to the point of the ray nearest to it,
+ * the crossings are b ± √(r² − |l − b·d|²). The nearest point is formed first: |l|² − b² would lose the digits of a small
+ * sphere far away.
+ *
+ * @source Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7, 2019
+ */
+public final class Ball extends Convex {
+    private final double x;
+    private final double y;
+    private final double z;
+    private final double radius;
+
+    public Ball(int part, double x, double y, double z, double radius) {
+        super(part);
+        this.x = x;
+        this.y = y;
+        this.z = z;
+        this.radius = radius;
+    }
+
+    @Override
+    public Bounds bounds() {
+        return Bounds.around(new Vec3(x, y, z), new Vec3(radius, radius, radius));
+    }
+
+    @Override
+    protected boolean clip(Ray ray) {
+        double middle = middle(ray);
+        double half = half(ray, middle);
+        if (!(half > 0)) {
+            return false;
+        }
+        double s = Math.sqrt(half);
+        ray.enter = middle - s;
+        ray.leave = middle + s;
+        ray.enterFace = 0;
+        ray.leaveFace = 0;
+        return true;
+    }
+
+    @Override
+    public void nearest(Ray ray) {
+        if (part == ray.left) {
+            super.nearest(ray);
+            return;
+        }
+        double middle = middle(ray);
+        double half = half(ray, middle);
+        if (half > 0) {
+            double s = Math.sqrt(half);
+            double t = middle - s > ray.min ? middle - s : middle + s;
+            if (t > ray.min && t < ray.reach) {
+                ray.accept(t, part, 0);
+            }
+        }
+    }
+
+    @Override
+    public void describe(int face, Hit hit) {
+        hit.unitNormal(hit.px - x, hit.py - y, hit.pz - z);
+    }
+
+    private double middle(Ray ray) {
+        return middle(ray, x, y, z);
+    }
+
+    private static double middle(Ray ray, double x, double y, double z) {
+        return (x - ray.ox) * ray.dx + (y - ray.oy) * ray.dy + (z - ray.oz) * ray.dz;
+    }
+
+    private double half(Ray ray, double middle) {
+        return half(ray, middle, x, y, z, radius * radius);
+    }
+
+    /** The square of half the chord of a ball of squared radius r2; not positive if the ray passes by. */
+    private static double half(Ray ray, double middle, double x, double y, double z, double r2) {
+        double px = x - ray.ox - middle * ray.dx;
+        double py = y - ray.oy - middle * ray.dy;
+        double pz = z - ray.oz - middle * ray.dz;
+        return r2 - (px * px + py * py + pz * pz);
+    }
+
+    static double half(Ray ray, double x, double y, double z, double r2) {
+        return half(ray, middle(ray, x, y, z), x, y, z, r2);
+    }
+
+    /** Writes centre and squared radius. */
+    void put(double[] into, int at) {
+        into[at] = x;
+        into[at + 1] = y;
+        into[at + 2] = z;
+        into[at + 3] = radius * radius;
+    }
+}
