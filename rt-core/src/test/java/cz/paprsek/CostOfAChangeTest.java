@@ -21,12 +21,12 @@ class CostOfAChangeTest {
                 "Wording.java");
     }
 
-    /** The record, the list of solids, the beans and the two lists of elements, POV-Ray's form, and in the editor an example and an icon. */
+    /** The record, the list of solids, its bean, POV-Ray's form, and in the editor an example and an icon. */
     @Test
     void aShapeIsKnownWhereItIsMadeReadAndDrawn() throws IOException {
         assertThat(filesThatKnow("\\bTorus\\b|\"torus\"")).containsExactlyInAnyOrder(
                 "Torus.java", "Solid.java",
-                "ShapeBeans.java", "SceneBean.java", "CsgBean.java",
+                "ShapeBeans.java",
                 "PovShapes.java",
                 "Examples.java", "Icons.java");
     }

@@ -7,17 +7,23 @@ import java.lang.annotation.Target;
 
 /**
  * Says that a record's component is an attribute of an element in scene files, of the component's name with hyphens ({@code refractive-index}).
- * Who adds such a component has it in the schema, in files that are written, in tables and filters, in summaries and in the property sheet.
+ * Who adds such a component has it in the schema, in files that are read and written, in tables and filters, in summaries and in the property sheet.
  */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)
 public @interface Attribute {
+    /** Stands in {@link #otherwise()} of what may be missing and then has no value: an empty text, list or optional. */
+    String NOTHING = "nothing";
+
     /** What values it may have. */
     Kind value();
 
     /** What it means: a sentence for the schema, without what it is if not given. */
     String means();
 
-    /** The value if a file gives none, as a file would have it; empty if a file must give one. */
+    /** The value if a file gives none, as a file would have it, or {@link #NOTHING}; empty if a file must give one. */
     String otherwise() default "";
+
+    /** Its name, if that is not the component's. Two components in a row that have one name are one attribute of two numbers. */
+    String name() default "";
 }

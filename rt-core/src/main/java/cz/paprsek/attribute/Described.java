@@ -2,6 +2,7 @@ package cz.paprsek.attribute;
 
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -12,32 +13,101 @@ import java.util.stream.Stream;
  * An attribute of a record.
  *
  * @param name as in a file
- * @param component what has the value
+ * @param within the component whose value is the record that has the attribute; none if it is the record itself
+ * @param components the one that has the value, or the two that have its two numbers
  * @param says all that is said of it
  */
-public record Described(String name, RecordComponent component, Attribute says) {
-    private static final ClassValue<List<Described>> ALL = new ClassValue<>() {
+public record Described(String name, List<RecordComponent> within, List<RecordComponent> components, Attribute says) {
+    private static final ClassValue<List<Described>> OWN = new ClassValue<>() {
         @Override
         protected List<Described> computeValue(Class<?> type) {
-            return Arrays.stream(Objects.requireNonNull(type.getRecordComponents(), type + " is no record")).flatMap(component ->
-                    Stream.ofNullable(component.getAnnotation(Attribute.class)).map(says -> new Described(name(component), component, says))).toList();
+            List<Described> all = new ArrayList<>();
+            for (RecordComponent component : componentsOf(type)) {
+                Attribute says = component.getAnnotation(Attribute.class);
+                Described before = all.isEmpty() ? null : all.get(all.size() - 1);
+                if (says != null && before != null && before.name.equals(says.name())) {
+                    all.set(all.size() - 1, new Described(before.name, List.of(), List.of(before.component(), component), before.says));
+                } else if (says != null) {
+                    all.add(new Described(says.name().isEmpty() ? name(component) : says.name(), List.of(), List.of(component), says));
+                }
+            }
+            return List.copyOf(all);
+        }
+    };
+    private static final ClassValue<List<Described>> INLINE = new ClassValue<>() {
+        @Override
+        protected List<Described> computeValue(Class<?> type) {
+            return Arrays.stream(componentsOf(type)).flatMap(component -> component.isAnnotationPresent(Attribute.class)
+                    ? of(type).stream().filter(one -> one.component().getName().equals(component.getName()))
+                    : kinds(component.getType()).flatMap(kind -> of(kind).stream())
+                            .map(one -> new Described(one.name, List.of(component), one.components, one.says))).toList();
         }
     };
 
+    public Described {
+        within = List.copyOf(within);
+        components = List.copyOf(components);
+    }
+
     /** Those of a record, in the order of its components, which is that of files. */
     public static List<Described> of(Class<?> type) {
-        return ALL.get(type);
+        return OWN.get(type);
+    }
+
+    /**
+     * As {@link #of}, and in their places those of records that are components but no elements. Of these there may be several kinds, of which a
+     * record has one: a camera has a direction or a target.
+     */
+    public static List<Described> inline(Class<?> type) {
+        return INLINE.get(type);
+    }
+
+    private static RecordComponent[] componentsOf(Class<?> type) {
+        return Objects.requireNonNull(type.getRecordComponents(), type + " is no record");
+    }
+
+    private static Stream<Class<?>> kinds(Class<?> type) {
+        if (type.isRecord()) {
+            return type.isAnnotationPresent(Element.class) ? Stream.empty() : Stream.of(type);
+        }
+        return type.isSealed() ? Arrays.stream(type.getPermittedSubclasses()).flatMap(Described::kinds) : Stream.empty();
     }
 
     /** The name of a component as files and tables have it: {@code refractive-index}. */
     public static String name(RecordComponent component) {
-        return component.getName().replaceAll("([A-Z])", "-$1").toLowerCase(Locale.ROOT);
+        return ElementTable.hyphenated(component.getName());
     }
 
-    /** The value that a record has: a number, a vector, a colour or a text. */
+    /** A constant of an enumeration as files have it. */
+    public static String word(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    /** The component that has the value, or its first number. */
+    public RecordComponent component() {
+        return components.get(0);
+    }
+
+    /** What all values are: a number, a vector, a colour, a text, an enumeration …; numbers in an array if there are two components. */
+    public Class<?> type() {
+        return components.size() == 1 ? component().getType() : double[].class;
+    }
+
+    /** Whether a record has it: not if it is of another kind of what is within. */
+    public boolean isOf(Object record) {
+        return within.isEmpty() || get(within.get(0), record).getClass() == component().getDeclaringRecord();
+    }
+
+    /** The value that a record has. */
     public Object value(Object record) {
+        Object owner = within.isEmpty() ? record : get(within.get(0), record);
+        return components.size() == 1 ? get(component(), owner)
+                : components.stream().mapToDouble(component -> ((Number) get(component, owner)).doubleValue()).toArray();
+    }
+
+    private static Object get(RecordComponent component, Object record) {
         try {
-            return Objects.requireNonNull(component.getAccessor().invoke(record), name);
+            return Objects.requireNonNull(component.getAccessor().invoke(record), component.getName());
         } catch (IllegalAccessException | InvocationTargetException e) {
             throw new IllegalStateException("a record does not give out what it has: " + component, e);
         }
@@ -49,10 +119,15 @@ public record Described(String name, RecordComponent component, Attribute says) 
     }
 
     public boolean isNumber() {
-        return component.getType() == double.class || component.getType() == int.class;
+        return type() == double.class || type() == int.class;
     }
 
     public boolean isRequired() {
         return says.otherwise().isEmpty();
+    }
+
+    /** Whether it may be missing and then has no value. */
+    public boolean isOptional() {
+        return says.otherwise().equals(Attribute.NOTHING);
     }
 }

@@ -1,43 +1,77 @@
 package cz.paprsek.attribute;
 
-/** The kinds of values that attributes have: how each is written, what it must be, and its bounds. */
+/** The kinds of values that attributes have: how each is written, what it must be, and its bounds. A new one is a line here. */
 public enum Kind {
-    POSITIVE("positive", 0, Double.POSITIVE_INFINITY),
-    NOT_NEGATIVE("notNegative", 0, Double.POSITIVE_INFINITY),
+    NUMBER(Form.NUMBER, "number", "a finite number", Range.ANY),
+    POSITIVE(Form.NUMBER, "positive", "a finite number above 0", Range.above(0)),
+    NOT_NEGATIVE(Form.NUMBER, "notNegative", "a finite number, 0 or above", Range.from(0)),
     /** Of a light. */
-    INTENSITY("notNegative", 0, 1e12),
-    SHARE("share", 0, 1),
-    EXPONENT("exponent", 0, 1_000_000),
-    REFRACTIVE_INDEX("refractiveIndex", 0, 100),
+    INTENSITY(Form.NUMBER, "notNegative", "a finite number, 0 or above", Range.from(0).to(1e12)),
+    SHARE(Form.NUMBER, "share", "a number from 0 to 1", Range.from(0).to(1)),
+    EXPONENT(Form.NUMBER, "exponent", "a number from 0 to 1000000", Range.from(0).to(1_000_000)),
+    REFRACTIVE_INDEX(Form.NUMBER, "refractiveIndex", "a number above 0 and at most 100", Range.above(0).to(100)),
     /** Degrees. */
-    FOVY("fovy", 0, 180),
+    FOVY(Form.NUMBER, "fovy", "a number of degrees above 0 and below 180", Range.above(0).below(180)),
     /** Three numbers. */
-    VECTOR("vector", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY),
-    POSITIVE_VECTOR("positiveVector", 0, Double.POSITIVE_INFINITY),
+    VECTOR(Form.VECTOR, "vector", "three finite numbers, x y z", Range.ANY),
+    POSITIVE_VECTOR(Form.VECTOR, "positiveVector", "three finite numbers above 0", Range.above(0)),
     /** Three angles in degrees. */
-    ROTATION("vector", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY),
+    ROTATION(Form.VECTOR, "vector", "three finite numbers, x y z", Range.ANY),
+    /** Two numbers, which two components of the same name have. */
+    PAIR(Form.PAIR, "pair", "two finite numbers, x y", Range.ANY),
     /** Three factors, or one for all. */
-    SCALE("scale", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY),
-    COLOR("color", 0, 255),
+    SCALE(Form.SCALE, "scale", "one finite number or three, none of them 0", Range.ANY),
+    COLOR(Form.COLOR, "color", "three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb", Range.from(0).to(255)),
     /** Whole numbers. */
-    SQUARES("squares", 1, 1_000_000),
-    PIXELS("pixels", 1, 32_768),
-    DEPTH("depth", 1, 250),
-    SAMPLES("samples", 1, 16);
+    SQUARES(Form.WHOLE, "squares", "a whole number from 1 to 1000000", Range.from(1).to(1_000_000)),
+    PIXELS(Form.WHOLE, "pixels", "a whole number from 1 to 32768", Range.from(1).to(32_768)),
+    DEPTH(Form.WHOLE, "depth", "a whole number from 1 to 250", Range.from(1).to(250)),
+    SAMPLES(Form.WHOLE, "samples", "a whole number from 1 to 16", Range.from(1).to(16)),
+    NAME(Form.TEXT, "name", "a text of 1 to 200 characters", Range.from(1).to(200)),
+    /** A list of them. */
+    WORDS(Form.WORDS, "tags", "words separated by blanks", Range.ANY),
+    FLAG(Form.FLAG, "flag", "true or false", Range.ANY),
+    /** One of the constants of an enumeration, in small letters and with hyphens. */
+    WORD(Form.WORD, "", "", Range.ANY);
 
+    /** How values are written. */
+    public enum Form { NUMBER, WHOLE, VECTOR, PAIR, SCALE, COLOR, TEXT, WORDS, FLAG, WORD }
+
+    private final Form form;
     private final String type;
+    private final String words;
     private final double least;
+    private final boolean takesLeast;
     private final double most;
+    private final boolean takesMost;
 
-    Kind(String type, double least, double most) {
+    Kind(Form form, String type, String words, Range range) {
+        this.form = form;
         this.type = type;
-        this.least = least;
-        this.most = most;
+        this.words = words;
+        least = range.least();
+        takesLeast = range.takesLeast();
+        most = range.most();
+        takesMost = range.takesMost();
     }
 
-    /** The name of the simple type in the schema, which says what a value must be. */
+    public Form form() {
+        return form;
+    }
+
+    /** The name of the simple type in the schema, which kinds may share; that of a {@link #WORD} is its enumeration's. */
     public String type() {
         return type;
+    }
+
+    /** What a value must be: completes the sentence "must be …". */
+    public String words() {
+        return words;
+    }
+
+    /** The bounds of each of its numbers, or of the length of a text. */
+    public Range range() {
+        return new Range(least, takesLeast, most, takesMost);
     }
 
     /** What a number must not be below. */

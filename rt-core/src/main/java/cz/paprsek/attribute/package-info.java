@@ -1,5 +1,5 @@
 /**
- * What there is to say of the attributes of scene files, said once, at the component of the record that has them: the schema is generated from
- * it, and writer, tables, property sheet and summaries go by it. Knows no record.
+ * What there is to say of the elements and attributes of scene files, said once, at the records that have them and at their components: the schema
+ * is generated from it, and readers, writer, tables, property sheet and summaries go by it. Knows no record.
  */
 package cz.paprsek.attribute;

@@ -1,6 +1,7 @@
 package cz.paprsek.material;
 
 import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import java.util.Objects;
@@ -16,6 +17,7 @@ import java.util.Objects;
  * @param transparency share of transmitted light kT, 0–1
  * @param refractiveIndex index of the medium inside relative to the vacuum, above 0 and at most 100
  */
+@Element("How a surface answers light. A pattern inside takes the place of the colour.")
 public record Material(
         Pattern pattern,
         @Attribute(value = Kind.SHARE, means = "Share of diffusely reflected light", otherwise = "0.8") double diffusion,

@@ -1,6 +1,7 @@
 package cz.paprsek.material;
 
 import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
@@ -10,7 +11,8 @@ import java.util.Objects;
 public sealed interface Pattern {
 
     /** One colour everywhere. */
-    record Plain(Rgb color) implements Pattern {
+    record Plain(
+            @Attribute(value = Kind.COLOR, means = "sRGB, 0-255; not together with a pattern", otherwise = "255 255 255") Rgb color) implements Pattern {
         public Plain {
             Objects.requireNonNull(color, "color");
         }
@@ -20,6 +22,7 @@ public sealed interface Pattern {
      * A board of columns × rows squares over a rectangle or disc; the square at the minimum corner is even.
      * Columns run along the surface's x, rows along its y. At most {@value #MOST} each way.
      */
+    @Element("A board of columns x rows squares over a rectangle or a disc; the square at the minimum corner is even.")
     record Checkerboard(
             @Attribute(value = Kind.SQUARES, means = "Squares along x") int columns,
             @Attribute(value = Kind.SQUARES, means = "Squares along y") int rows,
@@ -39,6 +42,7 @@ public sealed interface Pattern {
      * Cubes of alternating colour filling space, for any shape. The cubes have the given edge and one has its corner at
      * {@code origin}, in the space of the object that declares the material, before its placement; that one is even.
      */
+    @Element("Cubes of alternating colour filling the space of the object that declares the material, before its placement.")
     record Checker(
             @Attribute(value = Kind.POSITIVE, means = "Edge of a cube") double size,
             @Attribute(value = Kind.VECTOR, means = "A corner of an even cube", otherwise = "0 0 0") Vec3 origin,

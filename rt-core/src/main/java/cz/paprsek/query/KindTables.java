@@ -1,6 +1,7 @@
 package cz.paprsek.query;
 
 import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.InScene;
@@ -41,7 +42,7 @@ final class KindTables {
     /** A table for each kind there is, in the order of {@link Shape}'s own list. */
     static List<Relation<Scene, InScene<BodyAt>>> kinds() {
         List<Relation<Scene, InScene<BodyAt>>> tables = new ArrayList<>();
-        records(Shape.class).forEach(type -> {
+        ElementTable.of(Shape.class).forEach(type -> {
             List<Column<InScene<BodyAt>>> measures = Arrays.stream(type.getRecordComponents()).flatMap(component -> measure(component).stream()).toList();
             if (type == Csg.class) {
                 for (Csg.Operation operation : Csg.Operation.values()) {
@@ -57,10 +58,6 @@ final class KindTables {
     private static Relation<Scene, InScene<BodyAt>> kind(String name, List<Column<InScene<BodyAt>>> measures, Predicate<Shape> isOfKind) {
         Table<InScene<BodyAt>> table = new Table<>(name.toLowerCase(Locale.ROOT), columns(measures), List.of());
         return new Relation<>(table, scene -> rows(scene).filter(row -> isOfKind.test(body(row).shape())), true);
-    }
-
-    private static Stream<Class<?>> records(Class<?> type) {
-        return type.isRecord() ? Stream.of(type) : Arrays.stream(type.getPermittedSubclasses()).flatMap(KindTables::records);
     }
 
     private static List<Column<InScene<BodyAt>>> columns(List<Column<InScene<BodyAt>>> own) {

@@ -1,11 +1,11 @@
 package cz.paprsek.query;
 
 import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 
@@ -28,6 +28,6 @@ final class MaterialColumns {
 
     /** The kind of a material's pattern, as its element in a scene file: {@code checker}; {@code plain} for one colour. */
     private static String pattern(Material material) {
-        return material.pattern().getClass().getSimpleName().toLowerCase(Locale.ROOT);
+        return ElementTable.name(material.pattern().getClass());
     }
 }

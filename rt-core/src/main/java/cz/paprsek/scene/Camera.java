@@ -1,6 +1,7 @@
 package cz.paprsek.scene;
 
 import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
@@ -13,6 +14,7 @@ import cz.paprsek.math.Vec3;
  * @param up the direction that is up in the picture; need not be perpendicular to the view
  * @param fovy vertical field of view in degrees, above 0 and below 180
  */
+@Element("The eye. Has either a direction or a target.")
 public record Camera(
         @Attribute(value = Kind.VECTOR, means = "Where it stands") Vec3 position,
         Aim aim,
@@ -28,14 +30,16 @@ public record Camera(
     public sealed interface Aim {}
 
     /** A direction in world space, of any length but 0. */
-    public record Direction(Vec3 vector) implements Aim {
+    public record Direction(
+            @Attribute(value = Kind.VECTOR, name = "direction", means = "Where it looks", otherwise = Attribute.NOTHING) Vec3 vector) implements Aim {
         public Direction {
             Require.that(!vector.equals(Vec3.ZERO), "camera direction must not be 0 0 0");
         }
     }
 
     /** A point in world space; the camera turns to it wherever it moves. */
-    public record Target(Vec3 point) implements Aim {
+    public record Target(
+            @Attribute(value = Kind.VECTOR, name = "target", means = "A point it keeps in the middle", otherwise = Attribute.NOTHING) Vec3 point) implements Aim {
         public Target {
             Require.place("camera target", point);
         }

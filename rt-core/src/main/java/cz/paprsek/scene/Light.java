@@ -1,6 +1,7 @@
 package cz.paprsek.scene;
 
 import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
@@ -15,8 +16,9 @@ import java.util.Objects;
  * @param color its colour
  * @param intensity factor on the linear colour, 0 to {@link #BRIGHTEST}
  */
+@Element(name = "point-light", value = "A point that shines evenly in all directions, without fall-off.")
 public record Light(
-        String name,
+        @Attribute(value = Kind.NAME, means = "What the light is called; unique among the lights", otherwise = Attribute.NOTHING) String name,
         @Attribute(value = Kind.VECTOR, means = "Where it is") Vec3 position,
         @Attribute(value = Kind.COLOR, means = "sRGB, 0-255", otherwise = "255 255 255") Rgb color,
         @Attribute(value = Kind.INTENSITY, means = "Factor on the colour", otherwise = "1") double intensity) {

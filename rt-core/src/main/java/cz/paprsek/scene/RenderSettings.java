@@ -1,6 +1,7 @@
 package cz.paprsek.scene;
 
 import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 
@@ -12,6 +13,7 @@ import cz.paprsek.math.Require;
  * @param maxDepth levels of rays, the eye ray being level 1; 1–{@value #DEEPEST}
  * @param samples rays along each side of a pixel: 1 for one ray through its centre, n for a regular grid of n × n; 1–16
  */
+@Element(name = "render", value = "How the scene wishes to be rendered.")
 public record RenderSettings(
         @Attribute(value = Kind.PIXELS, means = "Picture width in pixels", otherwise = "800") int width,
         @Attribute(value = Kind.PIXELS, means = "Picture height in pixels", otherwise = "600") int height,

@@ -1,5 +1,8 @@
 package cz.paprsek.scene;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import java.util.ArrayList;
@@ -24,10 +27,11 @@ import java.util.Objects;
  * @param materials the named materials, in the order of the file
  * @param objects any number, also none
  */
+@Element("A scene. Its elements may come in any order; exactly one camera, at most one render, background, ambient and description.")
 public record Scene(
-        String name,
+        @Attribute(value = Kind.NAME, means = "What the scene is called; no control characters, as in all names", otherwise = Attribute.NOTHING) String name,
         String description,
-        List<String> tags,
+        @Attribute(value = Kind.WORDS, means = "Words to find it by", otherwise = Attribute.NOTHING) List<String> tags,
         RenderSettings settings,
         Rgb background,
         Rgb ambient,

@@ -1,5 +1,6 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Element;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
@@ -26,6 +27,7 @@ import org.jspecify.annotations.Nullable;
  * @param operation what is done
  * @param operands at least one; a difference takes all others from the first
  */
+@Element("Solids put together: all of them (union), the first without the others (difference), what they have in common (intersection).")
 public record Csg(Operation operation, List<Operand> operands) implements Solid {
 
     /** How two solids make one. */

@@ -1,6 +1,8 @@
 package cz.paprsek.shape;
 
+import cz.paprsek.attribute.Attribute;
 import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
@@ -14,7 +16,11 @@ import java.util.Objects;
 
 /** A rectangle in the plane z = 0, facing +z, seen from both sides. It has no inside. */
 @Element("A rectangle in its plane z = 0, facing +z, seen from both sides. It has no inside.")
-public record Rectangle(double minX, double minY, double maxX, double maxY) implements Shape {
+public record Rectangle(
+        @Attribute(value = Kind.PAIR, name = "min", means = "Below max along both axes") double minX,
+        @Attribute(value = Kind.PAIR, name = "min", means = "") double minY,
+        @Attribute(value = Kind.PAIR, name = "max", means = "Above min along both axes") double maxX,
+        @Attribute(value = Kind.PAIR, name = "max", means = "") double maxY) implements Shape {
     public Rectangle {
         Require.coordinate("rectangle min x", minX);
         Require.coordinate("rectangle min y", minY);

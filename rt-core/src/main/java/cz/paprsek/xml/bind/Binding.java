@@ -7,6 +7,7 @@ import jakarta.xml.bind.Unmarshaller;
 import java.io.IOException;
 import java.io.StringReader;
 import java.util.Objects;
+import java.util.stream.Stream;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.transform.sax.SAXSource;
@@ -72,7 +73,7 @@ final class Binding {
 
         private static JAXBContext context() {
             try {
-                return JAXBContext.newInstance(SceneBean.class, DatabaseBean.class);
+                return JAXBContext.newInstance(Stream.concat(Stream.of(SceneBean.class, DatabaseBean.class), ShapeBeans.all()).toArray(Class<?>[]::new));
             } catch (JAXBException e) {
                 throw new IllegalStateException("the annotated beans are at odds with JAXB", e);
             }

@@ -1,14 +1,21 @@
 package cz.paprsek.xml.bind;
 
+import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.io.PlainText;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Solid;
 import cz.paprsek.text.Similar;
 import cz.paprsek.xml.format.ColorWords;
 import cz.paprsek.xml.format.SceneFormat;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.StringTokenizer;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import javax.xml.XMLConstants;
 import org.xml.sax.Attributes;
 
@@ -19,8 +26,9 @@ import org.xml.sax.Attributes;
  * @source W3C XML Schema Part 1: Structures, appendix C
  */
 final class Complaints {
-    private static final Set<String> SURFACES = Set.of("rectangle", "disc");
-    private static final Set<String> OPERATIONS = Set.of("union", "difference", "intersection");
+    private static final Set<String> SURFACES = ElementTable.of(Shape.class).filter(shape -> !Solid.class.isAssignableFrom(shape)).map(ElementTable::name)
+            .collect(Collectors.toUnmodifiableSet());
+    private static final Set<String> OPERATIONS = Arrays.stream(Csg.Operation.values()).map(Described::word).collect(Collectors.toUnmodifiableSet());
     private static final int LONGEST_QUOTE = 60;
 
     private final Grammar grammar = Grammar.ofScenes();

@@ -7,26 +7,15 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
-import jakarta.xml.bind.annotation.XmlElement;
-import jakarta.xml.bind.annotation.XmlElements;
+import jakarta.xml.bind.annotation.XmlElementRef;
+import jakarta.xml.bind.annotation.XmlRootElement;
 import java.util.ArrayList;
 import java.util.List;
 
 /** {@code <union>}, {@code <difference>} and {@code <intersection>}. */
 @XmlAccessorType(XmlAccessType.FIELD)
 abstract class CsgBean extends ShapeBean {
-    @XmlElements({
-        @XmlElement(name = "sphere", type = ShapeBeans.SphereBean.class),
-        @XmlElement(name = "block", type = ShapeBeans.BlockBean.class),
-        @XmlElement(name = "ellipsoid", type = ShapeBeans.EllipsoidBean.class),
-        @XmlElement(name = "plane", type = ShapeBeans.PlaneBean.class),
-        @XmlElement(name = "cylinder", type = ShapeBeans.CylinderBean.class),
-        @XmlElement(name = "cone", type = ShapeBeans.ConeBean.class),
-        @XmlElement(name = "torus", type = ShapeBeans.TorusBean.class),
-        @XmlElement(name = "union", type = CsgBean.UnionBean.class),
-        @XmlElement(name = "difference", type = CsgBean.DifferenceBean.class),
-        @XmlElement(name = "intersection", type = CsgBean.IntersectionBean.class)})
-    List<ShapeBean> operands = new ArrayList<>();
+    @XmlElementRef List<ShapeBean> operands = new ArrayList<>();
 
     abstract Operation operation();
 
@@ -47,6 +36,7 @@ abstract class CsgBean extends ShapeBean {
         return new Csg(operation(), made);
     }
 
+    @XmlRootElement(name = "union")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class UnionBean extends CsgBean {
         @Override
@@ -55,6 +45,7 @@ abstract class CsgBean extends ShapeBean {
         }
     }
 
+    @XmlRootElement(name = "difference")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class DifferenceBean extends CsgBean {
         @Override
@@ -63,6 +54,7 @@ abstract class CsgBean extends ShapeBean {
         }
     }
 
+    @XmlRootElement(name = "intersection")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class IntersectionBean extends CsgBean {
         @Override

@@ -1,10 +1,17 @@
 package cz.paprsek.xml.bind;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.ElementTable;
+import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.format.SceneFormat;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
@@ -23,7 +30,10 @@ final class Elements extends DefaultHandler2 implements Locator {
     private static final int LONGEST_VALUE = 100_000;
     /** The longest text that is handed on; far longer than any that may be kept. */
     private static final int LONGEST_TEXT = 1_000_000;
-    private static final Set<String> AT_MOST_ONCE = Set.of("description", "render", "background", "ambient", "camera");
+    private static final Set<String> AT_MOST_ONCE = Arrays.stream(Scene.class.getRecordComponents())
+            .filter(part -> !part.isAnnotationPresent(Attribute.class) && part.getType() != List.class && part.getType() != Map.class)
+            .map(part -> part.getType().isAnnotationPresent(Element.class) ? ElementTable.name(part.getType()) : part.getName())
+            .collect(Collectors.toUnmodifiableSet());
     private static final Attributes NO_ATTRIBUTES = new AttributesImpl();
 
     private final ValidatorHandler next;

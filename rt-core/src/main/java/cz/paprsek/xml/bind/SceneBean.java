@@ -15,7 +15,7 @@ import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlAttribute;
 import jakarta.xml.bind.annotation.XmlElement;
-import jakarta.xml.bind.annotation.XmlElements;
+import jakarta.xml.bind.annotation.XmlElementRef;
 import jakarta.xml.bind.annotation.XmlRootElement;
 import jakarta.xml.bind.annotation.XmlType;
 import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
@@ -41,20 +41,7 @@ final class SceneBean extends Located {
     @XmlElement @Nullable CameraBean camera;
     @XmlElement(name = "point-light") List<LightBean> lights = new ArrayList<>();
     @XmlElement(name = "material") List<MaterialBean> materials = new ArrayList<>();
-    @XmlElements({
-        @XmlElement(name = "sphere", type = ShapeBeans.SphereBean.class),
-        @XmlElement(name = "block", type = ShapeBeans.BlockBean.class),
-        @XmlElement(name = "ellipsoid", type = ShapeBeans.EllipsoidBean.class),
-        @XmlElement(name = "rectangle", type = ShapeBeans.RectangleBean.class),
-        @XmlElement(name = "disc", type = ShapeBeans.DiscBean.class),
-        @XmlElement(name = "plane", type = ShapeBeans.PlaneBean.class),
-        @XmlElement(name = "cylinder", type = ShapeBeans.CylinderBean.class),
-        @XmlElement(name = "cone", type = ShapeBeans.ConeBean.class),
-        @XmlElement(name = "torus", type = ShapeBeans.TorusBean.class),
-        @XmlElement(name = "union", type = CsgBean.UnionBean.class),
-        @XmlElement(name = "difference", type = CsgBean.DifferenceBean.class),
-        @XmlElement(name = "intersection", type = CsgBean.IntersectionBean.class)})
-    List<ShapeBean> objects = new ArrayList<>();
+    @XmlElementRef List<ShapeBean> objects = new ArrayList<>();
 
     /** The scene; null, and at least one problem reported, if there is none. */
     @Nullable Scene toScene(Problems problems) {

@@ -14,12 +14,21 @@ import cz.paprsek.shape.Torus;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlAttribute;
+import jakarta.xml.bind.annotation.XmlRootElement;
 import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
+import java.util.Arrays;
+import java.util.stream.Stream;
 
-/** One bean for each primitive: the attributes of its element. */
+/** One bean for each primitive: its element, and the attributes of that. */
 final class ShapeBeans {
     private ShapeBeans() {}
 
+    /** All there are, operations too. */
+    static Stream<Class<?>> all() {
+        return Stream.of(ShapeBeans.class, CsgBean.class).flatMap(holder -> Arrays.stream(holder.getDeclaredClasses()));
+    }
+
+    @XmlRootElement(name = "sphere")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class SphereBean extends ShapeBean {
         @XmlAttribute(required = true) double radius;
@@ -30,6 +39,7 @@ final class ShapeBeans {
         }
     }
 
+    @XmlRootElement(name = "block")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class BlockBean extends ShapeBean {
         @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 min = Vec3.ZERO;
@@ -41,6 +51,7 @@ final class ShapeBeans {
         }
     }
 
+    @XmlRootElement(name = "ellipsoid")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class EllipsoidBean extends ShapeBean {
         @XmlAttribute(required = true, name = "semi-axes") @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 semiAxes = Vec3.ZERO;
@@ -51,6 +62,7 @@ final class ShapeBeans {
         }
     }
 
+    @XmlRootElement(name = "rectangle")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class RectangleBean extends ShapeBean {
         @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Pair.class) double[] min = {0, 0};
@@ -62,6 +74,7 @@ final class ShapeBeans {
         }
     }
 
+    @XmlRootElement(name = "disc")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class DiscBean extends ShapeBean {
         @XmlAttribute(required = true) double radius;
@@ -72,6 +85,7 @@ final class ShapeBeans {
         }
     }
 
+    @XmlRootElement(name = "plane")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class PlaneBean extends ShapeBean {
         @Override
@@ -80,6 +94,7 @@ final class ShapeBeans {
         }
     }
 
+    @XmlRootElement(name = "cylinder")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class CylinderBean extends ShapeBean {
         @XmlAttribute(required = true) double radius;
@@ -91,6 +106,7 @@ final class ShapeBeans {
         }
     }
 
+    @XmlRootElement(name = "cone")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class ConeBean extends ShapeBean {
         @XmlAttribute(required = true) double radius;
@@ -103,6 +119,7 @@ final class ShapeBeans {
         }
     }
 
+    @XmlRootElement(name = "torus")
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class TorusBean extends ShapeBean {
         @XmlAttribute(required = true, name = "major-radius") double majorRadius;

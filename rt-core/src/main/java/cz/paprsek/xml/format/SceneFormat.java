@@ -1,10 +1,5 @@
 package cz.paprsek.xml.format;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
-import java.util.Objects;
-
 /** The limits of scene files, and their schema. */
 public final class SceneFormat {
     public static final String NAMESPACE = "urn:paprsek:scene:1";
@@ -20,13 +15,9 @@ public final class SceneFormat {
 
     private SceneFormat() {}
 
-    /** The schema, an XSD. */
+    /** The schema, an XSD, made of what stands at the records. */
     public static String schema() {
-        try (InputStream input = Objects.requireNonNull(SceneFormat.class.getResourceAsStream("/cz/paprsek/xml/scene.xsd"), "scene.xsd is missing")) {
-            return new String(input.readAllBytes(), StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new IllegalStateException("the schema in the program's own jar cannot be read", e);
-        }
+        return Schema.text();
     }
 
     /**

@@ -1,12 +1,11 @@
 package cz.paprsek.xml.quick;
 
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import java.io.IOException;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
 /** Reads {@code <material>}, which stands in a scene with a name, and without one in an object. */
@@ -16,8 +15,7 @@ final class MaterialReader {
     private static final RecordForm<Material> MATERIAL = new RecordForm<>(Material.class);
     private static final List<Slot> OWN = List.of(Slot.optional("name", ValueForm.TEXT, Slot.NONE), Slot.optional("color", ValueForm.COLOR, Slot.NONE));
     private static final TagForm TAG = new TagForm(OWN, MATERIAL.slots());
-    private static final List<PatternForm> PATTERNS = Arrays.stream(Pattern.class.getPermittedSubclasses())
-            .filter(type -> type != Pattern.Plain.class).map(type -> new PatternForm(type.asSubclass(Record.class))).toList();
+    private static final List<PatternForm> PATTERNS = ElementTable.of(Pattern.class).<PatternForm>map(PatternForm::new).toList();
 
     private final Markup markup;
     private final double[] room;
@@ -67,7 +65,7 @@ final class MaterialReader {
         private final TagForm tag;
 
         PatternForm(Class<? extends Record> type) {
-            name = Slot.ascii(type.getSimpleName().toLowerCase(Locale.ROOT));
+            name = Slot.ascii(ElementTable.name(type));
             pattern = new RecordForm<>(type);
             tag = new TagForm(List.of(), pattern.slots());
         }

@@ -10,18 +10,32 @@ import java.util.List;
 /** What stands at the components of a record: which attributes it is made of, and how. */
 final class RecordForm<R extends Record> {
     private static final int NO_ATTRIBUTE = -1;
+    private static final int WHOLE = -1;
 
     private final Constructor<R> constructor;
     private final List<Slot> slots;
     /** For each component, which attribute has its value. */
     private final int[] places;
+    /** For each component, which of the two numbers of its attribute it has; −1 if it has the whole value. */
+    private final int[] numbers;
 
     RecordForm(Class<R> type) {
         RecordComponent[] components = type.getRecordComponents();
         List<Described> described = Described.of(type);
-        List<String> names = described.stream().map(one -> one.component().getName()).toList();
         slots = described.stream().map(Slot::of).toList();
-        places = Arrays.stream(components).mapToInt(component -> names.indexOf(component.getName())).toArray();
+        places = new int[components.length];
+        numbers = new int[components.length];
+        Arrays.fill(places, NO_ATTRIBUTE);
+        for (int i = 0; i < components.length; i++) {
+            for (int j = 0; j < described.size(); j++) {
+                List<String> names = described.get(j).components().stream().map(RecordComponent::getName).toList();
+                int number = names.indexOf(components[i].getName());
+                if (number >= 0) {
+                    places[i] = j;
+                    numbers[i] = names.size() > 1 ? number : WHOLE;
+                }
+            }
+        }
         try {
             constructor = type.getConstructor(Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new));
         } catch (NoSuchMethodException e) {
@@ -46,7 +60,8 @@ final class RecordForm<R extends Record> {
         Object[] arguments = new Object[places.length];
         int other = 0;
         for (int i = 0; i < arguments.length; i++) {
-            arguments[i] = places[i] == NO_ATTRIBUTE ? others[other++] : values[from + places[i]];
+            arguments[i] = places[i] == NO_ATTRIBUTE ? others[other++]
+                    : numbers[i] == WHOLE ? values[from + places[i]] : (Object) ((double[]) values[from + places[i]])[numbers[i]];
         }
         try {
             return constructor.newInstance(arguments);

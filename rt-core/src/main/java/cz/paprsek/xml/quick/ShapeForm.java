@@ -1,14 +1,14 @@
 package cz.paprsek.xml.quick;
 
+import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
-import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Stream;
 
 /**
@@ -27,33 +27,24 @@ record ShapeForm(Name name, TagForm tag, boolean isSolid, boolean isOperation, M
             PLACEMENT.slots().stream()).toList();
 
     /** All there are. */
-    static final List<ShapeForm> ALL = all(Shape.class).toList();
+    static final List<ShapeForm> ALL = ElementTable.of(Shape.class).flatMap(ShapeForm::of).toList();
 
     /** Makes a shape of the values of a tag and the operands inside. */
     interface Maker {
         Shape make(Object[] values, List<Operand> operands);
     }
 
-    private static Stream<ShapeForm> all(Class<?> type) {
+    private static Stream<ShapeForm> of(Class<? extends Record> type) {
         if (type == Csg.class) {
             return Arrays.stream(Csg.Operation.values()).map(operation ->
-                    of(operation.name(), List.of(), true, true, (values, operands) -> new Csg(operation, operands)));
-        } else if (type == Rectangle.class) {
-            return Stream.of(of("rectangle", List.of(Slot.required("min", ValueForm.PAIR), Slot.required("max", ValueForm.PAIR)), false, false,
-                    (values, operands) -> rectangle((double[]) values[MEASURES_AT], (double[]) values[MEASURES_AT + 1])));
-        } else if (type.isRecord()) {
-            RecordForm<? extends Record> shape = new RecordForm<>(type.asSubclass(Record.class));
-            return Stream.of(of(type.getSimpleName(), shape.slots(), Solid.class.isAssignableFrom(type), false,
-                    (values, operands) -> (Shape) shape.make(values, MEASURES_AT)));
+                    of(Described.word(operation), List.of(), true, true, (values, operands) -> new Csg(operation, operands)));
         }
-        return Arrays.stream(type.getPermittedSubclasses()).flatMap(ShapeForm::all);
+        RecordForm<? extends Record> shape = new RecordForm<>(type);
+        return Stream.of(of(ElementTable.name(type), shape.slots(), Solid.class.isAssignableFrom(type), false,
+                (values, operands) -> (Shape) shape.make(values, MEASURES_AT)));
     }
 
     private static ShapeForm of(String name, List<Slot> measures, boolean isSolid, boolean isOperation, Maker maker) {
-        return new ShapeForm(new Name(name.toLowerCase(Locale.ROOT)), new TagForm(OF_ALL, measures), isSolid, isOperation, maker);
-    }
-
-    private static Rectangle rectangle(double[] min, double[] max) {
-        return new Rectangle(min[0], min[1], max[0], max[1]);
+        return new ShapeForm(new Name(name), new TagForm(OF_ALL, measures), isSolid, isOperation, maker);
     }
 }

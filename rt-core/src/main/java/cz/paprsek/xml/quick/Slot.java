@@ -2,7 +2,6 @@ package cz.paprsek.xml.quick;
 
 import cz.paprsek.attribute.Described;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 
 /**
  * An attribute of a start tag.
@@ -24,12 +23,7 @@ record Slot(Name name, ValueForm form, boolean isRequired, Object otherwise) {
     /** The attribute of a record's component. */
     static Slot of(Described one) {
         ValueForm form = ValueForm.of(one);
-        return one.isRequired() ? required(one.name(), form) : optional(one.name(), form, standard(form, one.says().otherwise()));
-    }
-
-    private static Object standard(ValueForm form, String text) {
-        double[] numbers = Arrays.stream(text.split(" ")).mapToDouble(Double::parseDouble).toArray();
-        return form.of(numbers, numbers.length);
+        return one.isRequired() ? required(one.name(), form) : optional(one.name(), form, ValueForm.standard(one));
     }
 
     static byte[] ascii(String text) {

@@ -1,5 +1,6 @@
 package cz.paprsek.xml.quick;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
@@ -15,6 +16,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Reads {@code <scene>}: what is inside comes in any order. */
@@ -30,13 +32,12 @@ final class WholeSceneReader {
     private static final RecordForm<RenderSettings> SETTINGS = new RecordForm<>(RenderSettings.class);
     private static final RecordForm<Camera> EYE = new RecordForm<>(Camera.class);
     private static final RecordForm<Light> LAMP = new RecordForm<>(Light.class);
-    private static final Slot NAME = Slot.optional("name", ValueForm.TEXT, Slot.NONE);
-    private static final TagForm SCENE_TAG = new TagForm(List.of(NAME), List.of(Slot.optional("tags", ValueForm.WORDS, List.of())));
+    private static final TagForm SCENE_TAG = new TagForm(List.of(), Described.of(Scene.class).stream().map(Slot::of).toList());
     private static final TagForm SETTINGS_TAG = new TagForm(List.of(), SETTINGS.slots());
     private static final TagForm COLOR_TAG = new TagForm(List.of(), List.of(Slot.required("color", ValueForm.COLOR)));
     private static final TagForm EYE_TAG = new TagForm(
-            List.of(Slot.optional("direction", ValueForm.VECTOR, Slot.NONE), Slot.optional("target", ValueForm.VECTOR, Slot.NONE)), EYE.slots());
-    private static final TagForm LAMP_TAG = new TagForm(List.of(NAME), LAMP.slots());
+            Stream.of(Camera.Direction.class, Camera.Target.class).flatMap(aim -> Described.of(aim).stream()).map(Slot::of).toList(), EYE.slots());
+    private static final TagForm LAMP_TAG = new TagForm(List.of(), LAMP.slots());
 
     private final Markup markup;
     private final double[] room;
@@ -100,8 +101,7 @@ final class WholeSceneReader {
 
     private void part(Parts parts, int depth) throws IOException {
         if (markup.isNamed(LIGHT)) {
-            Object[] values = leaf(LAMP_TAG, LIGHT, depth);
-            parts.lights.add(LAMP.make(values, 1, values[0]));
+            parts.lights.add(LAMP.make(leaf(LAMP_TAG, LIGHT, depth), 0));
         } else if (markup.isNamed(MaterialReader.ELEMENT)) {
             MaterialReader.Named named = materials.read(depth);
             Unusual.unless(parts.materials.put(named.name(), named.material()) == null);

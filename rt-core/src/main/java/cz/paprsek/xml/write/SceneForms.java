@@ -1,5 +1,6 @@
 package cz.paprsek.xml.write;
 
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.format.SceneFormat;
 import cz.paprsek.xml.text.Form;
@@ -36,7 +37,7 @@ public final class SceneForms {
     private static Form.Body body(Scene scene, boolean isRoot) {
         Form.Body head = Form.parse(SceneWriter.head(scene, isRoot)).body();
         List<Form> children = new ArrayList<>(head.children());
-        scene.lights().forEach(light -> children.add(form("point-light", light, () -> SceneWriter.text(light))));
+        scene.lights().forEach(light -> children.add(form(ElementTable.name(light.getClass()), light, () -> SceneWriter.text(light))));
         scene.materials().entrySet().forEach(named -> children.add(form("material", named, () -> SceneWriter.text(named.getKey(), named.getValue()))));
         scene.objects().forEach(object -> children.add(form(object.shape().kind(), object, () -> SceneWriter.text(object))));
         return new Form.Body("scene", head.attributes(), children, "");

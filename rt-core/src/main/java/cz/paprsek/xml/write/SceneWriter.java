@@ -1,15 +1,13 @@
 package cz.paprsek.xml.write;
 
 import cz.paprsek.attribute.Described;
-import cz.paprsek.attribute.Kind;
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
-import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -19,12 +17,12 @@ import cz.paprsek.scene.SceneRules;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
-import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.xml.format.SceneFormat;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 
 /** Writes scenes in a fixed order and form: one element a line, attributes equal to their default left out. */
 public final class SceneWriter {
@@ -52,7 +50,7 @@ public final class SceneWriter {
 
     static String text(Light light) {
         SceneWriter writer = new SceneWriter();
-        writer.lamp(light);
+        writer.leaf(light);
         return writer.xml.toString();
     }
 
@@ -79,44 +77,56 @@ public final class SceneWriter {
         }
         Require.that(scene.description().length() <= SceneFormat.LONGEST_DESCRIPTION,
                 "a scene's description must not be longer than " + SceneFormat.LONGEST_DESCRIPTION + " characters");
-        xml.open("scene").attribute("xmlns", isRoot ? SceneFormat.NAMESPACE : "").attribute("name", scene.name())
-                .attribute("tags", String.join(" ", scene.tags()));
+        xml.open("scene").attribute("xmlns", isRoot ? SceneFormat.NAMESPACE : "");
+        attributes(scene);
         if (!scene.description().isEmpty()) {
             xml.element("description", scene.description());
         }
-        settings(scene.settings());
+        if (!scene.settings().equals(RenderSettings.DEFAULT)) {
+            leaf(scene.settings());
+        }
         light("background", scene.background());
         light("ambient", scene.ambient());
-        camera(scene.camera());
-        scene.lights().forEach(this::lamp);
+        leaf(scene.camera());
+        scene.lights().forEach(this::leaf);
         scene.materials().forEach(this::material);
         scene.objects().forEach(this::object);
         xml.close("scene");
     }
 
-    private void settings(RenderSettings settings) {
-        if (!settings.equals(RenderSettings.DEFAULT)) {
-            xml.open("render");
-            attributes(settings).close("render");
-        }
+    /** An element with the attributes of a record, those that are not as by default. */
+    private void leaf(Record record) {
+        String element = ElementTable.name(record.getClass());
+        xml.open(element);
+        attributes(record).close(element);
     }
 
-    /** What a record has other than by default, in the order of its components. */
+    /** In the order of the components. */
     private XmlText attributes(Record record) {
-        for (Described one : Described.of(record.getClass())) {
-            String text = text(one, one.value(record));
-            if (one.isRequired() || !text.equals(one.says().otherwise())) {
-                xml.attribute(one.name(), text);
+        for (Described one : Described.inline(record.getClass())) {
+            if (one.isOf(record)) {
+                String text = text(one, one.value(record));
+                if (one.isOptional() || !text.equals(one.says().otherwise())) {
+                    xml.attribute(one.name(), text);
+                }
             }
         }
         return xml;
     }
 
+    /** Empty for what is not there. */
     private static String text(Described one, Object value) {
-        if (one.says().value() == Kind.SCALE && value instanceof Vec3 scale && scale.x() == scale.y() && scale.x() == scale.z()) {
-            return XmlText.text(scale.x());
-        }
-        return value instanceof Number number ? XmlText.text(number.doubleValue()) : value instanceof Rgb color ? text(color) : XmlText.text((Vec3) value);
+        return switch (one.says().value().form()) {
+            case NUMBER, WHOLE -> value instanceof OptionalDouble optional ? optional.isPresent() ? XmlText.text(optional.getAsDouble()) : ""
+                    : XmlText.text(((Number) value).doubleValue());
+            case VECTOR -> XmlText.text((Vec3) value);
+            case SCALE -> value instanceof Vec3 scale && scale.x() == scale.y() && scale.x() == scale.z() ? XmlText.text(scale.x()) : XmlText.text((Vec3) value);
+            case PAIR -> XmlText.text(((double[]) value)[0]) + " " + XmlText.text(((double[]) value)[1]);
+            case COLOR -> text((Rgb) value);
+            case TEXT, FLAG -> value.toString();
+            case WORDS -> ((List<?>) value).stream().map(String::valueOf).collect(Collectors.joining(" "));
+            case WORD -> Described.word((Enum<?>) value);
+        };
     }
 
     private void light(String element, Rgb color) {
@@ -125,33 +135,12 @@ public final class SceneWriter {
         }
     }
 
-    private void camera(Camera camera) {
-        xml.open("camera").attribute("position", XmlText.text(camera.position()));
-        if (camera.aim() instanceof Camera.Target target) {
-            xml.attribute("target", XmlText.text(target.point()));
-        } else {
-            xml.attribute("direction", XmlText.text(((Camera.Direction) camera.aim()).vector()));
-        }
-        xml.vector("up", camera.up(), Vec3.Y).number("fovy", camera.fovy(), Camera.DEFAULT.fovy()).close("camera");
-    }
-
-    private void lamp(Light light) {
-        xml.open("point-light").attribute("name", light.name());
-        attributes(light).close("point-light");
-    }
-
     private void material(String name, Material material) {
-        xml.open("material").attribute("name", name);
-        if (material.pattern() instanceof Pattern.Plain plain && !plain.equals(Material.DEFAULT.pattern())) {
-            xml.attribute("color", text(plain.color()));
-        }
+        String element = ElementTable.name(Material.class);
+        xml.open(element).attribute("name", name);
         attributes(material);
-        if (!(material.pattern() instanceof Pattern.Plain)) {
-            String element = material.pattern().getClass().getSimpleName().toLowerCase(Locale.ROOT);
-            xml.open(element);
-            attributes((Record) material.pattern()).close(element);
-        }
-        xml.close("material");
+        ElementTable.of(material.pattern().getClass()).forEach(pattern -> leaf((Record) material.pattern()));
+        xml.close(element);
     }
 
     private void object(SceneObject object) {
@@ -165,7 +154,7 @@ public final class SceneWriter {
     private void body(String name, Shape shape, Placement placement, MaterialSource material) {
         String element = shape.kind();
         xml.open(element).attribute("name", name);
-        measures(shape);
+        attributes((Record) shape);
         attributes(placement);
         if (material instanceof MaterialName reference) {
             xml.attribute("material", reference.name());
@@ -176,15 +165,6 @@ public final class SceneWriter {
             csg.operands().forEach(this::operand);
         }
         xml.close(element);
-    }
-
-    private void measures(Shape shape) {
-        if (shape instanceof Rectangle rectangle) {
-            xml.attribute("min", XmlText.text(rectangle.minX()) + " " + XmlText.text(rectangle.minY()))
-                    .attribute("max", XmlText.text(rectangle.maxX()) + " " + XmlText.text(rectangle.maxY()));
-        } else {
-            attributes((Record) shape);
-        }
     }
 
     private static String text(Rgb color) {

@@ -31,19 +31,6 @@ final class XmlText {
         return this;
     }
 
-    XmlText number(String name, double value) {
-        return attribute(name, text(value));
-    }
-
-    XmlText number(String name, double value, double standard) {
-        // Not ==, to which 0 and -0 are the same.
-        return Double.compare(value, standard) == 0 ? this : number(name, value);
-    }
-
-    XmlText vector(String name, Vec3 value, Vec3 standard) {
-        return value.equals(standard) ? this : attribute(name, text(value));
-    }
-
     XmlText close(String element) {
         level--;
         if (tagIsOpen) {

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import jakarta.xml.bind.annotation.XmlAttribute;
 import jakarta.xml.bind.annotation.XmlElement;
-import jakarta.xml.bind.annotation.XmlElements;
+import jakarta.xml.bind.annotation.XmlElementRef;
+import jakarta.xml.bind.annotation.XmlRootElement;
 import java.lang.reflect.Field;
 import java.lang.reflect.ParameterizedType;
-import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
@@ -22,6 +22,15 @@ class BeansTest {
     void beansAndSchemaAgree() {
         Grammar grammar = Grammar.ofScenes();
         compare(grammar, "Scene", SceneBean.class, new HashSet<>());
+    }
+
+    /** Every bean of a shape may be bound where shapes are: what the schema keeps out is what must not be. */
+    private static boolean isIn(Grammar grammar, String type, Class<?> shape) {
+        return type.equals("Scene") || grammar.children(type).containsKey(name(shape));
+    }
+
+    private static String name(Class<?> bean) {
+        return bean.getAnnotation(XmlRootElement.class).name();
     }
 
     private static void compare(Grammar grammar, String type, Class<?> bean, Set<String> done) {
@@ -42,9 +51,8 @@ class BeansTest {
                             ? (Class<?>) list.getActualTypeArguments()[0] : field.getType();
                     children.put(element.name().equals("##default") ? field.getName() : element.name(), held);
                 }
-                XmlElements several = field.getAnnotation(XmlElements.class);
-                if (several != null) {
-                    Arrays.stream(several.value()).forEach(e -> children.put(e.name(), e.type()));
+                if (field.isAnnotationPresent(XmlElementRef.class)) {
+                    ShapeBeans.all().filter(shape -> isIn(grammar, type, shape)).forEach(shape -> children.put(name(shape), shape));
                 }
             }
         }

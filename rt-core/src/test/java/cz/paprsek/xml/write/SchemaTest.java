@@ -3,8 +3,9 @@ package cz.paprsek.xml.write;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.attribute.Described;
-import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.attribute.Kind;
+import cz.paprsek.attribute.Range;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
@@ -16,118 +17,88 @@ import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
-import cz.paprsek.shape.Solid;
+import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
+import java.io.StringReader;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.ArrayList;
+import java.math.BigDecimal;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
-import java.util.List;
-import java.util.Locale;
-import java.util.Map;
-import java.util.regex.Matcher;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Test;
+import javax.xml.XMLConstants;
+import javax.xml.transform.stream.StreamSource;
+import javax.xml.validation.SchemaFactory;
+import javax.xml.validation.Validator;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.xml.sax.SAXException;
 
-/**
- * The schema's elements of shapes, and the attributes of all records, are made from what stands at the records: {@code -Dpaprsek.schema=write}
- * writes them into the file that is shipped.
- */
+/** What is said at the records is what schema and constructors hold to. */
 class SchemaTest {
-    private static final Path FILE = Path.of("src/main/resources/cz/paprsek/xml/scene.xsd");
-    private static final Map<String, Class<?>> TYPES = new LinkedHashMap<>();
+    private static final String NAMESPACE = "urn:paprsek:scene:1";
 
-    static {
-        TYPES.put("Render", RenderSettings.class);
-        TYPES.put("Camera", Camera.class);
-        TYPES.put("PointLight", Light.class);
-        TYPES.put("Material", Material.class);
-        TYPES.put("Checkerboard", Pattern.Checkerboard.class);
-        TYPES.put("Checker", Pattern.Checker.class);
-        TYPES.put("Object", Placement.class);
-        shapes(Shape.class).forEach(shape -> TYPES.put(shape.getSimpleName(), shape));
-    }
-
-    /** All kinds of shape but operations. */
-    private static Stream<Class<?>> shapes(Class<?> type) {
-        return type.isRecord() ? Stream.<Class<?>>of(type).filter(record -> record != Csg.class)
-                : Arrays.stream(type.getPermittedSubclasses()).flatMap(SchemaTest::shapes);
+    /** All that are elements, and what has attributes without being one. */
+    private static Stream<Class<?>> records() {
+        return Stream.of(Stream.of(RenderSettings.class, Camera.class, Material.class, Placement.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
+                ElementTable.of(Shape.class).filter(type -> type != Csg.class)).flatMap(some -> some);
     }
 
     static Stream<Arguments> attributes() {
-        return TYPES.values().stream().flatMap(type -> Described.of(type).stream().map(one -> Arguments.of(type.getSimpleName() + " " + one.name(), type, one)));
+        return records().flatMap(type -> Described.of(type).stream().map(one -> Arguments.of(type.getSimpleName() + " " + one.name(), type, one)));
     }
 
-    @Test
-    void theSchemaSaysWhatTheRecordsSay() throws IOException {
-        String shipped = Files.readString(FILE);
-        String made = shipped;
-        for (Map.Entry<String, Class<?>> type : TYPES.entrySet()) {
-            made = withType(made, type.getKey(), type.getValue());
-        }
-        made = withElements(made, "<xs:group name=\"solid\">\n    <xs:choice>\n", "      <xs:element name=\"union\"", shapes(Solid.class));
-        made = withElements(made, "type=\"s:NamedMaterial\"/>\n", "      <xs:group ref=\"s:solid\"/>", shapes(Shape.class).filter(shape -> !Solid.class.isAssignableFrom(shape)));
-        if ("write".equals(System.getProperty("paprsek.schema"))) {
-            Files.writeString(FILE, made);
-        }
-        assertThat(shipped).as("write it anew with -Dpaprsek.schema=write").isEqualTo(made);
-    }
-
-    private static String withElements(String schema, String before, String after, Stream<Class<?>> shapes) {
-        int from = schema.indexOf(before) + before.length();
-        StringBuilder lines = new StringBuilder();
-        shapes.forEach(shape -> lines.append("      <xs:element name=\"").append(shape.getSimpleName().toLowerCase(Locale.ROOT)).append("\" type=\"s:")
-                .append(shape.getSimpleName()).append("\"/>\n"));
-        return schema.substring(0, from) + lines + schema.substring(schema.indexOf(after, from));
-    }
-
-    /** The schema with the attributes that a record says; a shape that is not there yet is put before the operations. */
-    private static String withType(String schema, String name, Class<?> record) {
-        String start = "  <xs:complexType name=\"" + name + "\">\n";
-        if (!schema.contains(start)) {
-            int at = schema.indexOf("  <xs:complexType name=\"Csg\">");
-            return withType(schema.substring(0, at) + start + """
-                        <xs:annotation><xs:documentation></xs:documentation></xs:annotation>
-                        <xs:complexContent><xs:extension base="s:Object">
-                          <xs:sequence><xs:element name="material" type="s:Material" minOccurs="0"/></xs:sequence>
-                        </xs:extension></xs:complexContent>
-                      </xs:complexType>
-                    """ + schema.substring(at), name, record);
-        }
-        int from = schema.indexOf(start);
-        int to = schema.indexOf("  </xs:complexType>\n", from);
-        String type = schema.substring(from, to);
-        Element says = record.getAnnotation(Element.class);
-        if (says != null) {
-            type = type.replaceFirst("<xs:documentation>.*?</xs:documentation>", Matcher.quoteReplacement("<xs:documentation>" + says.value() + "</xs:documentation>"));
-        }
-        List<String> made = Described.of(record).stream().map(SchemaTest::line).toList();
-        List<String> lines = new ArrayList<>();
-        int place = -1;
-        for (String line : type.lines().map(text -> text + "\n").toList()) {
-            boolean isOurs = Described.of(record).stream().anyMatch(one -> line.startsWith("    <xs:attribute name=\"" + one.name() + "\""));
-            boolean isEnd = place < 0 && line.startsWith("    </xs:extension>");
-            place = place < 0 && (isOurs || isEnd) ? lines.size() : place;
-            if (!isOurs) {
-                lines.add(line);
+    /** Every type that a kind of number is written as takes its bounds, if they belong to it, and nothing beyond. */
+    @ParameterizedTest
+    @EnumSource(Kind.class)
+    void theSchemaHoldsToTheBoundsOfAKind(Kind kind) throws SAXException {
+        // Intensities share their type with all that is not negative: the record alone knows their greatest.
+        if ((kind.form() == Kind.Form.NUMBER || kind.form() == Kind.Form.WHOLE) && kind != Kind.INTENSITY) {
+            boolean isWhole = kind.form() == Kind.Form.WHOLE;
+            Range range = kind.range();
+            assertThat(isTaken(kind, "Infinity")).isFalse();
+            assertThat(isTaken(kind, "INF")).isFalse();
+            assertThat(isTaken(kind, "2.5")).isEqualTo(!isWhole && range.least() < 2.5 && range.most() > 2.5);
+            if (Double.isFinite(range.least())) {
+                assertThat(isTaken(kind, text(range.least()))).as("the least").isEqualTo(range.takesLeast());
+                assertThat(isTaken(kind, isWhole ? text(range.least() - 1) : "-1e-300")).as("below").isFalse();
+            }
+            if (Double.isFinite(range.most())) {
+                assertThat(isTaken(kind, text(range.most()))).as("the most").isEqualTo(range.takesMost());
+                assertThat(isTaken(kind, text(range.most() + 1))).as("above").isFalse();
             }
         }
-        lines.addAll(place < 0 ? lines.size() : place, made);
-        return schema.substring(0, from) + String.join("", lines) + schema.substring(to);
     }
 
-    private static String line(Described one) {
-        String otherwise = one.says().otherwise();
-        String standard = one.says().value() != Kind.COLOR ? otherwise : otherwise.equals("0 0 0") ? "black" : otherwise.equals("255 255 255") ? "white" : otherwise;
-        return "    <xs:attribute name=\"" + one.name() + "\" type=\"s:" + one.says().value().type() + "\"" + (one.isRequired() ? " use=\"required\"" : "")
-                + "><xs:annotation><xs:documentation>" + one.says().means() + (one.isRequired() ? "." : "; " + standard + " if not given.")
-                + "</xs:documentation></xs:annotation></xs:attribute>\n";
+    private static boolean isTaken(Kind kind, String value) throws SAXException {
+        String schema = SceneFiles.schema().replace("</xs:schema>", "<xs:element name=\"probe\" type=\"s:" + kind.type() + "\"/></xs:schema>");
+        Validator validator = SchemaFactory.newInstance(XMLConstants.W3C_XML_SCHEMA_NS_URI).newSchema(new StreamSource(new StringReader(schema))).newValidator();
+        try {
+            validator.validate(new StreamSource(new StringReader("<probe xmlns=\"" + NAMESPACE + "\">" + value + "</probe>")));
+            return true;
+        } catch (SAXException refused) {
+            return false;
+        } catch (IOException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private static String text(double value) {
+        return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"red", "RED", "Red", "#f80", "#FF8000", "255 0 0.5"})
+    void everyFormOfAColourIsTaken(String color) throws SAXException {
+        assertThat(isTaken(Kind.COLOR, color)).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"rad", "#ff80", "256 0 0", "0 0", "0 0 0 0", "-1 0 0", "NaN 0 0", ""})
+    void whatIsNoColourIsRefused(String color) throws SAXException {
+        assertThat(isTaken(Kind.COLOR, color)).isFalse();
     }
 
     /** What stands at a record is what its constructor holds to: a number beyond the bounds of its kind is refused, one within is not. */

@@ -1,0 +1,39 @@
+package cz.paprsek.attribute;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** The elements of scene files that records are. */
+public final class ElementTable {
+    private ElementTable() {}
+
+    /** The records that are elements: of a sealed interface all that it permits, in its order; of a record itself. */
+    public static Stream<Class<? extends Record>> of(Class<?> type) {
+        if (type.isRecord()) {
+            return type.isAnnotationPresent(Element.class) ? Stream.of(type.asSubclass(Record.class)) : Stream.empty();
+        }
+        return type.isSealed() ? Arrays.stream(type.getPermittedSubclasses()).flatMap(ElementTable::of) : Stream.empty();
+    }
+
+    /** The name of a record's element: {@code point-light}. */
+    public static String name(Class<?> record) {
+        return says(record).map(Element::name).filter(name -> !name.isEmpty()).orElseGet(() -> hyphenated(record.getSimpleName()));
+    }
+
+    /** What the element is, in a sentence. */
+    public static String means(Class<?> record) {
+        return says(record).map(Element::value).orElseThrow(() -> new IllegalArgumentException(record + " is no element"));
+    }
+
+    private static Optional<Element> says(Class<?> record) {
+        return Optional.ofNullable(Objects.requireNonNull(record, "record").getAnnotation(Element.class));
+    }
+
+    /** {@code refractiveIndex} and {@code RefractiveIndex} as files have them: {@code refractive-index}. */
+    static String hyphenated(String name) {
+        return name.replaceAll("(?<=.)([A-Z])", "-$1").toLowerCase(Locale.ROOT);
+    }
+}
