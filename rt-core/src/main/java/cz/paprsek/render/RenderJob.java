@@ -4,11 +4,11 @@ import cz.paprsek.image.Image;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.integrate.Integrator;
-import cz.paprsek.render.integrate.Sampling;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.mode.DepthRange;
 import cz.paprsek.render.mode.ModeTracer;
 import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.scene.RenderSettings;
 import java.math.BigInteger;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -128,7 +128,7 @@ final class RenderJob implements RenderMonitor {
         RenderSettings settings = options.settings();
         return options.mode() == RenderMode.SHADED
                 ? new Whitted(scene.world(), settings.maxDepth(), Sampling.grid(settings.samples()), this::cancelled)
-                : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), settings.samples(), depths, options.numbers(), this::cancelled);
+                : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), Sampling.grid(settings.samples()), depths, options.numbers(), this::cancelled);
     }
 
     private synchronized void add(Integrator.Work work) {

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.render.eye.Eye;
-import cz.paprsek.render.integrate.Sampling;
 import cz.paprsek.render.integrate.Whitted;
+import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.standard.StandardScenes;
 import java.util.stream.Stream;

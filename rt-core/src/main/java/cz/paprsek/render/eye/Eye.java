@@ -27,6 +27,9 @@ public abstract class Eye {
      */
     public abstract void start(Ray ray, double x, double y, double lensU, double lensV);
 
+    /** Whether it matters where on the lens a ray begins. */
+    public abstract boolean hasAperture();
+
     /** Makes a bundle of all rays through a block of pixels. */
     public abstract void bundle(Bundle bundle, int left, int top, int columns, int rows);
 

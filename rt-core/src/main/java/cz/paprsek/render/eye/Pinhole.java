@@ -38,6 +38,11 @@ final class Pinhole extends Eye {
     }
 
     @Override
+    public boolean hasAperture() {
+        return false;
+    }
+
+    @Override
     public void bundle(Bundle bundle, int left, int top, int columns, int rows) {
         bundle.start(position.x(), position.y(), position.z());
         for (int corner = 0; corner < 4; corner++) {

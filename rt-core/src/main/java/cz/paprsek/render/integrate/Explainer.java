@@ -5,6 +5,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.RenderSettings;
 

@@ -9,6 +9,7 @@ import cz.paprsek.render.explain.Medium;
 import cz.paprsek.render.explain.Refraction;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.InScene;

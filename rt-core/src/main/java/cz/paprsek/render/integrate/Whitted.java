@@ -5,6 +5,8 @@ import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.light.Arrival;
 import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.sample.Sampler;
+import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Contacts;
 import cz.paprsek.render.surface.Finish;
@@ -43,6 +45,9 @@ public class Whitted extends Witness implements Integrator {
     private final Bodies.Finder finder;
     private final Level[] levels;
     private final Sampling sampling;
+    /** What is random: started for a sample of a pixel before its ray is, and anew before the block's hits are shaded, if there is a light that asks. */
+    private final Sampler sampler;
+    private final boolean isRandom;
     private final double[] background;
     private final double[] ambient;
     /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
@@ -78,10 +83,13 @@ public class Whitted extends Witness implements Integrator {
         this.between = new Entries[lamps.length];
         this.anywhere = Stream.generate(bodies::whole).limit(lamps.length).toArray(Entries[]::new);
         this.sampling = sampling;
+        this.sampler = sampling.newSampler();
+        this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1);
         this.levels = new Level[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
             levels[i] = new Level(spans);
         }
+        levels[0].path = Sampler.EYE;
         background = linear(scene.background());
         ambient = linear(scene.ambient());
     }
@@ -134,8 +142,7 @@ public class Whitted extends Witness implements Integrator {
         for (int row = y; row < y + height; row++) {
             for (int column = x; column < x + width; column++) {
                 for (int k = 0; k < perPixel; k++) {
-                    eye.start(first[i].ray, column + sampling.across(k), row + sampling.down(k));
-                    scene.enterMediaAroundCamera(first[i].media);
+                    start(first[i], eye, column, row, k);
                     find(first[i++], entries);
                 }
             }
@@ -150,9 +157,28 @@ public class Whitted extends Witness implements Integrator {
             }
         }
         for (i = 0; i < rays; i++) {
+            if (isRandom) {
+                int pixel = i / perPixel;
+                sampler.start(x + pixel % width, y + pixel / width, i % perPixel);
+            }
             shade(first[i], 0, between);
         }
         return first;
+    }
+
+    /** Starts a sample's ray from the eye. */
+    private void start(Level level, Eye eye, int column, int row, int sample) {
+        double x = column + sampling.across(sample);
+        double y = row + sampling.down(sample);
+        if (eye.hasAperture()) {
+            sampler.start(column, row, sample);
+            sampler.lens();
+            sampler.next();
+            eye.start(level.ray, x, y, sampler.u, sampler.v);
+        } else {
+            eye.start(level.ray, x, y);
+        }
+        scene.enterMediaAroundCamera(level.media);
     }
 
     /**
@@ -183,12 +209,13 @@ public class Whitted extends Witness implements Integrator {
             block = new Level[size];
             for (int i = 0; i < size; i++) {
                 block[i] = new Level(spans);
+                block[i].path = Sampler.EYE;
             }
         }
         return block;
     }
 
-    /** The level of a ray that is traced by itself: to be started by the caller, then traced by {@link #traceAlone}. */
+    /** The level of a ray that is traced by itself: to be started by the caller, then traced by {@link #traceAlone()}. */
     public final Level alone() {
         return levels[0];
     }
@@ -198,6 +225,14 @@ public class Whitted extends Witness implements Integrator {
         find(levels[0], bodies.whole());
     }
 
+    /** Traces a sample's ray from the eye by itself; the light it brings is in {@link #alone}. */
+    public final void traceAlone(Eye eye, int column, int row, int sample) {
+        start(levels[0], eye, column, row, sample);
+        sampler.start(column, row, sample);
+        traceAlone();
+    }
+
+    /** Traces the ray of {@link #alone}, as if it were that of the first sample of the first pixel. */
     public final void traceAlone() {
         primary++;
         trace(0);
@@ -403,6 +438,7 @@ public class Whitted extends Witness implements Integrator {
         if (reflection > 0) {
             next.ray.start(hit.px, hit.py, hit.pz, mirrorX, mirrorY, mirrorZ, size, Double.POSITIVE_INFINITY, ray.part, leaving != ray.face < 0);
             next.beyond = false;
+            next.path = Sampler.mirrored(level.path);
             backFrom(level, next.ray);
             next.media.set(level.media);
             reflected++;
@@ -415,6 +451,7 @@ public class Whitted extends Witness implements Integrator {
             next.ray.start(hit.px, hit.py, hit.pz, e * ray.dx + k * hit.nx, e * ray.dy + k * hit.ny, e * ray.dz + k * hit.nz,
                     size, Double.POSITIVE_INFINITY, ray.part, leaving == ray.face < 0);
             next.beyond = true;
+            next.path = Sampler.refracted(level.path);
             indexBeyond(level, next.media, finish, leaving);
             refracted++;
             following(true, finish.transparency);

@@ -2,8 +2,8 @@ package cz.paprsek.render.mode;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.render.eye.Eye;
-import cz.paprsek.render.integrate.Sampling;
 import cz.paprsek.render.integrate.Whitted;
+import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.World;
 
 /** The distances that the eye sees in a picture, by which depths become brightnesses. */

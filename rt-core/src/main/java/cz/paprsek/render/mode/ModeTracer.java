@@ -4,9 +4,9 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
-import cz.paprsek.render.integrate.Sampling;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
 import java.util.Arrays;
@@ -26,10 +26,10 @@ public final class ModeTracer extends Whitted {
     private double blue;
     private int seen;
 
-    public ModeTracer(World scene, RenderMode mode, int maxDepth, int samples, DepthRange range, boolean numbers, BooleanSupplier stop) {
-        super(scene, mode.scale().isPresent() ? maxDepth : 1, Sampling.grid(1), stop);
+    public ModeTracer(World scene, RenderMode mode, int maxDepth, Sampling sampling, DepthRange range, boolean numbers, BooleanSupplier stop) {
+        super(scene, mode.scale().isPresent() ? maxDepth : 1, sampling, stop);
         this.mode = mode;
-        this.samples = samples;
+        this.samples = sampling.rays();
         this.scene = scene;
         this.range = range;
         this.numbers = numbers;
@@ -48,7 +48,7 @@ public final class ModeTracer extends Whitted {
         }
     }
 
-    /** Renders a pixel by samples × samples rays; the colour is in the level returned. */
+    /** Renders a pixel by its rays; the colour is in the level returned. */
     private Level pixel(Eye eye, int x, int y) {
         red = 0;
         green = 0;
@@ -56,15 +56,11 @@ public final class ModeTracer extends Whitted {
         seen = 0;
         long rays = rays();
         long nodes = nodeVisits();
-        for (int row = 0; row < samples; row++) {
-            for (int column = 0; column < samples; column++) {
-                Arrays.fill(arrived, 0);
-                eye.start(alone().ray, x + (column + 0.5) / samples, y + (row + 0.5) / samples);
-                scene.enterMediaAroundCamera(alone().media);
-                traceAlone();
-                if (mode == RenderMode.SHADOWS) {
-                    add(share(0), share(1), share(2));
-                }
+        for (int i = 0; i < samples; i++) {
+            Arrays.fill(arrived, 0);
+            traceAlone(eye, x, y, i);
+            if (mode == RenderMode.SHADOWS) {
+                add(share(0), share(1), share(2));
             }
         }
         Level result = alone();
@@ -77,7 +73,7 @@ public final class ModeTracer extends Whitted {
             double distance = red / Math.max(1, seen);
             result.light(distance, distance, distance);
         } else {
-            double k = 1.0 / (samples * samples);
+            double k = 1.0 / samples;
             result.light(k * red, k * green, k * blue);
         }
         return result;

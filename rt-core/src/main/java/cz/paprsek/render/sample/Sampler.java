@@ -1,0 +1,191 @@
+package cz.paprsek.render.sample;
+
+/**
+ * What is random in a picture: points of the unit square that are a function of pixel, sample and dimension alone. Scratch of one worker;
+ * nothing is allocated once it is made.
+ *
+ * <p>Ask {@link #start} for a sample of a pixel, then for a dimension, then for {@link #next}, which puts the point in {@link #u} and {@link #v}:
+ *
+ * <pre>sampler.lights(path, lamp, 16); for (16 times) { sampler.next(); … sampler.u, sampler.v … }</pre>
+ *
+ * <p>Each dimension is the Sobol sequence in two dimensions, its digits scrambled by Owen's method, and so is the order of its points:
+ * any 2ᵐ consecutive points that begin at a multiple of 2ᵐ lie one in each box of every grid of 2ᵐ equal boxes with sides of powers of two.
+ * Pixels follow each other in the sequence along a Z curve, so that what is too much in one pixel is too little beside it: what is left of
+ * errors is fine grain. Only whole numbers are computed with, so the points are the same everywhere.
+ *
+ * @source Burley, Practical Hash-based Owen Scrambling, JCGT 9(4), 2020; Ahmed and Wonka, Screen-Space Blue-Noise Diffusion of Monte Carlo
+ *     Sampling Error via Hierarchical Ordering of Pixels, ACM TOG 39(6), 2020
+ */
+public final class Sampler {
+    /** The path of a ray from the eye. */
+    public static final int EYE = 1;
+
+    private static final int FILTER = 0x2545_F491;
+    private static final int LENS = 0x6C8E_9CF5;
+    private static final int TIME = 0x1B56_C4E9;
+    private static final int LIGHT = 0x4F1B_BCDC;
+    /** Apart from any dimension, so that scrambling digits and choosing their order have nothing to do with each other. */
+    private static final int ORDER = 0x632B_E5AB;
+    private static final int SECOND = 0x5851_F42D;
+    private static final int PER_RAY = 0x2C92_77B5;
+    private static final int BEYOND = 0x5F35_6495;
+    private static final long UNSIGNED = 0xFFFF_FFFFL;
+    private static final double ULP = 0x1p-32;
+
+    private final boolean fixed;
+    /** Digits of the sample's number in a pixel. */
+    private final int bits;
+    private int pixel;
+    private int sample;
+    /** Of the dimension asked for: what scrambles digits. */
+    private int key;
+    /** Where the pixel comes in the sequence, counted in pixels; how the points within it are ordered; how many digits number them. */
+    private int place;
+    private int order;
+    private int size;
+    private int number;
+
+    /** The point: above 0 and below 1. */
+    public double u;
+    public double v;
+
+    private Sampler(int samples, boolean fixed) {
+        this.bits = digits(samples);
+        this.fixed = fixed;
+    }
+
+    /** A sampler that has other points for each pixel, of which so many samples are taken at most. */
+    public static Sampler scrambled(int samples) {
+        return new Sampler(samples, false);
+    }
+
+    /**
+     * A sampler that has the same points for all pixels; of a light, also for all samples and paths, so that a few point lights in its
+     * place give the same picture.
+     */
+    public static Sampler fixed(int samples) {
+        return new Sampler(samples, true);
+    }
+
+    /** The path of what is mirrored at the end of a path. */
+    public static int mirrored(int path) {
+        return PER_RAY * path + 1;
+    }
+
+    /** The path of what goes on beyond the surface at the end of a path. */
+    public static int refracted(int path) {
+        return PER_RAY * path + BEYOND;
+    }
+
+    /** Begins a sample, counted from 0, of a pixel, counted in the whole picture. */
+    public void start(int x, int y, int number) {
+        pixel = fixed ? 0 : spread(x) | spread(y) << 1;
+        sample = number;
+    }
+
+    /** The next point is where in the pixel the ray goes through. */
+    public void filter() {
+        dimension(FILTER, sample, bits, 1);
+    }
+
+    /** The next point is where on the lens the ray begins. */
+    public void lens() {
+        dimension(LENS, sample, bits, 1);
+    }
+
+    /** The next point's u is when the ray is sent, from opening to closing of the shutter. */
+    public void time() {
+        dimension(TIME, sample, bits, 1);
+    }
+
+    /**
+     * The next points are those of a light that are looked for from one point.
+     *
+     * @param path how the ray got there: {@link #EYE}, {@link #mirrored}, {@link #refracted}
+     * @param lamp number of the light
+     * @param count how many points there are
+     */
+    public void lights(int path, int lamp, int count) {
+        if (fixed) {
+            dimension(LIGHT + mixed(lamp), 0, 0, count);
+        } else {
+            dimension(LIGHT + mixed(lamp + mixed(path)), sample, bits, count);
+        }
+    }
+
+    private void dimension(int dimension, int first, int digits, int count) {
+        int perSample = digits(count);
+        size = digits + perSample;
+        place = scrambled(pixel, mixed(dimension ^ ORDER));
+        order = mixed(place ^ mixed(dimension));
+        // Of a picture so large that its pixels have no more room in the sequence, parts far from each other get other digits.
+        key = mixed(dimension + (int) ((place & UNSIGNED) >>> (Integer.SIZE - size)));
+        number = first << perSample;
+    }
+
+    /** Puts the next point of the dimension in {@link #u} and {@link #v}. */
+    public void next() {
+        int within = (1 << size) - 1;
+        int index = place << size | (scrambled(number, order) & within);
+        number++;
+        u = unit(permuted(index, key));
+        v = unit(permuted(second(index), key ^ SECOND));
+    }
+
+    /** How many binary digits it takes to count so many. */
+    private static int digits(int count) {
+        return Integer.SIZE - Integer.numberOfLeadingZeros(count - 1);
+    }
+
+    /** A fraction whose binary digits are given in reversed order, the first as the lowest: the middle of the interval of all that begin so. */
+    private static double unit(int reversed) {
+        return ((Integer.reverse(reversed) & UNSIGNED) + 0.5) * ULP;
+    }
+
+    /** Of a number of the Sobol sequence, its second coordinate, in reversed order, as the number itself is its first: Pascal's triangle, modulo 2. */
+    private static int second(int index) {
+        int x = index;
+        x ^= x >>> 1 & 0x5555_5555;
+        x ^= x >>> 2 & 0x3333_3333;
+        x ^= x >>> 4 & 0x0F0F_0F0F;
+        x ^= x >>> 8 & 0x00FF_00FF;
+        return x ^ x >>> 16;
+    }
+
+    /** Exchanges halves, in each half its halves, and so on: which, depends on the seed. */
+    private static int scrambled(int x, int seed) {
+        return Integer.reverse(permuted(Integer.reverse(x), seed));
+    }
+
+    /**
+     * Changes each binary digit depending on lower ones only.
+     *
+     * @source Laine and Karras, Stratified Sampling for Stochastic Transparency, EGSR 2011; the constants from Vegdahl, Building a Better
+     *     LK Hash, 2021
+     */
+    private static int permuted(int x, int seed) {
+        int y = x;
+        y ^= y * 0x3D20_ADEA;
+        y += seed;
+        y *= seed >>> 16 | 1;
+        y ^= y * 0x0552_6C56;
+        return y ^ y * 0x53A2_2864;
+    }
+
+    /** @source Wellons, Prospecting for Hash Functions, 2018 */
+    private static int mixed(int x) {
+        int y = x;
+        y = (y ^ y >>> 16) * 0x7FEB_352D;
+        y = (y ^ y >>> 15) * 0x846C_A68B;
+        return y ^ y >>> 16;
+    }
+
+    /** Puts a 0 before each of the lower 16 binary digits. */
+    private static int spread(int x) {
+        int y = x & 0xFFFF;
+        y = (y | y << 8) & 0x00FF_00FF;
+        y = (y | y << 4) & 0x0F0F_0F0F;
+        y = (y | y << 2) & 0x3333_3333;
+        return (y | y << 1) & 0x5555_5555;
+    }
+}
