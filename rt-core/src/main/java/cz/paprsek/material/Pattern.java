@@ -10,6 +10,11 @@ import java.util.Objects;
 /** What gives a surface its colour at each point. */
 public sealed interface Pattern {
 
+    /** Whether it goes by the place in a picture that covers the surface, u and v, rather than by the place in space. */
+    default boolean isMapped() {
+        return false;
+    }
+
     /** One colour everywhere. */
     record Plain(
             @Attribute(value = Kind.COLOR, means = "sRGB, 0-255; not together with a pattern", otherwise = "255 255 255") Rgb color) implements Pattern {
@@ -35,6 +40,11 @@ public sealed interface Pattern {
             Objects.requireNonNull(odd, "odd");
             Require.within("checkerboard columns", columns, 1, MOST);
             Require.within("checkerboard rows", rows, 1, MOST);
+        }
+
+        @Override
+        public boolean isMapped() {
+            return true;
         }
     }
 

@@ -155,6 +155,11 @@ public record Affine(
         return zeros(xx, xy, xz) == 2 && zeros(yx, yy, yz) == 2 && zeros(zx, zy, zz) == 2;
     }
 
+    /** Whether the directions of the axes change: if not, each is only stretched. */
+    public boolean turns() {
+        return !(xx > 0 && yy > 0 && zz > 0 && xy == 0 && xz == 0 && yx == 0 && yz == 0 && zx == 0 && zy == 0);
+    }
+
     /**
      * The factor by which every length is multiplied, or 0 if lengths in different directions change differently.
      * A map counts as a similarity if its columns agree in length, and are perpendicular, to within 1e-14.

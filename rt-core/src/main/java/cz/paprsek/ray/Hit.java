@@ -2,7 +2,10 @@ package cz.paprsek.ray;
 
 import cz.paprsek.math.Affine;
 
-/** Scratch of one worker: the place where a ray met a surface, world space. */
+/**
+ * Scratch of one worker: the place where a ray met a surface, world space. Point and normals are known of every hit; the map (u, v and the
+ * tangent) only where somebody has asked for it.
+ */
 public final class Hit {
     /** The point. */
     public double px;
@@ -10,27 +13,100 @@ public final class Hit {
     public double pz;
     /** The size of the numbers that led to the point, coordinates and distance travelled, added up: what its rounding errors are relative to. */
     public double size;
-    /** The normal, of length 1: out of a solid, or on the +z side of a flat surface. */
+    /** The normal of the surface itself, of length 1: out of a solid, or on the +z side of a flat surface. It tells the sides, and what is entered. */
     public double nx;
     public double ny;
     public double nz;
-    /** Where on a flat surface: 0–1 along its x and y; 0 on a solid. */
+    /** The normal that light is reckoned with, of length 1, on the same side; the same if the surface does not say otherwise. */
+    public double sx;
+    public double sy;
+    public double sz;
+    /** The place in a picture that covers the surface: 0–1 to the right and up, as seen from outside; beyond on a surface without end. */
     public double u;
     public double v;
+    /** The direction in which u grows and v does not, along the surface, of length 1. */
+    public double tx;
+    public double ty;
+    public double tz;
 
-    /** Sets the normal from one in a shape's own space, of any length, by the transpose of the map into that space. */
+    /** Sets the normals from one in a shape's own space, of any length but 0, by the transpose of the map into that space. */
     public void normal(Affine toLocal, double x, double y, double z) {
-        unitNormal(
+        normal(
                 toLocal.xx() * x + toLocal.yx() * y + toLocal.zx() * z,
                 toLocal.xy() * x + toLocal.yy() * y + toLocal.zy() * z,
                 toLocal.xz() * x + toLocal.yz() * y + toLocal.zz() * z);
     }
 
-    /** Sets the normal from a vector of any length but 0, world space. */
-    public void unitNormal(double x, double y, double z) {
+    /** Sets the normals from a vector of any length but 0. */
+    public void normal(double x, double y, double z) {
         double k = 1 / Math.sqrt(x * x + y * y + z * z);
-        nx = x * k;
-        ny = y * k;
-        nz = z * k;
+        unitNormal(x * k, y * k, z * k);
+    }
+
+    /** Sets the normals from a vector of length 1. */
+    public void unitNormal(double x, double y, double z) {
+        nx = x;
+        ny = y;
+        nz = z;
+        sx = x;
+        sy = y;
+        sz = z;
+    }
+
+    /** Turns the normals round. */
+    public void turn() {
+        nx = -nx;
+        ny = -ny;
+        nz = -nz;
+        sx = -sx;
+        sy = -sy;
+        sz = -sz;
+    }
+
+    /** Sets the map; the tangent of any length but 0. */
+    public void map(double atU, double atV, double tangentX, double tangentY, double tangentZ) {
+        u = atU;
+        v = atV;
+        double k = 1 / Math.sqrt(tangentX * tangentX + tangentY * tangentY + tangentZ * tangentZ);
+        tx = tangentX * k;
+        ty = tangentY * k;
+        tz = tangentZ * k;
+    }
+
+    /**
+     * Sets the map as a label around the y axis, of which (x, z) says the direction: u = ½ + atan2(x, z)/2π, so that the middle of the
+     * picture looks to +z and its edges meet at −z. On the axis itself u is ½.
+     */
+    public void mapAround(double x, double z, double atV) {
+        boolean onAxis = x == 0 && z == 0;
+        map(0.5 + StrictMath.atan2(x, z) / (2 * Math.PI), atV, onAxis ? 1 : z, 0, onAxis ? 0 : -x);
+    }
+
+    /** Sets the map as that of a globe about the origin, by the direction of a point: as {@link #mapAround} with v = ½ + latitude/π. */
+    public void mapGlobe(double x, double y, double z) {
+        mapAround(x, z, 0.5 + StrictMath.atan2(y, Math.sqrt(x * x + z * z)) / Math.PI);
+    }
+
+    /**
+     * Sets the map as that of a round lid of which the centre is at 0, seen from above (+y) or below by somebody who stands at +z: the square
+     * around it is the whole picture.
+     */
+    public void mapLid(double x, double z, double radius, boolean fromAbove) {
+        map((1 + x / radius) / 2, (fromAbove ? 1 - z / radius : 1 + z / radius) / 2, 1, 0, 0);
+    }
+
+    /** Takes the tangent from a shape's own space to the world: the inverse of the map into that space, by Cramer's rule. */
+    public void tangentFrom(Affine toLocal) {
+        double ax = toLocal.yy() * toLocal.zz() - toLocal.yz() * toLocal.zy();
+        double ay = toLocal.yz() * toLocal.zx() - toLocal.yx() * toLocal.zz();
+        double az = toLocal.yx() * toLocal.zy() - toLocal.yy() * toLocal.zx();
+        double bx = toLocal.zy() * toLocal.xz() - toLocal.zz() * toLocal.xy();
+        double by = toLocal.zz() * toLocal.xx() - toLocal.zx() * toLocal.xz();
+        double bz = toLocal.zx() * toLocal.xy() - toLocal.zy() * toLocal.xx();
+        double cx = toLocal.xy() * toLocal.yz() - toLocal.xz() * toLocal.yy();
+        double cy = toLocal.xz() * toLocal.yx() - toLocal.xx() * toLocal.yz();
+        double cz = toLocal.xx() * toLocal.yy() - toLocal.xy() * toLocal.yx();
+        double side = toLocal.xx() * ax + toLocal.xy() * ay + toLocal.xz() * az < 0 ? -1 : 1;
+        map(u, v, side * (tx * ax + ty * bx + tz * cx), side * (tx * ay + ty * by + tz * cy), side * (tx * az + ty * bz + tz * cz));
     }
 }

@@ -17,6 +17,7 @@ import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.text.Numbers;
 import java.util.List;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /** A box with faces perpendicular to the axes, from its minimum to its maximum corner. */
 @Element("A box from its minimum to its maximum corner.")
@@ -55,8 +56,25 @@ public record Block(
     @Override
     public Volume place(Affine toWorld, Parts parts) {
         return toWorld.keepsAxes()
-                ? parts.add(part -> new Upright(part, Bounds.of(toWorld.point(min), toWorld.point(max))))
+                ? parts.add(part -> new Upright(part, Bounds.of(toWorld.point(min), toWorld.point(max)),
+                        toWorld.turns() ? new Turned(part, toWorld, min, max) : null))
                 : parts.add(part -> new Turned(part, toWorld, min, max));
+    }
+
+    /**
+     * Each face is a picture of its own, as seen from outside with y up; top and bottom as seen by somebody who stands at +z.
+     *
+     * @param x along the block, 0–1 from its minimum to its maximum
+     */
+    private static void map(int face, double x, double y, double z, Hit hit) {
+        switch (face) {
+            case 0 -> hit.map(z, y, 0, 0, 1);
+            case 1 -> hit.map(1 - z, y, 0, 0, -1);
+            case 2 -> hit.map(x, z, 1, 0, 0);
+            case 3 -> hit.map(x, 1 - z, 1, 0, 0);
+            case 4 -> hit.map(1 - x, y, -1, 0, 0);
+            default -> hit.map(x, y, 1, 0, 0);
+        }
     }
 
     /** A block whose faces are still perpendicular to the axes. Face 2a is at the minimum of axis a, 2a + 1 at its maximum. */
@@ -67,9 +85,12 @@ public record Block(
         private final double maxX;
         private final double maxY;
         private final double maxZ;
+        /** What knows its own axes, if these are not those of the world. */
+        private final @Nullable Turned own;
 
-        Upright(int part, Bounds box) {
+        Upright(int part, Bounds box, @Nullable Turned own) {
             super(part);
+            this.own = own;
             minX = box.minX();
             minY = box.minY();
             minZ = box.minZ();
@@ -102,9 +123,16 @@ public record Block(
         @Override
         public void describe(int face, Hit hit) {
             double side = face % 2 == 0 ? -1 : 1;
-            hit.nx = face / 2 == 0 ? side : 0;
-            hit.ny = face / 2 == 1 ? side : 0;
-            hit.nz = face / 2 == 2 ? side : 0;
+            hit.unitNormal(face / 2 == 0 ? side : 0, face / 2 == 1 ? side : 0, face / 2 == 2 ? side : 0);
+        }
+
+        @Override
+        public void map(int face, Hit hit) {
+            if (own != null) {
+                own.map(own.ownFace(face), hit);
+            } else {
+                Block.map(face, (hit.px - minX) / (maxX - minX), (hit.py - minY) / (maxY - minY), (hit.pz - minZ) / (maxZ - minZ), hit);
+            }
         }
     }
 
@@ -119,6 +147,16 @@ public record Block(
             this.max = max;
         }
 
+        /** The face that looks along an axis of the world, to which one of its own is parallel. */
+        int ownFace(int face) {
+            int axis = face / 2;
+            double x = axis == 0 ? toLocal.xx() : axis == 1 ? toLocal.xy() : toLocal.xz();
+            double y = axis == 0 ? toLocal.yx() : axis == 1 ? toLocal.yy() : toLocal.yz();
+            double z = axis == 0 ? toLocal.zx() : axis == 1 ? toLocal.zy() : toLocal.zz();
+            int ownAxis = x != 0 ? 0 : y != 0 ? 1 : 2;
+            return 2 * ownAxis + (face % 2 == 1 == x + y + z > 0 ? 1 : 0);
+        }
+
         @Override
         protected boolean clip(Line line, Ray ray) {
             open(ray);
@@ -131,6 +169,11 @@ public record Block(
         protected void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
             double side = face % 2 == 0 ? -1 : 1;
             hit.normal(toLocal, face / 2 == 0 ? side : 0, face / 2 == 1 ? side : 0, face / 2 == 2 ? side : 0);
+        }
+
+        @Override
+        protected void map(int face, double x, double y, double z, Hit hit) {
+            Block.map(face, (x - min.x()) / (max.x() - min.x()), (y - min.y()) / (max.y() - min.y()), (z - min.z()) / (max.z() - min.z()), hit);
         }
     }
 }

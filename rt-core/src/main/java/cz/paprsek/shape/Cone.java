@@ -69,12 +69,14 @@ public record Cone(
         private static final int BOTTOM = 1;
 
         private final double radius;
+        private final double topRadius;
         private final double slope;
         private final double height;
 
         Placed(int part, Affine toWorld, Cone shape) {
             super(part, toWorld, roundBounds(toWorld, shape.radius, shape.topRadius, shape.height));
             radius = shape.radius;
+            topRadius = shape.topRadius;
             slope = (shape.topRadius - shape.radius) / shape.height;
             height = shape.height;
         }
@@ -122,6 +124,15 @@ public record Cone(
                 hit.normal(toLocal, x, -slope * (radius + slope * y), z);
             } else {
                 hit.normal(toLocal, 0, face == BOTTOM ? -1 : 1, 0);
+            }
+        }
+
+        @Override
+        protected void map(int face, double x, double y, double z, Hit hit) {
+            if (face == SIDE) {
+                hit.mapAround(x, z, y / height);
+            } else {
+                hit.mapLid(x, z, face == BOTTOM ? radius : topRadius, face != BOTTOM);
             }
         }
     }

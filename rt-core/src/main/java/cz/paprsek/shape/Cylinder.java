@@ -88,5 +88,14 @@ public record Cylinder(
                 hit.normal(toLocal, 0, face == BOTTOM ? -1 : 1, 0);
             }
         }
+
+        @Override
+        protected void map(int face, double x, double y, double z, Hit hit) {
+            if (face == SIDE) {
+                hit.mapAround(x, z, y / height);
+            } else {
+                hit.mapLid(x, z, radius, face != BOTTOM);
+            }
+        }
     }
 }

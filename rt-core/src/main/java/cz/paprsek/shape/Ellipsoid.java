@@ -68,5 +68,10 @@ public record Ellipsoid(@Attribute(value = Kind.POSITIVE_VECTOR, means = "Along 
         protected void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
             hit.normal(toLocal, x, y, z);
         }
+
+        @Override
+        protected void map(int face, double x, double y, double z, Hit hit) {
+            hit.mapGlobe(x, y, z);
+        }
     }
 }

@@ -52,5 +52,10 @@ public record Plane() implements Solid {
         protected void describe(int face, double x, double y, double z, Affine toLocal, Hit hit) {
             hit.normal(toLocal, 0, 1, 0);
         }
+
+        @Override
+        protected void map(int face, double x, double y, double z, Hit hit) {
+            hit.map(x, -z, 1, 0, 0);
+        }
     }
 }

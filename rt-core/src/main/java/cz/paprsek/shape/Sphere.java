@@ -39,7 +39,7 @@ public record Sphere(@Attribute(value = Kind.POSITIVE, means = "Above 0") double
         Affine fromUnit = toWorld.after(Affine.scaling(new Vec3(a, b, c)));
         double radius = fromUnit.uniformScale();
         return radius > 0
-                ? parts.add(part -> new Ball(part, toWorld.xt(), toWorld.yt(), toWorld.zt(), radius))
+                ? parts.add(part -> new Ball(part, toWorld, radius))
                 : parts.add(part -> new Ellipsoid.Placed(part, fromUnit));
     }
 }

@@ -177,5 +177,14 @@ public record Torus(
             double k = rho > 0 ? 1 - major / rho : 0;
             hit.normal(toLocal, x * k, y, z * k);
         }
+
+        @Override
+        public void map(int face, Hit hit) {
+            double x = toLocal.pointX(hit.px, hit.py, hit.pz);
+            double y = toLocal.pointY(hit.px, hit.py, hit.pz);
+            double z = toLocal.pointZ(hit.px, hit.py, hit.pz);
+            hit.mapAround(x, z, 0.5 + StrictMath.atan2(y, Math.sqrt(x * x + z * z) - major) / (2 * Math.PI));
+            hit.tangentFrom(toLocal);
+        }
     }
 }

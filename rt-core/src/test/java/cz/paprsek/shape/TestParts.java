@@ -35,9 +35,7 @@ final class TestParts implements Parts {
         boolean flipped = ray.face < 0;
         all.get(ray.part).describe(flipped ? ~ray.face : ray.face, hit);
         if (flipped) {
-            hit.nx = -hit.nx;
-            hit.ny = -hit.ny;
-            hit.nz = -hit.nz;
+            hit.turn();
         }
         return hit;
     }

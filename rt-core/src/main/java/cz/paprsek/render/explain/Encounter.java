@@ -68,9 +68,9 @@ public record Encounter(
      * @param distance from the ray's origin
      * @param point world space
      * @param normal of length 1, out of the body
-     * @param towardsViewer the normal or its opposite: on the side the ray comes from
-     * @param u where on a flat figure, 0–1 along its x; 0 on solids
-     * @param v where on a flat figure, 0–1 along its y; 0 on solids
+     * @param towardsViewer the normal that light is reckoned with, on the side the ray comes from
+     * @param u where in a picture that covers the surface, 0–1 to the right; beyond on a surface without end
+     * @param v likewise, upwards
      * @param cosine of the angle between the ray and the normal, 0–1
      * @param mirrored R, the mirrored direction, of length 1
      */

@@ -33,7 +33,7 @@ final class Exercise {
     }
 
     private void met(Encounter met) {
-        place(met.place());
+        place(met.place(), met.material().pattern().isMapped());
         material(met.material());
         step(Topic.POINT, words.of("name.color"), "C", "", Figures.of(met.color()));
         step(Topic.AMBIENT, words.of("name.ambient"), "A·C", Figures.of(met.ambientLight()) + "·" + Figures.of(met.color()), Figures.of(met.ambient()));
@@ -48,13 +48,13 @@ final class Exercise {
         new SumSteps(name, ray, met, words, steps).write();
     }
 
-    private void place(Encounter.Place place) {
+    private void place(Encounter.Place place, boolean isMapped) {
         say(Topic.POINT, words.of("name.hits"), words.surface(place.surface()) + words.face(place.face())
                 + (place.flipped() ? words.of("hole") : "") + words.of(place.fromInside() ? "from-inside" : "from-outside"));
         step(Topic.POINT, words.of("name.distance"), "t", "", Figures.of(place.distance()));
         step(Topic.POINT, words.of("name.point"), "P = o + t·d",
                 Figures.of(ray.origin()) + " + " + Figures.of(place.distance()) + "·" + Figures.of(ray.direction()), Figures.of(place.point()));
-        if (place.u() != 0 || place.v() != 0) {
+        if (isMapped) {
             step(Topic.POINT, words.of("name.figure"), "u, v", "", Figures.of(place.u()) + ", " + Figures.of(place.v()));
         }
         step(Topic.POINT, words.of("name.normal"), place.fromInside() ? words.of("turned") : "N", "", Figures.of(place.towardsViewer()));

@@ -66,11 +66,12 @@ public final class Recorder extends Whitted {
     public void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
         Ray ray = level.ray;
         Hit hit = level.hit;
+        map(level);
         InScene<BodyAt> surface = surface(ray.part);
         boolean flipped = ray.face < 0;
-        Vec3 towardsViewer = new Vec3(hit.nx, hit.ny, hit.nz);
+        Vec3 outwards = new Vec3(hit.nx, hit.ny, hit.nz);
         Encounter.Place place = new Encounter.Place(surface, face(surface, flipped ? ~ray.face : ray.face), flipped, leaving,
-                ray.max, new Vec3(hit.px, hit.py, hit.pz), leaving ? towardsViewer.negated() : towardsViewer, towardsViewer,
+                ray.max, new Vec3(hit.px, hit.py, hit.pz), leaving ? outwards.negated() : outwards, new Vec3(hit.sx, hit.sy, hit.sz),
                 hit.u, hit.v, cosine, new Vec3(mirrorX, mirrorY, mirrorZ));
         open.push(new Draft(begin(level), place, scene.parts().finish(ray.part).material,
                 new LinearRgb(level.colorRed, level.colorGreen, level.colorBlue), ambient,

@@ -283,18 +283,19 @@ public class Whitted extends Witness implements Integrator {
         }
         Hit hit = level.hit;
         Finish finish = parts.finish(ray.part);
+        if (finish.paint.isMapped()) {
+            map(level);
+        }
         finish.paint.color(level);
         double cosine = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz;
         boolean leaving = cosine > 0;
         if (leaving) {
-            hit.nx = -hit.nx;
-            hit.ny = -hit.ny;
-            hit.nz = -hit.nz;
+            hit.turn();
         }
         double c = Math.abs(cosine);
-        double mirrorX = ray.dx + 2 * c * hit.nx;
-        double mirrorY = ray.dy + 2 * c * hit.ny;
-        double mirrorZ = ray.dz + 2 * c * hit.nz;
+        double mirrorX = ray.dx + 2 * c * hit.sx;
+        double mirrorY = ray.dy + 2 * c * hit.sy;
+        double mirrorZ = ray.dz + 2 * c * hit.sz;
         double size = hit.size;
 
         level.light(ambient[0] * level.colorRed, ambient[1] * level.colorGreen, ambient[2] * level.colorBlue);
@@ -318,10 +319,14 @@ public class Whitted extends Witness implements Integrator {
         boolean flipped = ray.face < 0;
         parts.part(ray.part).describe(flipped ? ~ray.face : ray.face, hit);
         if (flipped) {
-            hit.nx = -hit.nx;
-            hit.ny = -hit.ny;
-            hit.nz = -hit.nz;
+            hit.turn();
         }
+    }
+
+    /** Finds the place of the level's hit in a picture that covers the surface. */
+    protected final void map(Level level) {
+        int face = level.ray.face;
+        parts.part(level.ray.part).map(face < 0 ? ~face : face, level.hit);
     }
 
     /** Adds one light's diffuse and specular part. */
@@ -334,7 +339,7 @@ public class Whitted extends Witness implements Integrator {
         double ly = arrival.y;
         double lz = arrival.z;
         double distance = arrival.distance;
-        double facing = hit.nx * lx + hit.ny * ly + hit.nz * lz;
+        double facing = hit.sx * lx + hit.sy * ly + hit.sz * lz;
         if (!(facing > 0)) {
             sought(light, lx, ly, lz, distance, facing, 0);
             return;
@@ -448,7 +453,7 @@ public class Whitted extends Witness implements Integrator {
         }
         if (refracts) {
             double k = e * c - root;
-            next.ray.start(hit.px, hit.py, hit.pz, e * ray.dx + k * hit.nx, e * ray.dy + k * hit.ny, e * ray.dz + k * hit.nz,
+            next.ray.start(hit.px, hit.py, hit.pz, e * ray.dx + k * hit.sx, e * ray.dy + k * hit.sy, e * ray.dz + k * hit.sz,
                     size, Double.POSITIVE_INFINITY, ray.part, leaving == ray.face < 0);
             next.beyond = true;
             next.path = Sampler.refracted(level.path);

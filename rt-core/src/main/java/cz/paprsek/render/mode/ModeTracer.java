@@ -87,7 +87,11 @@ public final class ModeTracer extends Whitted {
     public void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
         Hit hit = level.hit;
         switch (mode) {
-            case NORMALS -> add(encoded(hit.nx), encoded(hit.ny), encoded(hit.nz));
+            case NORMALS -> add(encoded(hit.sx), encoded(hit.sy), encoded(hit.sz));
+            case UV -> {
+                map(level);
+                add(NumberedCells.color(hit.u, hit.v));
+            }
             case DEPTH -> {
                 double shown = numbers ? level.ray.max : range.brightness(level.ray.max);
                 add(shown, shown, shown);

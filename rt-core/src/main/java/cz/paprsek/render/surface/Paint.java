@@ -9,8 +9,10 @@ import cz.paprsek.ray.Hit;
 /** A pattern ready to be asked for its colour at a point: two colours in linear light, and which of them lies where. */
 public abstract class Paint {
     private final double[] linear;
+    private final boolean mapped;
 
-    private Paint(Rgb even, Rgb odd) {
+    private Paint(Pattern pattern, Rgb even, Rgb odd) {
+        this.mapped = pattern.isMapped();
         this.linear = new double[] {
             even.linearRed(), even.linearGreen(), even.linearBlue(), odd.linearRed(), odd.linearGreen(), odd.linearBlue()
         };
@@ -24,7 +26,12 @@ public abstract class Paint {
         if (pattern instanceof Pattern.Checker checker) {
             return new Cubes(checker, toPattern);
         }
-        return new Plain(((Pattern.Plain) pattern).color());
+        return new Plain((Pattern.Plain) pattern);
+    }
+
+    /** Whether it asks for the map of the hit: u, v and the tangent. */
+    public final boolean isMapped() {
+        return mapped;
     }
 
     /** Whether the odd colour lies at the hit. */
@@ -39,8 +46,8 @@ public abstract class Paint {
     }
 
     private static final class Plain extends Paint {
-        Plain(Rgb color) {
-            super(color, color);
+        Plain(Pattern.Plain plain) {
+            super(plain, plain.color(), plain.color());
         }
 
         @Override
@@ -54,7 +61,7 @@ public abstract class Paint {
         private final int rows;
 
         Board(Pattern.Checkerboard board) {
-            super(board.even(), board.odd());
+            super(board, board.even(), board.odd());
             columns = board.columns();
             rows = board.rows();
         }
@@ -78,7 +85,7 @@ public abstract class Paint {
         private final double rounding;
 
         Cubes(Pattern.Checker checker, Affine toPattern) {
-            super(checker.even(), checker.odd());
+            super(checker, checker.even(), checker.odd());
             double k = 1 / checker.size();
             toCells = Affine.scaling(Vec3.ONE.times(k))
                     .after(Affine.translation(checker.origin().negated()))

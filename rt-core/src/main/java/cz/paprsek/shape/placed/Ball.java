@@ -1,8 +1,10 @@
 package cz.paprsek.shape.placed;
 
+import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A ball in world space. With l from the eye to the centre and b = l·d the distance to the point of the ray nearest to it,
@@ -16,12 +18,16 @@ public final class Ball extends Convex {
     private final double y;
     private final double z;
     private final double radius;
+    /** From its own axes to the world; null if they are those of the world. */
+    private final @Nullable Affine fromOwn;
 
-    public Ball(int part, double x, double y, double z, double radius) {
+    /** @param fromOwn from its own space to the world: changes all lengths alike */
+    public Ball(int part, Affine fromOwn, double radius) {
         super(part);
-        this.x = x;
-        this.y = y;
-        this.z = z;
+        this.fromOwn = fromOwn.turns() ? fromOwn : null;
+        x = fromOwn.xt();
+        y = fromOwn.yt();
+        z = fromOwn.zt();
         this.radius = radius;
     }
 
@@ -64,7 +70,23 @@ public final class Ball extends Convex {
 
     @Override
     public void describe(int face, Hit hit) {
-        hit.unitNormal(hit.px - x, hit.py - y, hit.pz - z);
+        hit.normal(hit.px - x, hit.py - y, hit.pz - z);
+    }
+
+    @Override
+    public void map(int face, Hit hit) {
+        double px = hit.px - x;
+        double py = hit.py - y;
+        double pz = hit.pz - z;
+        Affine own = fromOwn;
+        if (own == null) {
+            hit.mapGlobe(px, py, pz);
+            return;
+        }
+        // Of a similarity the transpose is the inverse, but for the size.
+        hit.mapGlobe(own.xx() * px + own.yx() * py + own.zx() * pz, own.xy() * px + own.yy() * py + own.zy() * pz,
+                own.xz() * px + own.yz() * py + own.zz() * pz);
+        hit.map(hit.u, hit.v, own.directionX(hit.tx, hit.ty, hit.tz), own.directionY(hit.tx, hit.ty, hit.tz), own.directionZ(hit.tx, hit.ty, hit.tz));
     }
 
     private double middle(Ray ray) {

@@ -54,8 +54,12 @@ public abstract class Flat extends Surface implements Part {
     @Override
     public void describe(int face, Hit hit) {
         hit.normal(toLocal, 0, 0, 1);
-        hit.u = u(toLocal.pointX(hit.px, hit.py, hit.pz));
-        hit.v = v(toLocal.pointY(hit.px, hit.py, hit.pz));
+    }
+
+    @Override
+    public void map(int face, Hit hit) {
+        hit.map(u(toLocal.pointX(hit.px, hit.py, hit.pz)), v(toLocal.pointY(hit.px, hit.py, hit.pz)), 1, 0, 0);
+        hit.tangentFrom(toLocal);
     }
 
     /** Where the ray meets the figure, strictly between two values of t; not a number if it does not, or starts from it. */

@@ -7,7 +7,7 @@ import cz.paprsek.ray.Line;
 
 /** A convex primitive that is met in its own space, through the map that leads there. */
 public abstract class LocalConvex extends Convex {
-    private final Affine toLocal;
+    protected final Affine toLocal;
     private final Bounds bounds;
 
     protected LocalConvex(int part, Affine toWorld, Bounds worldBounds) {
@@ -21,6 +21,9 @@ public abstract class LocalConvex extends Convex {
 
     /** Calls {@link Hit#normal} for a point on a face, both in the shape's own space. */
     protected abstract void describe(int face, double x, double y, double z, Affine toLocal, Hit hit);
+
+    /** Calls {@link Hit#map} for a point on a face, both in the shape's own space. */
+    protected abstract void map(int face, double x, double y, double z, Hit hit);
 
     @Override
     public Bounds bounds() {
@@ -41,6 +44,12 @@ public abstract class LocalConvex extends Convex {
     public void describe(int face, Hit hit) {
         describe(face, toLocal.pointX(hit.px, hit.py, hit.pz), toLocal.pointY(hit.px, hit.py, hit.pz),
                 toLocal.pointZ(hit.px, hit.py, hit.pz), toLocal, hit);
+    }
+
+    @Override
+    public void map(int face, Hit hit) {
+        map(face, toLocal.pointX(hit.px, hit.py, hit.pz), toLocal.pointY(hit.px, hit.py, hit.pz), toLocal.pointZ(hit.px, hit.py, hit.pz), hit);
+        hit.tangentFrom(toLocal);
     }
 
     /**
