@@ -15,10 +15,10 @@ public class BreakFormulas {
     record Break(String name, String file, String right, String wrong) {}
 
     private static final List<Break> BREAKS = List.of(
-            new Break("height of the picture from tan(fovy)", "render/Eye.java", "Angles.tan(camera.fovy() / 2)", "Angles.tan(camera.fovy())"),
-            new Break("rays through corners of pixels", "render/Eye.java", "double directionX(double x, double y) {", "double directionX(double x, double y) { x -= 0.5; y -= 0.5;"),
+            new Break("height of the picture from tan(fovy)", "render/eye/Pinhole.java", "Angles.tan(lens.fovy() / 2)", "Angles.tan(lens.fovy())"),
+            new Break("rays through corners of pixels", "render/eye/Pinhole.java", "double directionX(double x, double y) {", "double directionX(double x, double y) { x -= 0.5; y -= 0.5;"),
             new Break("up vector as given", "scene/Camera.java", "return right().cross(forward());", "return up.normalized();"),
-            new Break("right vector not of length 1", "scene/Camera.java", "forward().cross(up.normalized()).normalized()", "forward().cross(up.normalized())"),
+            new Break("right vector not of length 1", "scene/Camera.java", "forward().cross(upwards().normalized()).normalized()", "forward().cross(upwards().normalized())"),
             new Break("radius taken for a diameter", "shape/Sphere.java", "place(toWorld, radius, radius, radius, parts)", "place(toWorld, radius / 2, radius / 2, radius / 2, parts)"),
             new Break("normal of a sphere 2(P − S)", "shape/Sphere.java", "hit.unitNormal(hit.px - x, hit.py - y, hit.pz - z);",
                     "hit.nx = 2 * (hit.px - x); hit.ny = 2 * (hit.py - y); hit.nz = 2 * (hit.pz - z);"),

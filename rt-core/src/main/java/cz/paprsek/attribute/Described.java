@@ -4,8 +4,10 @@ import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
 
@@ -37,10 +39,10 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
     private static final ClassValue<List<Described>> INLINE = new ClassValue<>() {
         @Override
         protected List<Described> computeValue(Class<?> type) {
-            return Arrays.stream(componentsOf(type)).flatMap(component -> component.isAnnotationPresent(Attribute.class)
-                    ? of(type).stream().filter(one -> one.component().getName().equals(component.getName()))
-                    : kinds(component.getType()).flatMap(kind -> of(kind).stream())
-                            .map(one -> new Described(one.name, List.of(component), one.components, one.says))).toList();
+            return Arrays.stream(componentsOf(type)).flatMap(component -> Stream.concat(
+                    of(type).stream().filter(one -> one.component().getName().equals(component.getName())),
+                    kindsWithin(component).flatMap(kind -> of(kind).stream())
+                            .map(one -> new Described(one.name, List.of(component), one.components, one.says)))).toList();
         }
     };
 
@@ -56,7 +58,7 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
 
     /**
      * As {@link #of}, and in their places those of records that are components but no elements. Of these there may be several kinds, of which a
-     * record has one: a camera has a direction or a target.
+     * record has one: a camera has a direction or a target, without a word which, and the lens that the word of its own attribute says.
      */
     public static List<Described> inline(Class<?> type) {
         return INLINE.get(type);
@@ -64,6 +66,12 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
 
     private static RecordComponent[] componentsOf(Class<?> type) {
         return Objects.requireNonNull(type.getRecordComponents(), type + " is no record");
+    }
+
+    /** The kinds whose attributes stand beside those of the record: not if the component is an attribute, other than one that says which kind it is. */
+    private static Stream<Class<?>> kindsWithin(RecordComponent component) {
+        Attribute says = component.getAnnotation(Attribute.class);
+        return says == null || (says.value() == Kind.WORD && component.getType().isSealed()) ? kinds(component.getType()) : Stream.empty();
     }
 
     private static Stream<Class<?>> kinds(Class<?> type) {
@@ -78,9 +86,21 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
         return ElementTable.hyphenated(component.getName());
     }
 
-    /** A constant of an enumeration as files have it. */
-    public static String word(Enum<?> constant) {
-        return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    /** A constant of an enumeration, or the kind of a record, as files have it. */
+    public static String word(Object value) {
+        return value instanceof Enum<?> constant ? constant.name().toLowerCase(Locale.ROOT).replace('_', '-')
+                : ElementTable.hyphenated(value.getClass().getSimpleName());
+    }
+
+    /** All words that an attribute may have, with what each stands for: a constant of an enumeration, or the class of a record. */
+    public static Map<String, Object> words(Class<?> type) {
+        Map<String, Object> words = new LinkedHashMap<>();
+        if (type.isEnum()) {
+            Arrays.stream(type.getEnumConstants()).forEach(constant -> words.put(word(constant), constant));
+        } else {
+            kinds(type).forEach(kind -> words.put(ElementTable.hyphenated(kind.getSimpleName()), kind));
+        }
+        return words;
     }
 
     /** The component that has the value, or its first number. */

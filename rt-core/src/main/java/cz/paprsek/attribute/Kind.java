@@ -12,6 +12,8 @@ public enum Kind {
     REFRACTIVE_INDEX(Form.NUMBER, "refractiveIndex", "a number above 0 and at most 100", Range.above(0).to(100)),
     /** Degrees. */
     FOVY(Form.NUMBER, "fovy", "a number of degrees above 0 and below 180", Range.above(0).below(180)),
+    /** Degrees. */
+    FISHEYE(Form.NUMBER, "fisheye", "a number of degrees above 0, 360 at most", Range.above(0).to(360)),
     /** Three numbers. */
     VECTOR(Form.VECTOR, "vector", "three finite numbers, x y z", Range.ANY),
     POSITIVE_VECTOR(Form.VECTOR, "positiveVector", "three finite numbers above 0", Range.above(0)),
@@ -31,7 +33,7 @@ public enum Kind {
     /** A list of them. */
     WORDS(Form.WORDS, "tags", "words separated by blanks", Range.ANY),
     FLAG(Form.FLAG, "flag", "true or false", Range.ANY),
-    /** One of the constants of an enumeration, in small letters and with hyphens. */
+    /** One of the constants of an enumeration, or of the kinds of record that a sealed interface permits, in small letters and with hyphens. */
     WORD(Form.WORD, "", "", Range.ANY);
 
     /** How values are written. */

@@ -7,9 +7,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
-import cz.paprsek.math.Angles;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -64,13 +62,8 @@ final class PovWriter {
         text.line("background { " + PovMaterials.rgb(scene.background(), 1) + " }");
     }
 
-    /** The lengths of {@code up} and {@code right} are the size of the picture at distance 1; POV-Ray's {@code angle} would be horizontal. */
     private void camera() throws IOException {
-        Camera camera = scene.camera();
-        double height = 2 * Angles.tan(camera.fovy() / 2);
-        text.line("camera { perspective location " + vector(camera.position()) + " direction " + vector(camera.forward())
-                + " up " + vector(camera.trueUp().times(height))
-                + " right image_width/image_height*" + vector(camera.right().times(height)) + " }");
+        text.line("camera { " + PovCamera.of(scene.camera()) + " }");
     }
 
     private void declare(String name, Material material) throws IOException {

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
@@ -40,6 +41,16 @@ public final class Column<R> {
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(value, "value");
         return new Column<>(name, Type.NUMBER, (row, test) -> test.test(new Value.Scalar(value.applyAsDouble(row))));
+    }
+
+    /** For rows that may have none. */
+    public static <R> Column<R> numbers(String name, Function<R, OptionalDouble> value) {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(value, "value");
+        return new Column<>(name, Type.NUMBER, (row, test) -> {
+            OptionalDouble number = value.apply(row);
+            return number.isPresent() && test.test(new Value.Scalar(number.getAsDouble()));
+        });
     }
 
     public static <R> Column<R> text(String name, Function<R, String> value) {

@@ -1,8 +1,10 @@
 package cz.paprsek.query;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -12,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.Stream;
 
 /** The tables that scenes are seen as: scenes, cameras, lights, materials, all objects, and the objects of each kind. */
@@ -66,7 +69,7 @@ public final class SceneTables {
 
     private static List<Relation<Scene, ?>> parts() {
         List<Relation<Scene, ?>> parts = new ArrayList<>(List.of(
-                new Relation<>(camera(), scene -> Stream.of(new InScene<>(scene, scene.camera())), false),
+                new Relation<>(camera(), scene -> scene.cameras().stream().map(camera -> new InScene<>(scene, camera)), false),
                 new Relation<>(light(), scene -> scene.lights().stream().map(light -> new InScene<>(scene, light)), false),
                 new Relation<>(material(), scene -> scene.materials().entrySet().stream().map(entry -> new InScene<>(scene, entry)), false),
                 new Relation<>(KindTables.all(), KindTables::rows, false)));
@@ -75,13 +78,19 @@ public final class SceneTables {
     }
 
     private static Table<InScene<Camera>> camera() {
-        return new Table<>("camera", List.of(
+        List<Column<InScene<Camera>>> columns = new ArrayList<>(List.of(
                 Column.text("scene", row -> row.scene().name()),
+                Column.text("name", row -> row.part().name()),
+                Column.text("projection", row -> row.part().lens().projection()),
                 Column.vector("position", row -> row.part().position()),
                 Column.vector("direction", row -> row.part().forward()),
                 Column.vectors("target", row -> row.part().aim() instanceof Camera.Target target ? Optional.of(target.point()) : Optional.empty()),
-                Column.vector("up", row -> row.part().up()),
-                Column.number("fovy", row -> row.part().fovy())), List.of());
+                Column.vector("up", row -> row.part().up())));
+        for (Class<?> lens : Lens.class.getPermittedSubclasses()) {
+            Described.of(lens).forEach(one -> columns.add(Column.numbers(one.name(),
+                    row -> lens.isInstance(row.part().lens()) ? OptionalDouble.of(one.number(row.part().lens())) : OptionalDouble.empty())));
+        }
+        return new Table<>("camera", columns, List.of());
     }
 
     private static Table<InScene<Light>> light() {

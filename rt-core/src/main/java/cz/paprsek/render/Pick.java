@@ -33,7 +33,9 @@ public record Pick(BodyAt body, Vec3 point, double distance) {
      */
     public static Optional<Pick> at(RenderScene scene, RenderSettings settings, double x, double y) {
         Ray ray = new Ray(new Spans());
-        Eye.of(scene.scene().camera(), settings.width(), settings.height()).start(ray, x, y);
+        if (!Eye.of(scene.scene().camera(), settings.width(), settings.height()).start(ray, x, y)) {
+            return Optional.empty();
+        }
         scene.world().bodies().nearest(ray, scene.world().bodies().whole(), scene.world().bodies().newFinder());
         if (ray.part < 0) {
             return Optional.empty();

@@ -5,6 +5,8 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Require;
+import cz.paprsek.text.Similar;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -22,12 +24,12 @@ import java.util.Objects;
  * @param settings how it wishes to be rendered
  * @param background what a ray sees that hits nothing
  * @param ambient light that reaches every point alike
- * @param camera the eye
+ * @param cameras the eyes, at least one; the picture is what the first sees
  * @param lights any number, also none
  * @param materials the named materials, in the order of the file
  * @param objects any number, also none
  */
-@Element("A scene. Its elements may come in any order; exactly one camera, at most one render, background, ambient and description.")
+@Element("A scene. Its elements may come in any order; at least one camera, at most one render, background, ambient and description.")
 public record Scene(
         @Attribute(value = Kind.NAME, means = "What the scene is called; no control characters, as in all names", otherwise = Attribute.NOTHING) String name,
         String description,
@@ -35,14 +37,14 @@ public record Scene(
         RenderSettings settings,
         Rgb background,
         Rgb ambient,
-        Camera camera,
+        List<Camera> cameras,
         List<Light> lights,
         Map<String, Material> materials,
         List<SceneObject> objects) {
 
     /** No object, no light, black all around. */
     public static final Scene EMPTY = new Scene("", "", List.of(), RenderSettings.DEFAULT, Rgb.BLACK, Rgb.BLACK,
-            Camera.DEFAULT, List.of(), Map.of(), List.of());
+            List.of(Camera.DEFAULT), List.of(), Map.of(), List.of());
 
     /** @throws IllegalArgumentException with the first sentence of {@link SceneRules} that is broken */
     public Scene {
@@ -51,54 +53,95 @@ public record Scene(
         Objects.requireNonNull(settings, "settings");
         Objects.requireNonNull(background, "background");
         Objects.requireNonNull(ambient, "ambient");
-        Objects.requireNonNull(camera, "camera");
         tags = List.copyOf(tags);
+        cameras = List.copyOf(cameras);
         lights = List.copyOf(lights);
         materials = Collections.unmodifiableMap(new LinkedHashMap<>(materials));
         objects = List.copyOf(objects);
-        SceneRules.check(lights, materials, objects, (culprit, sentence) -> {
+        SceneRules.Report refuse = (culprit, sentence) -> {
             throw new IllegalArgumentException(sentence);
-        });
+        };
+        Require.that(!cameras.isEmpty(), "a scene needs a camera");
+        SceneRules.checkCameras(cameras, refuse);
+        SceneRules.check(lights, materials, objects, refuse);
     }
 
     public Scene withName(String value) {
-        return new Scene(value, description, tags, settings, background, ambient, camera, lights, materials, objects);
+        return new Scene(value, description, tags, settings, background, ambient, cameras, lights, materials, objects);
     }
 
     public Scene withDescription(String value) {
-        return new Scene(name, value, tags, settings, background, ambient, camera, lights, materials, objects);
+        return new Scene(name, value, tags, settings, background, ambient, cameras, lights, materials, objects);
     }
 
     public Scene withTags(List<String> value) {
-        return new Scene(name, description, value, settings, background, ambient, camera, lights, materials, objects);
+        return new Scene(name, description, value, settings, background, ambient, cameras, lights, materials, objects);
     }
 
     public Scene withSettings(RenderSettings value) {
-        return new Scene(name, description, tags, value, background, ambient, camera, lights, materials, objects);
+        return new Scene(name, description, tags, value, background, ambient, cameras, lights, materials, objects);
     }
 
     public Scene withBackground(Rgb value) {
-        return new Scene(name, description, tags, settings, value, ambient, camera, lights, materials, objects);
+        return new Scene(name, description, tags, settings, value, ambient, cameras, lights, materials, objects);
     }
 
     public Scene withAmbient(Rgb value) {
-        return new Scene(name, description, tags, settings, background, value, camera, lights, materials, objects);
+        return new Scene(name, description, tags, settings, background, value, cameras, lights, materials, objects);
     }
 
+    /** The camera whose picture it is: the first. */
+    public Camera camera() {
+        return cameras.get(0);
+    }
+
+    /** With another camera in the place of the first. */
     public Scene withCamera(Camera value) {
+        List<Camera> all = new ArrayList<>(cameras);
+        all.set(0, value);
+        return withCameras(all);
+    }
+
+    public Scene withCameras(List<Camera> value) {
         return new Scene(name, description, tags, settings, background, ambient, value, lights, materials, objects);
     }
 
+    /** As one of its cameras sees it, counted from 0: that one comes first, the others as they were. */
+    public Scene through(int camera) {
+        List<Camera> all = new ArrayList<>(cameras);
+        all.add(0, all.remove(camera));
+        return withCameras(all);
+    }
+
+    /**
+     * As {@link #through(int)}.
+     *
+     * @param camera its name or, if there is none of that name, its number, counted from 1
+     * @throws IllegalArgumentException if there is no such camera, with a list of those there are
+     */
+    public Scene through(String camera) {
+        for (int i = 0; i < cameras.size(); i++) {
+            if (!camera.isEmpty() && cameras.get(i).name().equals(camera)) {
+                return through(i);
+            }
+        }
+        List<String> names = cameras.stream().map(Camera::name).filter(name -> !name.isEmpty()).toList();
+        Require.that(camera.matches("[1-9][0-9]{0,8}") && Integer.parseInt(camera) <= cameras.size(),
+                "there is no camera \"" + camera + "\"" + Similar.suggestion(camera, names) + "; the scene has "
+                        + (cameras.size() == 1 ? "1 camera" : cameras.size() + " cameras") + (names.isEmpty() ? ", by number only" : ": " + String.join(", ", names)));
+        return through(Integer.parseInt(camera) - 1);
+    }
+
     public Scene withLights(List<Light> value) {
-        return new Scene(name, description, tags, settings, background, ambient, camera, value, materials, objects);
+        return new Scene(name, description, tags, settings, background, ambient, cameras, value, materials, objects);
     }
 
     public Scene withMaterials(Map<String, Material> value) {
-        return new Scene(name, description, tags, settings, background, ambient, camera, lights, value, objects);
+        return new Scene(name, description, tags, settings, background, ambient, cameras, lights, value, objects);
     }
 
     public Scene withObjects(List<SceneObject> value) {
-        return new Scene(name, description, tags, settings, background, ambient, camera, lights, materials, value);
+        return new Scene(name, description, tags, settings, background, ambient, cameras, lights, materials, value);
     }
 
     /** With one more light. */

@@ -165,9 +165,8 @@ public final class SceneDatabase {
         return new SceneDatabase(all);
     }
 
-    /** Every scene's camera. */
     public Stream<InScene<Camera>> cameras() {
-        return scenes.values().stream().map(scene -> new InScene<>(scene, scene.camera()));
+        return scenes.values().stream().flatMap(scene -> scene.cameras().stream().map(camera -> new InScene<>(scene, camera)));
     }
 
     public Stream<InScene<Light>> lights() {

@@ -30,10 +30,17 @@ public final class SceneRules {
     @FunctionalInterface
     public interface Report {
         /**
-         * @param culprit the light, material, object or operand at fault: the very instance that was passed in
+         * @param culprit the camera, light, material, object or operand at fault: the very instance that was passed in
          * @param sentence what is wrong and what to do
          */
         void broken(Object culprit, String sentence);
+    }
+
+    /** Checks the names of cameras, which are those of no others. */
+    public static void checkCameras(List<Camera> cameras, Report report) {
+        Objects.requireNonNull(report, "report");
+        Set<String> names = new HashSet<>();
+        cameras.forEach(camera -> checkName("camera", camera.name(), camera, names, report));
     }
 
     /** Checks names, references to materials and patterns of a scene's parts, in the order of the lists. */

@@ -1,15 +1,18 @@
 package cz.paprsek.tree;
 
 /**
- * Scratch of one worker: all lines o + t·d from one point o, with d anywhere between two corners, up to t = 1 or without end. Tells by interval
- * arithmetic which boxes none of them can meet.
+ * Scratch of one worker: all lines o + t·d from one point o, or from anywhere in a box, with d anywhere between two corners, up to t = 1 or without
+ * end. Tells by interval arithmetic which boxes none of them can meet.
  *
  * @source Boulos et al., Geometric and Arithmetic Culling Methods for Entire Ray Packets, 2006
  */
 public final class Bundle {
-    private double ox;
-    private double oy;
-    private double oz;
+    private double fromX;
+    private double fromY;
+    private double fromZ;
+    private double toX;
+    private double toY;
+    private double toZ;
     private double lowX;
     private double lowY;
     private double lowZ;
@@ -22,9 +25,17 @@ public final class Bundle {
 
     /** Starts an empty bundle from a point; its lines have no end. */
     public void start(double x, double y, double z) {
-        ox = x;
-        oy = y;
-        oz = z;
+        start(x, y, z, x, y, z);
+    }
+
+    /** Starts an empty bundle from all points of a box; its lines have no end. */
+    public void start(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
+        fromX = minX;
+        fromY = minY;
+        fromZ = minZ;
+        toX = maxX;
+        toY = maxY;
+        toZ = maxZ;
         end = Double.POSITIVE_INFINITY;
         lowX = Double.POSITIVE_INFINITY;
         lowY = Double.POSITIVE_INFINITY;
@@ -78,9 +89,9 @@ public final class Bundle {
     double enter(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
         near = 0;
         far = end;
-        clip(minX - ox, maxX - ox, lowX, highX);
-        clip(minY - oy, maxY - oy, lowY, highY);
-        clip(minZ - oz, maxZ - oz, lowZ, highZ);
+        clip(minX - toX, maxX - fromX, lowX, highX);
+        clip(minY - toY, maxY - fromY, lowY, highY);
+        clip(minZ - toZ, maxZ - fromZ, lowZ, highZ);
         return near <= far ? near : Double.POSITIVE_INFINITY;
     }
 

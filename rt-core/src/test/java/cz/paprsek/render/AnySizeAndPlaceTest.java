@@ -3,7 +3,6 @@ package cz.paprsek.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.image.Image;
-import cz.paprsek.math.Angles;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
@@ -65,7 +64,7 @@ class AnySizeAndPlaceTest {
     private static Scene from(Scene scene, double distance) {
         Camera camera = scene.camera();
         Vec3 target = camera.position().plus(camera.forward().times(camera.position().length()));
-        double height = 2 * Angles.tan(camera.fovy() / 2) * camera.position().length();
+        double height = camera.lens().heightAt(camera.position().length());
         return scene.withCamera(camera.withPosition(target.minus(camera.forward().times(distance)))
                 .withAim(new Camera.Direction(camera.forward())).withFovy(2 * Math.toDegrees(Math.atan(height / 2 / distance))));
     }

@@ -44,7 +44,11 @@ class QuickReaderTest {
         "<sphere radius='1'></sphere>", "<point-light position='0 0 0'>\n  <!-- a -->\t</point-light>", "<sphere radius='1'>\n</sphere >", "<sphere\n\tradius = '1'/>", "<sphere\n\tradius='1'\r\n/>", "<!-- Koule č. 1 -->",
         "<!---->", "<!--->-->", "<!-- - -->", "<description/>", "<description>a &lt; b &#233; &#xE9;\n &amp; č</description>", "<description></description>",
         "<sphere radius=' 1\n'/>", "<sphere radius='1' position='1\n2\t3'/>", "<sphere name='a&apos;b' radius='1'/>", "<sphere name='a\nb' radius='1'/>",
-        "<background color='red'/>", "<background color=' #Ff8000\n'/>", "<background color='#f80'/>", "<sphere radius='1'><material/></sphere>", "<union><material/><sphere radius='1'/></union>", "<render/>", "<sphere radius='1e0' scale='2'/>"})
+        "<background color='red'/>", "<background color=' #Ff8000\n'/>", "<background color='#f80'/>", "<sphere radius='1'><material/></sphere>", "<union><material/><sphere radius='1'/></union>", "<render/>", "<sphere radius='1e0' scale='2'/>",
+        CAMERA, "<camera name='a' position='0 1 5' target='0 0 0' up='0 0 1' fovy='30' aperture='0.1' focus='2'/>", "<camera position='0 5 0' target='0 0 0'/>",
+        "<camera position='0 5 0' direction='0 1 0' projection='spherical'/>", "<camera projection='orthographic' position='0 5 0' target='0 0 0' height='2'/>",
+        "<camera projection='fisheye' position='0 5 0' target='0 0 0'/>", "<camera projection='fisheye' position='0 5 0' target='0 0 0' angle='360'/>",
+        "<camera projection='perspective' position='0 5 0' target='0 0 0' fovy='10'/>"})
     void commonWaysOfWritingAreRead(String content) throws Exception {
         WayIn.all(scene(content)).scene();
         assertThat(check(bytes(scene(content)))).isPresent();
@@ -73,7 +77,14 @@ class QuickReaderTest {
         "<point-light position='0 0 0' intensity='-1'/>", "<point-light position='0 0 0' intensity='1e999'/>", "<point-light position='0 0 0' color='1 2'/>",
         "<rectangle min='0 0' max='1 1e999'/>", "<rectangle min='-1e999 0' max='1 1'/>", "<rectangle min='0 0 0' max='1 1 1'/>", "<disc radius='1'><sphere/></disc>",
         "<union><disc radius='1'/></union>", "<cone radius='1' height='1' top-radius='-1'/>", "<cone radius='0' height='1'/>", "<torus major-radius='1' minor-radius='2'/>",
-        "<ellipsoid semi-axes='1 0 1'/>", "<block min='0 0 0' max='1 1 0'/>", "<scene/>", "<database/>", "<sphere/>", "<block max='1 1 1'/>", "<plane x=''/>"})
+        "<ellipsoid semi-axes='1 0 1'/>", "<block min='0 0 0' max='1 1 0'/>", "<scene/>", "<database/>", "<sphere/>", "<block max='1 1 1'/>", "<plane x=''/>",
+        "<camera position='0 5 0' target='0 0 0' up='0 1 0'/>", "<camera position='0 5 0' target='0 0 0' up='0 3 0'/>", "<camera position='0 5 0' target='0 0 0' height='2'/>",
+        "<camera position='0 5 0' target='0 0 0' projection='orthographic'/>", "<camera position='0 5 0' target='0 0 0' projection='orthographic' height='2' fovy='3'/>",
+        "<camera position='0 5 0' target='0 0 0' projection='fisheye' angle='0'/>", "<camera position='0 5 0' target='0 0 0' projection='panorama'/>",
+        "<camera position='0 5 0' target='0 0 0' projection='Fisheye'/>", "<camera position='0 5 0' target='0 0 0' projection=' fisheye'/>",
+        "<camera position='0 5 0' target='0 0 0' projection=''/>", "<camera position='0 5 0' direction='0 0 1' aperture='1'/>",
+        "<camera name='a' position='0 5 0' target='0 0 0'/><camera name='a' position='0 5 0' target='0 0 0'/>", "<camera name='' position='0 5 0' target='0 0 0'/>",
+        "<camera position='0 5 0' target='0 0 0' focus='-1'/>", "<camera position='0 5 0' target='0 0 0' aperture='1e999'/>"})
     void bothReadersAgree(String content) throws Exception {
         WayIn.all(scene(content));
         check(bytes(scene(content)));

@@ -8,6 +8,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -53,8 +54,22 @@ public final class RandomScenes {
         objects.add(SceneObject.of(tree(3, names)));
         return new Scene("Scene < & > \" '", random.nextBoolean() ? "" : "Two\nlines, <tags> & all", List.of("one", "two-2"),
                 new RenderSettings(1 + random.nextInt(3000), 1 + random.nextInt(3000), 1 + random.nextInt(20), 1 + random.nextInt(5)),
-                color(), color(), camera(), List.of(new Light("", vector(), color(), number()), new Light("key", vector(), Rgb.WHITE, 1)),
+                color(), color(), cameras(), List.of(new Light("", vector(), color(), number()), new Light("key", vector(), Rgb.WHITE, 1)),
                 materials, objects);
+    }
+
+    private List<Camera> cameras() {
+        return List.of(camera().withLens(lens()), camera().named("side & \"top\"").withLens(lens()));
+    }
+
+    private Lens lens() {
+        return switch (random.nextInt(5)) {
+            case 0 -> new Lens.Orthographic(number());
+            case 1 -> new Lens.Spherical();
+            case 2 -> new Lens.Fisheye(random.nextInt(2) * 100 + 180);
+            case 3 -> new Lens.Perspective(1 + random.nextInt(150), 0.25, number());
+            default -> new Lens.Perspective(1 + random.nextInt(150), 0, random.nextInt(3));
+        };
     }
 
     private Camera camera() {

@@ -28,6 +28,7 @@ public final class SummaryAsJson {
                 .withTexts("tags", scene.tags())
                 .with("render", of(scene.settings()))
                 .with("camera", of(scene.camera()))
+                .with("cameras", scene.cameras().stream().map(SummaryAsJson::of).toList())
                 .with("background", vector(scene.background()))
                 .with("ambient", vector(scene.ambient()))
                 .with("lights", scene.lights().stream().map(SummaryAsJson::of).toList())
@@ -44,11 +45,13 @@ public final class SummaryAsJson {
     }
 
     private static Json of(Camera camera) {
-        Json json = new Json().with("position", camera.position()).with("direction", camera.forward());
+        Json json = new Json().with("name", camera.name()).with("projection", camera.lens().projection()).with("position", camera.position()).with("direction", camera.forward());
         if (camera.aim() instanceof Camera.Target target) {
             json.with("target", target.point());
         }
-        return json.with("up", camera.up()).with("fovy", camera.fovy());
+        json.with("up", camera.up());
+        Described.of(camera.lens().getClass()).forEach(one -> json.with(one.name(), one.number(camera.lens())));
+        return json;
     }
 
     private static Json of(Light light) {

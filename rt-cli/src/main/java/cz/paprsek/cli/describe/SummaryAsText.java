@@ -6,6 +6,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -29,14 +30,17 @@ public final class SummaryAsText {
 
     private void scene(Scene scene) {
         RenderSettings settings = scene.settings();
-        Camera camera = scene.camera();
         optional("name", scene.name());
         optional("description", scene.description().strip().replaceAll("\\s+", " "));
         optional("tags", String.join(" ", scene.tags()));
         line("picture", settings.width() + "x" + settings.height() + ", max-depth " + settings.maxDepth() + ", "
                 + (settings.samples() == 1 ? "1 ray a pixel" : settings.samples() + "x" + settings.samples() + " rays a pixel"));
-        line("camera", "position " + Numbers.text(camera.position()) + ", " + aim(camera) + ", up " + Numbers.text(camera.up())
-                + ", fovy " + Numbers.text(camera.fovy()));
+        if (scene.cameras().size() == 1 && scene.camera().name().isEmpty()) {
+            line("camera", text(scene.camera()));
+        } else {
+            line("cameras", Integer.toString(scene.cameras().size()));
+            scene.cameras().forEach(camera -> item(camera.name(), text(camera)));
+        }
         line("background", text(scene.background()));
         line("ambient", text(scene.ambient()));
         line("lights", Integer.toString(scene.lights().size()));
@@ -72,6 +76,14 @@ public final class SummaryAsText {
 
     private void item(String name, String value) {
         lines.add(String.format("    %-12s %s", name.isEmpty() ? "-" : name, value));
+    }
+
+    private static String text(Camera camera) {
+        Lens lens = camera.lens();
+        return (lens instanceof Lens.Perspective ? "" : lens.projection() + ", ") + "position " + Numbers.text(camera.position()) + ", " + aim(camera)
+                + ", up " + Numbers.text(camera.up()) + Described.of(lens.getClass()).stream()
+                        .filter(one -> one.isRequired() || !Numbers.text(one.number(lens)).equals("0"))
+                        .map(one -> ", " + one.name() + " " + Numbers.text(one.number(lens))).collect(Collectors.joining());
     }
 
     private static String aim(Camera camera) {

@@ -23,18 +23,15 @@ public final class Explainer {
 
     public static TracedRay point(World scene, RenderSettings settings, double x, double y) {
         Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.grid(1));
-        eye(scene, settings).start(recorder.alone().ray, x, y);
-        scene.enterMediaAroundCamera(recorder.alone().media);
+        recorder.startAlone(eye(scene, settings), x, y);
         recorder.traceAlone();
         return recorder.trees().get(0);
     }
 
     public static TracedRay ray(World scene, Vec3 origin, Vec3 direction, int maxDepth) {
         Require.within("max-depth", maxDepth, 1, RenderSettings.DEEPEST);
-        Vec3 d = direction.normalized();
         Recorder recorder = new Recorder(scene, maxDepth, Sampling.grid(1));
-        recorder.alone().ray.start(origin.x(), origin.y(), origin.z(), d.x(), d.y(), d.z());
-        scene.enterMediaAround(origin, recorder.alone().media);
+        recorder.startAlone(origin, direction.normalized());
         recorder.traceAlone();
         return recorder.trees().get(0);
     }

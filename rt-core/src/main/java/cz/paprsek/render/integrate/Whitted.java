@@ -1,5 +1,7 @@
 package cz.paprsek.render.integrate;
 
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
@@ -13,6 +15,7 @@ import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.Media;
 import cz.paprsek.render.surface.PartTable;
+import cz.paprsek.render.surface.Surroundings;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
@@ -53,6 +56,7 @@ public class Whitted extends Witness implements Integrator {
     /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
     private final @Nullable Surface[] lastOccluder;
     private final Contacts contacts;
+    private final Surroundings surroundings;
     private final Arrival arrival = new Arrival();
     private final Bundle bundle = new Bundle();
     private final Entries entries = new Entries(MOST_FROM_EYE);
@@ -78,6 +82,7 @@ public class Whitted extends Witness implements Integrator {
         this.lamps = scene.lamps();
         this.finder = bodies.newFinder();
         this.contacts = new Contacts(scene, finder, spans);
+        this.surroundings = new Surroundings(scene);
         this.lastOccluder = new Surface[maxDepth * lamps.length];
         this.towardsLamp = Stream.generate(() -> new Entries(MOST_FROM_LAMP)).limit(lamps.length).toArray(Entries[]::new);
         this.between = new Entries[lamps.length];
@@ -136,14 +141,20 @@ public class Whitted extends Witness implements Integrator {
         int perPixel = sampling.rays();
         int rays = width * height * perPixel;
         Level[] first = levels(rays);
-        eye.bundle(bundle, x, y, width, height);
-        bodies.enter(bundle, entries);
+        Entries among = bodies.whole();
+        if (eye.bundle(bundle, x, y, width, height)) {
+            bodies.enter(bundle, entries);
+            among = entries;
+        }
+        surroundings.from(eye.origins());
         int i = 0;
         for (int row = y; row < y + height; row++) {
             for (int column = x; column < x + width; column++) {
                 for (int k = 0; k < perPixel; k++) {
-                    start(first[i], eye, column, row, k);
-                    find(first[i++], entries);
+                    if (start(first[i], eye, column, row, k)) {
+                        find(first[i], among);
+                    }
+                    i++;
                 }
             }
         }
@@ -166,19 +177,23 @@ public class Whitted extends Witness implements Integrator {
         return first;
     }
 
-    /** Starts a sample's ray from the eye. */
-    private void start(Level level, Eye eye, int column, int row, int sample) {
+    /** Starts a sample's ray from the eye, in what is around there; false if it is blind. */
+    private boolean start(Level level, Eye eye, int column, int row, int sample) {
         double x = column + sampling.across(sample);
         double y = row + sampling.down(sample);
+        boolean sees;
         if (eye.hasAperture()) {
             sampler.start(column, row, sample);
             sampler.lens();
             sampler.next();
-            eye.start(level.ray, x, y, sampler.u, sampler.v);
+            sees = eye.start(level.ray, x, y, sampler.u, sampler.v);
         } else {
-            eye.start(level.ray, x, y);
+            sees = eye.start(level.ray, x, y);
         }
-        scene.enterMediaAroundCamera(level.media);
+        if (sees) {
+            surroundings.enter(level.ray, level.media);
+        }
+        return sees;
     }
 
     /**
@@ -215,9 +230,24 @@ public class Whitted extends Witness implements Integrator {
         return block;
     }
 
-    /** The level of a ray that is traced by itself: to be started by the caller, then traced by {@link #traceAlone()}. */
+    /** The level of a ray that is traced by itself: to be started by {@link #startAlone}, then traced by {@link #traceAlone()}. */
     public final Level alone() {
         return levels[0];
+    }
+
+    /** Starts the ray of {@link #alone} through a point of the picture, where it is in what is around there. */
+    public final void startAlone(Eye eye, double x, double y) {
+        if (eye.start(levels[0].ray, x, y)) {
+            surroundings.from(eye.origins());
+            surroundings.enter(levels[0].ray, levels[0].media);
+        }
+    }
+
+    /** Starts the ray of {@link #alone} anywhere, in a direction of length 1. */
+    public final void startAlone(Vec3 origin, Vec3 direction) {
+        levels[0].ray.start(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+        surroundings.from(Bounds.ALL);
+        surroundings.enter(levels[0].ray, levels[0].media);
     }
 
     /** Finds what the ray of {@link #alone} hits. */
@@ -227,6 +257,7 @@ public class Whitted extends Witness implements Integrator {
 
     /** Traces a sample's ray from the eye by itself; the light it brings is in {@link #alone}. */
     public final void traceAlone(Eye eye, int column, int row, int sample) {
+        surroundings.from(eye.origins());
         start(levels[0], eye, column, row, sample);
         sampler.start(column, row, sample);
         traceAlone();
@@ -247,7 +278,9 @@ public class Whitted extends Witness implements Integrator {
             level.light(0, 0, 0);
             return;
         }
-        find(level, bodies.whole());
+        if (!level.ray.isBlind()) {
+            find(level, bodies.whole());
+        }
         shade(level, depth, anywhere);
     }
 
@@ -277,7 +310,8 @@ public class Whitted extends Witness implements Integrator {
     private void shade(Level level, int depth, Entries[] between) {
         Ray ray = level.ray;
         if (ray.part < 0) {
-            level.light(background[0], background[1], background[2]);
+            boolean isBlind = ray.isBlind();
+            level.light(isBlind ? 0 : background[0], isBlind ? 0 : background[1], isBlind ? 0 : background[2]);
             missed(level);
             return;
         }

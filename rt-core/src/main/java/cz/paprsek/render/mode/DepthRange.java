@@ -23,7 +23,7 @@ public record DepthRange(double nearest, double farthest) {
         double farthest = 0;
         for (int row = 0; row < GRID; row++) {
             for (int column = 0; column < GRID; column++) {
-                eye.start(tracer.alone().ray, (column + 0.5) * width / GRID, (row + 0.5) * height / GRID);
+                tracer.startAlone(eye, (column + 0.5) * width / GRID, (row + 0.5) * height / GRID);
                 tracer.findAlone();
                 if (tracer.alone().ray.part >= 0) {
                     nearest = Math.min(nearest, tracer.alone().ray.max);

@@ -1,20 +1,11 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.material.Rgb;
-import cz.paprsek.math.Vec3;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Solid;
-import cz.paprsek.shape.placed.Ray;
-import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
-import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.tree.TreeBuilder;
-import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.List;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 
@@ -55,8 +46,8 @@ public final class World {
         }
         this.bodies = Bodies.of(surfaces, opaque, stop);
         this.mayTouch = touching();
-        this.endless = endless();
-        this.aroundCamera = solidsAround(scene.camera().position());
+        this.endless = findEndless();
+        this.aroundCamera = new Surroundings(this).around(scene.camera().position());
     }
 
     /** Takes over the bodies of another prepared scene, which has the same. */
@@ -69,7 +60,7 @@ public final class World {
         this.mayTouch = other.mayTouch;
         this.endless = other.endless;
         this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
-        this.aroundCamera = solidsAround(scene.camera().position());
+        this.aroundCamera = new Surroundings(this).around(scene.camera().position());
     }
 
     /** The scene this was made of. */
@@ -120,25 +111,14 @@ public final class World {
         return surfaces[object];
     }
 
-    /** Puts the ray that leaves the camera into the media the camera stands in. */
-    public void enterMediaAroundCamera(Media media) {
-        enter(aroundCamera, media);
+    /** The first part of every solid that the camera's position is in. */
+    int[] aroundCamera() {
+        return aroundCamera;
     }
 
-    /** Puts a ray into the media around the point it starts from. */
-    public void enterMediaAround(Vec3 point, Media media) {
-        enter(solidsAround(point), media);
-    }
-
-    private void enter(int[] around, Media media) {
-        media.clear();
-        for (int part : around) {
-            if (opaque[parts.object(part)]) {
-                media.surround(parts.object(part));
-            } else {
-                media.enter(parts.object(part), parts.finish(part).refractiveIndex);
-            }
-        }
+    /** Of all solids without end, the first part. */
+    int[] endless() {
+        return endless;
     }
 
     private boolean isOpaque(int firstPart, int endPart) {
@@ -150,7 +130,7 @@ public final class World {
         return true;
     }
 
-    private int[] endless() {
+    private int[] findEndless() {
         return IntStream.range(0, parts.size())
                 .filter(part -> part == 0 || parts.object(part - 1) != parts.object(part))
                 .filter(part -> isSolid(parts.object(part)) && !surfaces[parts.object(part)].bounds().isFinite()).toArray();
@@ -171,30 +151,5 @@ public final class World {
             }
         }
         return touching;
-    }
-
-    /** The first part of every solid that the point is in: the opaque ones, then the transparent ones, the largest first, as if entered from outside. */
-    private int[] solidsAround(Vec3 point) {
-        SortedMap<Integer, Integer> firstParts = new TreeMap<>();
-        Ray ray = new Ray(new Spans());
-        Spans ahead = new Spans();
-        ray.start(point.x(), point.y(), point.z(), 1, 0, 0);
-        bodies.crossings(ray, bodies.newGatherer(ahead));
-        for (int i = 0; i < ahead.size(); i++) {
-            int part = ahead.part(i);
-            if (isSolid(parts.object(part)) && firstParts.remove(parts.object(part)) == null) {
-                firstParts.put(parts.object(part), parts.firstOfObject(part));
-            }
-        }
-        for (int part : endless) {
-            firstParts.remove(parts.object(part));
-            if (((Volume) surfaces[parts.object(part)]).holdsOrigin(ray)) {
-                firstParts.put(parts.object(part), part);
-            }
-        }
-        List<Integer> inside = new ArrayList<>(firstParts.values());
-        inside.sort(Comparator.comparing((Integer part) -> !opaque[parts.object(part)])
-                .thenComparing(Comparator.comparingDouble((Integer part) -> surfaces[parts.object(part)].bounds().volume()).reversed()));
-        return inside.stream().mapToInt(Integer::intValue).toArray();
     }
 }

@@ -75,6 +75,19 @@ public final class Ray {
         min = 0;
     }
 
+    /** Starts a ray that is none: where the picture shows nothing. It hits nothing. */
+    public void startBlind() {
+        start(0, 0, 0, 0, 0, 1, 0, 0);
+        left = -1;
+        contact = 0;
+        min = 0;
+    }
+
+    /** Whether nothing is seen because there is no ray, rather than because it hits nothing. */
+    public boolean isBlind() {
+        return max == 0;
+    }
+
     /**
      * Starts a ray from a surface: nothing hit yet. What touches the surface counts as hit from {@code -contact} on.
      *

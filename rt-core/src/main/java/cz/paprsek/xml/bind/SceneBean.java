@@ -2,7 +2,6 @@ package cz.paprsek.xml.bind;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
-import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
@@ -23,7 +22,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
@@ -38,17 +36,18 @@ final class SceneBean extends Located {
     @XmlElement RenderBean render = new RenderBean();
     @XmlElement @Nullable ColoredBean background;
     @XmlElement @Nullable ColoredBean ambient;
-    @XmlElement @Nullable CameraBean camera;
+    @XmlElement(name = "camera") List<CameraBean> cameras = new ArrayList<>();
     @XmlElement(name = "point-light") List<LightBean> lights = new ArrayList<>();
     @XmlElement(name = "material") List<MaterialBean> materials = new ArrayList<>();
     @XmlElementRef List<ShapeBean> objects = new ArrayList<>();
 
     /** The scene; null, and at least one problem reported, if there is none. */
     @Nullable Scene toScene(Problems problems) {
-        if (camera == null && Similar.nearest("camera", problems.skipped()).isEmpty()) {
+        if (cameras.isEmpty() && Similar.nearest("camera", problems.skipped()).isEmpty()) {
             problems.add(this, "a scene needs a camera; add <camera position=\"0 1 5\" direction=\"0 0 -1\"/>");
         }
-        Camera eye = camera == null ? null : problems.make(camera, camera::toCamera);
+        List<Camera> eyes = made(cameras, problems, CameraBean::toCamera);
+        SceneRules.checkCameras(eyes, (culprit, sentence) -> problems.add(problems.origin(culprit, this), sentence));
         checkTexts(problems);
         Map<String, Material> named = named(problems);
         List<Light> lamps = made(lights, problems, LightBean::toLight);
@@ -57,9 +56,9 @@ final class SceneBean extends Located {
         if (Similar.nearest("material", problems.skipped()).isEmpty()) {
             SceneRules.check(lamps, named, made, (culprit, sentence) -> problems.add(problems.origin(culprit, this), sentence));
         }
-        return problems.size() > 0 || eye == null ? null
+        return problems.size() > 0 || eyes.isEmpty() ? null
                 : new Scene(name, description, tags, render.toSettings(), background == null ? Rgb.BLACK : background.color,
-                        ambient == null ? Rgb.BLACK : ambient.color, eye, lamps, named, made);
+                        ambient == null ? Rgb.BLACK : ambient.color, eyes, lamps, named, made);
     }
 
     private static <B extends Located, T> List<T> made(List<B> beans, Problems problems, Function<B, T> maker) {
@@ -113,24 +112,6 @@ final class SceneBean extends Located {
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class ColoredBean extends Located {
         @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Color.class) Rgb color = Rgb.BLACK;
-    }
-
-    /** {@code <camera>}. */
-    @XmlAccessorType(XmlAccessType.FIELD)
-    static final class CameraBean extends Located {
-        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 position = Vec3.ZERO;
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 direction;
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 target;
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 up = Camera.DEFAULT.up();
-        @XmlAttribute double fovy = Camera.DEFAULT.fovy();
-
-        Camera toCamera() {
-            Require.that(direction != null || target != null, "<camera> needs a direction or a target");
-            Require.that(direction == null || target == null, "<camera> has either a direction or a target, not both; remove one of them");
-            Camera.Aim aim = direction != null ? new Camera.Direction(direction)
-                    : new Camera.Target(Objects.requireNonNull(target));
-            return new Camera(position, aim, up, fovy);
-        }
     }
 
     /** {@code <point-light>}. */

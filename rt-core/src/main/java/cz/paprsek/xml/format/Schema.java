@@ -167,7 +167,8 @@ final class Schema {
     }
 
     private void attribute(Described one) {
-        List<String> use = one.isRequired() ? List.of("use", "required") : List.of();
+        // One of several kinds need not be there at all.
+        List<String> use = one.isRequired() && one.within().isEmpty() ? List.of("use", "required") : List.of();
         text.open("attribute", Stream.concat(Stream.of("name", one.name(), "type", "s:" + SimpleTypes.name(one)), use.stream()).toArray(String[]::new));
         text.documentation(one.says().means() + (one.isRequired() || one.isOptional() ? "." : "; " + standard(one) + " if not given."));
         text.close("attribute");

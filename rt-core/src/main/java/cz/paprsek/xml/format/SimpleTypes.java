@@ -3,7 +3,6 @@ package cz.paprsek.xml.format;
 import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.attribute.Range;
-import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -66,7 +65,7 @@ final class SimpleTypes {
     }
 
     private void words(Class<?> enumeration) {
-        List<String> words = Arrays.stream(enumeration.getEnumConstants()).map(constant -> Described.word((Enum<?>) constant)).toList();
+        List<String> words = List.copyOf(Described.words(enumeration).keySet());
         String most = String.join(", ", words.subList(0, words.size() - 1));
         type(name(enumeration), most.isEmpty() ? words.get(0) : most + " or " + words.get(words.size() - 1), () -> enumeration(words));
     }

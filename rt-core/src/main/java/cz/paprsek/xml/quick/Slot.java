@@ -20,6 +20,11 @@ record Slot(Name name, ValueForm form, boolean isRequired, Object otherwise) {
         return new Slot(new Name(name), form, false, otherwise);
     }
 
+    /** The same, with no value if it is not given. */
+    Slot unlessGiven() {
+        return new Slot(name, form, false, NONE);
+    }
+
     /** The attribute of a record's component. */
     static Slot of(Described one) {
         ValueForm form = ValueForm.of(one);

@@ -7,7 +7,6 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.xml.format.ColorWords;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
@@ -129,12 +128,12 @@ abstract class ValueForm {
         }
     }
 
-    /** One of the constants of an enumeration. */
+    /** One of the constants of an enumeration, or of the kinds of a record. */
     private static final class OfWord extends OfText {
-        private final Map<String, Object> constants = new HashMap<>();
+        private final Map<String, Object> constants;
 
-        OfWord(Class<?> enumeration) {
-            Arrays.stream(enumeration.getEnumConstants()).forEach(constant -> constants.put(Described.word((Enum<?>) constant), constant));
+        OfWord(Class<?> type) {
+            constants = Described.words(type);
         }
 
         @Override

@@ -3,7 +3,6 @@ package cz.paprsek.xml.quick;
 import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
-import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -30,13 +29,10 @@ final class WholeSceneReader {
     private static final byte[] LIGHT = Slot.ascii("point-light");
 
     private static final RecordForm<RenderSettings> SETTINGS = new RecordForm<>(RenderSettings.class);
-    private static final RecordForm<Camera> EYE = new RecordForm<>(Camera.class);
     private static final RecordForm<Light> LAMP = new RecordForm<>(Light.class);
     private static final TagForm SCENE_TAG = new TagForm(List.of(), Described.of(Scene.class).stream().map(Slot::of).toList());
     private static final TagForm SETTINGS_TAG = new TagForm(List.of(), SETTINGS.slots());
     private static final TagForm COLOR_TAG = new TagForm(List.of(), List.of(Slot.required("color", ValueForm.COLOR)));
-    private static final TagForm EYE_TAG = new TagForm(
-            Stream.of(Camera.Direction.class, Camera.Target.class).flatMap(aim -> Described.of(aim).stream()).map(Slot::of).toList(), EYE.slots());
     private static final TagForm LAMP_TAG = new TagForm(List.of(), LAMP.slots());
 
     private final Markup markup;
@@ -58,7 +54,7 @@ final class WholeSceneReader {
         private @Nullable RenderSettings settings;
         private @Nullable Rgb background;
         private @Nullable Rgb ambient;
-        private @Nullable Camera camera;
+        private final List<Camera> cameras = new ArrayList<>();
         private final List<Light> lights = new ArrayList<>();
         private final Map<String, Material> materials = new LinkedHashMap<>();
         private final List<SceneObject> objects = new ArrayList<>();
@@ -91,12 +87,10 @@ final class WholeSceneReader {
         }
         List<String> tags = (List<String>) values[1];
         tags.forEach(tag -> SceneRules.checkName("scene tag", tag));
-        if (parts.camera == null) {
-            throw new Unusual();
-        }
+        Unusual.unless(!parts.cameras.isEmpty());
         return new Scene(name, parts.description == null ? "" : parts.description, tags, parts.settings == null ? RenderSettings.DEFAULT : parts.settings,
                 parts.background == null ? Rgb.BLACK : parts.background, parts.ambient == null ? Rgb.BLACK : parts.ambient,
-                parts.camera, parts.lights, parts.materials, parts.objects);
+                parts.cameras, parts.lights, parts.materials, parts.objects);
     }
 
     private void part(Parts parts, int depth) throws IOException {
@@ -106,8 +100,7 @@ final class WholeSceneReader {
             MaterialReader.Named named = materials.read(depth);
             Unusual.unless(parts.materials.put(named.name(), named.material()) == null);
         } else if (markup.isNamed(CAMERA)) {
-            Unusual.unless(parts.camera == null);
-            parts.camera = camera(leaf(EYE_TAG, CAMERA, depth));
+            parts.cameras.add(CameraForm.camera(leaf(CameraForm.TAG, CAMERA, depth)));
         } else if (markup.isNamed(RENDER)) {
             Unusual.unless(parts.settings == null);
             parts.settings = SETTINGS.make(leaf(SETTINGS_TAG, RENDER, depth), 0);
@@ -123,11 +116,6 @@ final class WholeSceneReader {
         } else {
             parts.objects.add(shapes.object(depth));
         }
-    }
-
-    private static Camera camera(Object[] values) {
-        Unusual.unless(values[0] == Slot.NONE != (values[1] == Slot.NONE));
-        return EYE.make(values, 2, values[0] instanceof Vec3 direction ? new Camera.Direction(direction) : new Camera.Target((Vec3) values[1]));
     }
 
     /** The attributes of an element that has nothing inside. */

@@ -87,7 +87,7 @@ public final class SceneWriter {
         }
         light("background", scene.background());
         light("ambient", scene.ambient());
-        leaf(scene.camera());
+        scene.cameras().forEach(this::leaf);
         scene.lights().forEach(this::leaf);
         scene.materials().forEach(this::material);
         scene.objects().forEach(this::object);
@@ -125,7 +125,7 @@ public final class SceneWriter {
             case COLOR -> text((Rgb) value);
             case TEXT, FLAG -> value.toString();
             case WORDS -> ((List<?>) value).stream().map(String::valueOf).collect(Collectors.joining(" "));
-            case WORD -> Described.word((Enum<?>) value);
+            case WORD -> Described.word(value);
         };
     }
 

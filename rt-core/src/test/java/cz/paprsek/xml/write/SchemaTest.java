@@ -11,6 +11,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.shape.Cone;
@@ -42,7 +43,7 @@ class SchemaTest {
 
     /** All that are elements, and what has attributes without being one. */
     private static Stream<Class<?>> records() {
-        return Stream.of(Stream.of(RenderSettings.class, Camera.class, Material.class, Placement.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
+        return Stream.of(Stream.of(RenderSettings.class, Camera.class, Lens.Perspective.class, Lens.Orthographic.class, Lens.Fisheye.class, Material.class, Placement.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
                 ElementTable.of(Shape.class).filter(type -> type != Csg.class)).flatMap(some -> some);
     }
 
@@ -128,6 +129,7 @@ class SchemaTest {
                     : component == String.class ? ""
                     : component == Pattern.class ? Material.DEFAULT.pattern()
                     : component == Camera.Aim.class ? new Camera.Direction(Vec3.X)
+                    : component == Lens.class ? Lens.Perspective.DEFAULT
                     : Rgb.WHITE;
         }
         try {
@@ -144,14 +146,14 @@ class SchemaTest {
     @MethodSource("defaults")
     void theDefaultIsWhatIsSaid(Record standard) {
         for (Described one : Described.of(standard.getClass())) {
-            if (!one.isRequired()) {
-                String value = one.value(standard) instanceof Vec3 vector ? XmlText.text(vector) : XmlText.text(one.number(standard));
+            if (!one.isRequired() && !one.isOptional()) {
+                String value = one.says().value() == Kind.WORD ? Described.word(one.value(standard)) : one.value(standard) instanceof Vec3 vector ? XmlText.text(vector) : XmlText.text(one.number(standard));
                 assertThat(one.says().value() == Kind.SCALE ? value.substring(0, value.indexOf(' ')) : value).as(one.name()).isEqualTo(one.says().otherwise());
             }
         }
     }
 
     static Stream<Record> defaults() {
-        return Stream.of(Material.DEFAULT, RenderSettings.DEFAULT, Camera.DEFAULT, Placement.NONE);
+        return Stream.of(Material.DEFAULT, RenderSettings.DEFAULT, Camera.DEFAULT, Lens.Perspective.DEFAULT, Lens.Fisheye.DEFAULT, Placement.NONE);
     }
 }

@@ -41,7 +41,7 @@ public final class CameraMoves {
         Vec3 by = camera.right().times(right).plus(camera.trueUp().times(upwards));
         Vec3 seen = camera.position().plus(camera.forward().times(Math.max(Math.abs(right), Math.abs(upwards))));
         Camera moved = camera.aim() instanceof Target target
-                ? new Camera(camera.position().plus(by), new Target(target.point().plus(by)), camera.up(), camera.fovy())
+                ? placed(camera, camera.position().plus(by), new Target(target.point().plus(by)))
                 : camera.withPosition(camera.position().plus(by));
         return rounded(moved, camera, seen);
     }
@@ -57,16 +57,20 @@ public final class CameraMoves {
 
     /** How high the picture is at a distance from the eye, scene units. */
     public static double heightAt(Camera camera, double distance) {
-        return 2 * distance * Angles.tan(camera.fovy() / 2);
+        return camera.lens().heightAt(distance);
     }
 
     private static Camera turned(Camera camera, Vec3 pivot, Vec3 axis, double degrees) {
         Vec3 position = pivot.plus(rotated(camera.position().minus(pivot), axis, degrees));
         if (camera.aim() instanceof Direction direction) {
-            return new Camera(position, new Direction(rotated(direction.vector(), axis, degrees)), camera.up(), camera.fovy());
+            return placed(camera, position, new Direction(rotated(direction.vector(), axis, degrees)));
         }
         Vec3 target = ((Target) camera.aim()).point();
-        return new Camera(position, new Target(pivot.plus(rotated(target.minus(pivot), axis, degrees))), camera.up(), camera.fovy());
+        return placed(camera, position, new Target(pivot.plus(rotated(target.minus(pivot), axis, degrees))));
+    }
+
+    private static Camera placed(Camera camera, Vec3 position, Aim aim) {
+        return new Camera(camera.name(), position, aim, camera.up(), camera.lens());
     }
 
     /** @source Rodrigues' rotation formula; counter-clockwise seen from the tip of the axis, which has length 1 */
@@ -79,7 +83,7 @@ public final class CameraMoves {
     /** What has not moved keeps all its digits. */
     private static Camera rounded(Camera moved, Camera before, Vec3 seen) {
         double grain = grain(moved.position().minus(seen).length());
-        return new Camera(rounded(moved.position(), grain), rounded(moved.aim(), before.aim(), grain), moved.up(), moved.fovy());
+        return placed(moved, rounded(moved.position(), grain), rounded(moved.aim(), before.aim(), grain));
     }
 
     private static Aim rounded(Aim moved, Aim before, double grain) {

@@ -23,7 +23,7 @@ public record Sight(Vec3 point, double size) {
         Vec3 aim = camera.aim() instanceof Target target ? target.point() : middle(bounds(scene));
         double ahead = aim.minus(camera.position()).dot(camera.forward());
         double distance = ahead > 0 ? ahead : camera.position().length() + 1;
-        double height = 2 * Math.tan(Math.toRadians(camera.fovy()) / 2) * distance;
+        double height = camera.lens().heightAt(distance);
         return at(camera.position().plus(camera.forward().times(distance)), height);
     }
 

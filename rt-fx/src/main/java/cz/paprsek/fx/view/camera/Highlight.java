@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.camera;
 
-import cz.paprsek.drawing.Perspective;
+import cz.paprsek.drawing.CameraView;
 import cz.paprsek.fx.model.item.Bodies;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.math.Affine;
@@ -28,27 +28,27 @@ final class Highlight extends Canvas {
         GraphicsContext g = getGraphicsContext2D();
         g.clearRect(0, 0, getWidth(), getHeight());
         at.flatMap(place -> Bodies.find(scene, place)).ifPresent(body -> {
-            Perspective picture = new Perspective(scene.camera(), getWidth(), getHeight());
+            CameraView picture = new CameraView(scene.camera(), getWidth(), getHeight());
             Affine parent = Bodies.parentToWorld(scene, at.orElseThrow());
             // Dark below bright, to be seen on any picture.
-            draw(g, picture, body, parent, Color.BLACK, 4);
-            draw(g, picture, body, parent, Color.web("#ff9b3d"), 2);
+            draw(g, picture, scene.camera().position(), body, parent, Color.BLACK, 4);
+            draw(g, picture, scene.camera().position(), body, parent, Color.web("#ff9b3d"), 2);
         });
     }
 
-    private static void draw(GraphicsContext g, Perspective picture, Body body, Affine parent, Color color, double width) {
+    private static void draw(GraphicsContext g, CameraView picture, Vec3 eye, Body body, Affine parent, Color color, double width) {
         Affine toWorld = parent.after(body.placement().toParent());
         for (Operand operand : body.operands()) {
-            draw(g, picture, Body.of(operand), toWorld, color, width);
+            draw(g, picture, eye, Body.of(operand), toWorld, color, width);
         }
         g.setStroke(color);
         g.setLineWidth(width);
-        Vec3 along = toWorld.inverse().direction(toWorld.point(Vec3.ZERO).minus(picture.camera().position()));
+        Vec3 along = toWorld.inverse().direction(toWorld.point(Vec3.ZERO).minus(eye));
         for (Curve curve : body.shape().outline(along.equals(Vec3.ZERO) ? Vec3.Z : along, STEPS)) {
             for (int i = 1; i < curve.points().size(); i++) {
-                picture.line(toWorld.point(curve.points().get(i - 1)), toWorld.point(curve.points().get(i)))
-                        .flatMap(line -> line.within(picture.width(), picture.height()))
-                        .ifPresent(line -> g.strokeLine(line.x1(), line.y1(), line.x2(), line.y2()));
+                picture.line(toWorld.point(curve.points().get(i - 1)), toWorld.point(curve.points().get(i))).stream()
+                        .flatMap(line -> line.within(g.getCanvas().getWidth(), g.getCanvas().getHeight()).stream())
+                        .forEach(line -> g.strokeLine(line.x1(), line.y1(), line.x2(), line.y2()));
             }
         }
     }

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.camera;
 
-import cz.paprsek.drawing.Perspective;
+import cz.paprsek.drawing.CameraView;
+import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.view.rays.DrawnRays;
 import cz.paprsek.fx.view.rays.RayPainter;
 import java.util.Optional;
@@ -35,9 +36,10 @@ final class RayOverlay extends Canvas {
         GraphicsContext g = getGraphicsContext2D();
         g.clearRect(0, 0, getWidth(), getHeight());
         rays.ifPresent(drawn -> {
-            Perspective picture = new Perspective(drawn.frame().scene().camera(), getWidth(), getHeight());
+            CameraView picture = new CameraView(drawn.frame().scene().camera(), getWidth(), getHeight());
             RayPainter.overPicture(g, picture::line).draw(drawn);
-            drawn.eyeRay().flatMap(ray -> picture.line(ray.from(), ray.to())).ifPresent(at -> {
+            drawn.eyeRay().map(ray -> picture.line(ray.from(), ray.to())).filter(pieces -> !pieces.isEmpty()).ifPresent(pieces -> {
+                Segment at = pieces.get(pieces.size() - 1);
                 ring(g, Color.BLACK, at.x2(), at.y2(), 4);
                 ring(g, Color.WHITE, at.x2(), at.y2(), 2);
             });

@@ -60,7 +60,7 @@ final class RayCanvas extends Region {
             g.setStroke(palette.text());
             g.setLineWidth(1);
             outlines.forEach(curve -> outline(g, now.frame(), curve));
-            RayPainter.on(g, theme.getValue(), (from, to) -> Optional.of(segment(now.frame(), from, to))).draw(now);
+            RayPainter.on(g, theme.getValue(), (from, to) -> List.of(segment(now.frame(), from, to))).draw(now);
         });
         g.setFont(Font.font("System", 12));
         g.setFill(palette.text());

@@ -5,7 +5,7 @@ import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.rays.RayPainter;
 import cz.paprsek.render.explain.Words;
-import java.util.Optional;
+import java.util.List;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
@@ -36,6 +36,6 @@ final class RayLegend extends FlowPane {
         GraphicsContext g = line.getGraphicsContext2D();
         g.clearRect(0, 0, LENGTH, HEIGHT);
         Segment at = new Segment(0, HEIGHT / 2, LENGTH, HEIGHT / 2);
-        RayPainter.on(g, theme, (from, to) -> Optional.of(at)).sample(style, at);
+        RayPainter.on(g, theme, (from, to) -> List.of(at)).sample(style, at);
     }
 }

@@ -1,6 +1,5 @@
 package cz.paprsek.fx.view.projection;
 
-import cz.paprsek.math.Angles;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
@@ -23,7 +22,7 @@ record CameraSketch(Vec3 eye, Vec3 aim, List<Vec3> corners) {
         RenderSettings settings = scene.settings();
         double distance = camera.aim() instanceof Camera.Target target ? target.point().minus(camera.position()).length() : distance(scene);
         Vec3 aim = camera.aim() instanceof Camera.Target target ? target.point() : camera.position().plus(camera.forward().times(distance));
-        double half = distance * Angles.tan(camera.fovy() / 2);
+        double half = camera.lens().heightAt(distance) / 2;
         Vec3 up = camera.trueUp().times(half);
         Vec3 right = camera.right().times(half * settings.width() / settings.height());
         return new CameraSketch(camera.position(), aim, List.of(

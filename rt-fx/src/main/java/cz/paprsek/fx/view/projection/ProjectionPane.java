@@ -340,7 +340,7 @@ public final class ProjectionPane extends Region {
                 painter.name(ItemNames.of(state.scene(), state.selection(), texts), box);
             }
         }
-        rays.ifPresent(RayPainter.on(g, theme(), (from, to) -> Optional.of(segment(from, to)))::draw);
+        rays.ifPresent(RayPainter.on(g, theme(), (from, to) -> List.of(segment(from, to)))::draw);
         if (drag != null) {
             drag.draw(g);
             Plate.beside(g, view, drag.figures(texts.locale()), mouse, theme().palette());

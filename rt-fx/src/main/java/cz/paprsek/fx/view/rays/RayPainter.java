@@ -4,7 +4,7 @@ import cz.paprsek.drawing.RayLine;
 import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.math.Vec3;
-import java.util.Optional;
+import java.util.List;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -27,10 +27,10 @@ public final class RayPainter {
     private final double width;
     private final double height;
 
-    /** Where a straight line of the world is on the canvas; empty if it is nowhere. */
+    /** Where a straight line of the world is on the canvas: nowhere, one straight piece, or those that a curve is made of. */
     @FunctionalInterface
     public interface Mapping {
-        Optional<Segment> line(Vec3 from, Vec3 to);
+        List<Segment> line(Vec3 from, Vec3 to);
     }
 
     private RayPainter(GraphicsContext g, RayColors colors, boolean hasHalo, Mapping mapping) {
@@ -54,7 +54,7 @@ public final class RayPainter {
 
     public void draw(DrawnRays rays) {
         g.save();
-        rays.visible().forEach(line -> mapping.line(line.from(), line.to()).ifPresent(at -> draw(line, at, rays.isHighlighted(line))));
+        rays.visible().forEach(line -> draw(line, mapping.line(line.from(), line.to()), rays.isHighlighted(line)));
         g.restore();
     }
 
@@ -63,8 +63,14 @@ public final class RayPainter {
         stroke(style, at, 2);
     }
 
-    private void draw(RayLine line, Segment whole, boolean isBold) {
+    private void draw(RayLine line, List<Segment> pieces, boolean isBold) {
         boolean hasArrow = line.isRay() || line.style() == RayLine.Style.NORMAL;
+        for (int i = 0; i < pieces.size(); i++) {
+            draw(line, pieces.get(i), isBold, hasArrow && i == pieces.size() - 1, line.isRay() && isBold && i == pieces.size() / 2);
+        }
+    }
+
+    private void draw(RayLine line, Segment whole, boolean isBold, boolean hasArrow, boolean hasName) {
         // A dashed line that goes on for thousands of pixels out of sight would be cut into its dashes there, too.
         new Segment(whole.x1() + BEYOND, whole.y1() + BEYOND, whole.x2() + BEYOND, whole.y2() + BEYOND)
                 .within(width + 2 * BEYOND, height + 2 * BEYOND)
@@ -74,7 +80,7 @@ public final class RayPainter {
                     if (hasArrow) {
                         arrow(line.style(), whole, isBold ? ARROW * 1.4 : ARROW);
                     }
-                    if (line.isRay() && isBold) {
+                    if (hasName) {
                         name(line, seen);
                     }
                 });
