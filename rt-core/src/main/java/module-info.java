@@ -17,7 +17,6 @@ module cz.paprsek.core {
     exports cz.paprsek.ray;
     exports cz.paprsek.render;
     exports cz.paprsek.render.explain;
-    exports cz.paprsek.render.live;
     exports cz.paprsek.render.mode;
     exports cz.paprsek.scene;
     exports cz.paprsek.shape;
@@ -27,9 +26,13 @@ module cz.paprsek.core {
     exports cz.paprsek.drawing to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.io to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.pov to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.query.text to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.render.explain.text to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.render.live to cz.paprsek.fx;
     exports cz.paprsek.shape.placed to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.standard to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.text to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.words to cz.paprsek.cli, cz.paprsek.fx;
 
     opens cz.paprsek.xml.bind to jakarta.xml.bind, org.glassfish.jaxb.core, org.glassfish.jaxb.runtime;
 }

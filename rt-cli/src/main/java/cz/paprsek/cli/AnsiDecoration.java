@@ -2,10 +2,10 @@ package cz.paprsek.cli;
 
 import cz.paprsek.io.PlainText;
 import cz.paprsek.material.Rgb;
-import cz.paprsek.render.explain.Decoration;
 import cz.paprsek.render.explain.LinearRgb;
-import cz.paprsek.render.explain.Step.Topic;
 import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.explain.text.Decoration;
+import cz.paprsek.render.explain.text.Step.Topic;
 import java.util.Locale;
 import java.util.Map;
 

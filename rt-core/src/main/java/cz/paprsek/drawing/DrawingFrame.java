@@ -4,7 +4,7 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Encounter;
-import cz.paprsek.render.explain.Outline;
+import cz.paprsek.render.explain.text.Outline;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -68,6 +68,7 @@ public record DrawingFrame(Scene scene, Set<Integer> objects, Vec3 middle, doubl
 
     /** The lines that draw the objects, world space. */
     public List<List<Vec3>> outlines(Projection projection) {
+        Objects.requireNonNull(projection, "projection");
         List<List<Vec3>> curves = new ArrayList<>();
         for (int number : objects) {
             SceneObject object = scene.objects().get(number);

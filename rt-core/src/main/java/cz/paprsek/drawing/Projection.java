@@ -1,7 +1,7 @@
 package cz.paprsek.drawing;
 
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.explain.Words;
+import cz.paprsek.words.Words;
 import java.util.Locale;
 
 /** The world seen from far away along an axis. */

@@ -2,9 +2,9 @@ package cz.paprsek.drawing;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.LightTerm;
-import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.TracedRay;
-import cz.paprsek.render.explain.Words;
+import cz.paprsek.render.explain.text.Outline;
+import cz.paprsek.words.Words;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

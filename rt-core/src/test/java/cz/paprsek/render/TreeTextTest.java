@@ -6,14 +6,13 @@ import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.explain.Decoration;
-import cz.paprsek.render.explain.Outline;
 import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.render.explain.Step;
 import cz.paprsek.render.explain.TracedRay;
-import cz.paprsek.render.explain.TreeJson;
-import cz.paprsek.render.explain.TreeText;
-import cz.paprsek.render.explain.Words;
+import cz.paprsek.render.explain.text.Decoration;
+import cz.paprsek.render.explain.text.Outline;
+import cz.paprsek.render.explain.text.Step;
+import cz.paprsek.render.explain.text.TreeJson;
+import cz.paprsek.render.explain.text.TreeText;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -31,6 +30,7 @@ import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Torus;
+import cz.paprsek.words.Words;
 import java.io.StringReader;
 import java.util.List;
 import java.util.Locale;
@@ -135,7 +135,7 @@ class TreeTextTest {
     }
 
     private static ResourceBundle bundle(Locale locale) {
-        return ResourceBundle.getBundle("cz.paprsek.render.explain.words", locale,
+        return ResourceBundle.getBundle("cz.paprsek.words.words", locale,
                 ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
     }
 

@@ -6,7 +6,7 @@ import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.explain.Outline;
+import cz.paprsek.render.explain.text.Outline;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;

@@ -54,7 +54,7 @@ public record LightTerm(
     }
 
     /** Its name in quotes; its number, from 1, if it has none. */
-    String label() {
+    public String label() {
         return name.isEmpty() ? "#" + (light + 1) : "\"" + name + "\"";
     }
 

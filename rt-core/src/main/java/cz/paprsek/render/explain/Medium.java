@@ -17,7 +17,8 @@ public record Medium(Optional<InScene<BodyAt>> solid, double refractiveIndex) {
     }
 
     /** Whether it is the inside of the object that a surface belongs to. */
-    boolean isInside(InScene<BodyAt> surface) {
+    public boolean isInside(InScene<BodyAt> surface) {
+        Objects.requireNonNull(surface, "surface");
         return solid.isPresent() && solid.get().part().equals(surface.part().object());
     }
 }

@@ -1,6 +1,7 @@
 package cz.paprsek.render.mode;
 
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 
@@ -58,6 +59,7 @@ public enum RenderMode {
 
     /** The mode of that name, in any case. */
     public static Optional<RenderMode> of(String name) {
+        Objects.requireNonNull(name, "name");
         return Stream.of(values()).filter(mode -> mode.name().equalsIgnoreCase(name)).findFirst();
     }
 }

@@ -1,2 +1,2 @@
-/** Pictures that show something else than light. */
+/** What pictures may show, other than light. */
 package cz.paprsek.render.mode;

@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.material.Rgb;
-import cz.paprsek.render.explain.Outline;
-import cz.paprsek.render.explain.Words;
+import cz.paprsek.render.explain.text.Outline;
+import cz.paprsek.words.Words;
 import java.util.function.Predicate;
 import javafx.scene.control.TreeCell;
 import javafx.scene.paint.Color;

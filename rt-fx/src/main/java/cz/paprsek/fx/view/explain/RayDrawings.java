@@ -2,7 +2,7 @@ package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.drawing.Projection;
 import cz.paprsek.fx.view.look.Theme;
-import cz.paprsek.render.explain.Words;
+import cz.paprsek.words.Words;
 import java.util.List;
 import java.util.stream.Stream;
 import javafx.beans.value.ObservableValue;

@@ -4,7 +4,7 @@ import cz.paprsek.drawing.RayLine;
 import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.rays.RayPainter;
-import cz.paprsek.render.explain.Words;
+import cz.paprsek.words.Words;
 import java.util.List;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.canvas.Canvas;

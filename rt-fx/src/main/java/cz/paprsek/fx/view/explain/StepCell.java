@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.explain;
 
-import cz.paprsek.render.explain.Step;
+import cz.paprsek.render.explain.text.Step;
 import javafx.scene.control.TableCell;
 import javafx.scene.layout.Region;
 import javafx.scene.text.Text;

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.fx.view.texts.Texts;
-import cz.paprsek.render.explain.Step;
+import cz.paprsek.render.explain.text.Step;
 import java.util.function.Function;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.scene.control.Label;

@@ -4,7 +4,7 @@ import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.Failures;
 import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.render.explain.Words;
+import cz.paprsek.words.Words;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;

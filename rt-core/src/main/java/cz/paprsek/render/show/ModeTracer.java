@@ -1,4 +1,4 @@
-package cz.paprsek.render.mode;
+package cz.paprsek.render.show;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.ray.Hit;
@@ -6,6 +6,7 @@ import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;

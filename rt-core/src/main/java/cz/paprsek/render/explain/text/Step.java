@@ -1,4 +1,4 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.render.explain.text;
 
 import java.util.Objects;
 

@@ -1,9 +1,15 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.render.explain.text;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.io.Json;
 import cz.paprsek.material.Material;
+import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.LightTerm.Obstacle;
+import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.LinearRgb;
+import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.Refraction;
+import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.Locale;

@@ -1,6 +1,8 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.render.explain.text;
 
-import cz.paprsek.render.explain.Step.Topic;
+import cz.paprsek.render.explain.LinearRgb;
+import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.explain.text.Step.Topic;
 
 /** How a tree is made to look where there is more than letters. */
 public interface Decoration {

@@ -1,4 +1,4 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.words;
 
 import cz.paprsek.math.Require;
 import cz.paprsek.scene.InScene;
@@ -17,7 +17,7 @@ public final class Words {
     private final ResourceBundle texts;
 
     private Words(Locale locale) {
-        texts = ResourceBundle.getBundle("cz.paprsek.render.explain.words", locale,
+        texts = ResourceBundle.getBundle("cz.paprsek.words.words", locale,
                 ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
     }
 
@@ -41,14 +41,14 @@ public final class Words {
     }
 
     /** What a body is called, from the outermost operation inwards, such as {@code difference "bowl" › sphere "hollow"}. */
-    String surface(InScene<BodyAt> surface) {
+    public String surface(InScene<BodyAt> surface) {
         Scene scene = surface.scene();
         return surface.part().way().map(step -> of("kind." + step.in(scene).shape().kind()) + " " + step.nameOrNumber(scene))
                 .collect(Collectors.joining(" › "));
     }
 
     /** What comes after the surface: its face if it has several. */
-    String face(Shape.Face face) {
+    public String face(Shape.Face face) {
         return switch (face) {
             case ONLY -> "";
             case SIDE, BOTTOM, TOP -> ", " + of("face." + face.text());

@@ -1,8 +1,11 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.render.explain.text;
 
 import cz.paprsek.material.Material;
+import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.LightTerm.Obstacle;
-import cz.paprsek.render.explain.Step.Topic;
+import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.text.Step.Topic;
+import cz.paprsek.words.Words;
 import java.util.List;
 import java.util.stream.Collectors;
 

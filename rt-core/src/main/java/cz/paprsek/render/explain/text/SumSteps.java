@@ -1,6 +1,10 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.render.explain.text;
 
-import cz.paprsek.render.explain.Step.Topic;
+import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.LinearRgb;
+import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.explain.text.Step.Topic;
+import cz.paprsek.words.Words;
 import java.util.List;
 
 /** Writes the terms of a ray's light one below the other, and their sum, as the end of a worked exercise. */

@@ -1,6 +1,7 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.render.explain.text;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.LinearRgb;
 import java.math.BigDecimal;
 import java.math.MathContext;
 

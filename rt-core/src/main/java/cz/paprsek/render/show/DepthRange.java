@@ -1,4 +1,4 @@
-package cz.paprsek.render.mode;
+package cz.paprsek.render.show;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.render.eye.Eye;

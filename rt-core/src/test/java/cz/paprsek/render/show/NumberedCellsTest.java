@@ -1,4 +1,4 @@
-package cz.paprsek.render.mode;
+package cz.paprsek.render.show;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,7 +1,10 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.render.explain.text;
 
 import cz.paprsek.material.Material;
-import cz.paprsek.render.explain.Step.Topic;
+import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.explain.text.Step.Topic;
+import cz.paprsek.words.Words;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,6 +1,10 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.render.explain.text;
 
+import cz.paprsek.render.explain.LinearRgb;
+import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.text.Numbers;
+import cz.paprsek.words.Words;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,6 +1,8 @@
-package cz.paprsek.query;
+package cz.paprsek.query.text;
 
 import cz.paprsek.io.Json;
+import cz.paprsek.query.Column;
+import cz.paprsek.query.Value;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.Collectors;

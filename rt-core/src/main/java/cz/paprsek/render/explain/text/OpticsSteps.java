@@ -1,6 +1,10 @@
-package cz.paprsek.render.explain;
+package cz.paprsek.render.explain.text;
 
-import cz.paprsek.render.explain.Step.Topic;
+import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.Refraction;
+import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.explain.text.Step.Topic;
+import cz.paprsek.words.Words;
 import java.util.List;
 
 /** Writes what is mirrored and what shines through at a point as part of a worked exercise. */

@@ -1,0 +1,2 @@
+/** Tables as text. */
+package cz.paprsek.query.text;

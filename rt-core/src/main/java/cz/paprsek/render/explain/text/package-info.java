@@ -1,0 +1,2 @@
+/** Explanations in words: the tree of rays as worked exercises in two languages, as lines of text, and as JSON. Computes no light. */
+package cz.paprsek.render.explain.text;

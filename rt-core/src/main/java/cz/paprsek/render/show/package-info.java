@@ -1,0 +1,2 @@
+/** How pictures are made that show something else than light. */
+package cz.paprsek.render.show;
