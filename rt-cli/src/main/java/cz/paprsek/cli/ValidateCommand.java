@@ -9,6 +9,8 @@ import cz.paprsek.cli.process.Interruption;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.io.Json;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.Problem;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -24,9 +26,10 @@ import picocli.CommandLine.Parameters;
         description = {
             "Checks scene files and databases.",
             "Every problem goes to standard error as FILE:LINE:COLUMN: what was expected and what was found.",
-            "Warnings go to standard output and do not change the exit code unless --strict is given: materials that give back more light than they get, a camera "
-                    + "inside a solid, a light inside an opaque body, an operand that removes nothing, unused materials, glass of several "
-                    + "refractive indices, darkness."
+            "Warnings go to standard output, likewise with line and column, and do not change the exit code unless --strict is given: materials that give "
+                    + "back more light than they get, a camera inside a solid, a light inside an opaque body, an operand that removes nothing, unused "
+                    + "materials, glass of several refractive indices or reaching into other glass, darkness.",
+            "Notes are never problems: where bodies of glass touch, which is how water stands in a tumbler."
         },
         footer = {"", "Examples:", "  paprsek validate my.xml", "  paprsek validate 'scenes/**.xml' --json"})
 final class ValidateCommand implements Callable<Integer> {
@@ -59,7 +62,9 @@ final class ValidateCommand implements Callable<Integer> {
         int worst = ExitCode.DONE;
         for (Path file : SceneArguments.files(scenes)) {
             SceneReading reading = SceneReading.of(file);
-            List<Found> warnings = warnings(reading);
+            List<Found> all = found(reading);
+            List<Found> warnings = all.stream().filter(found -> !found.warning().isNote()).toList();
+            List<Found> notes = all.stream().filter(found -> found.warning().isNote()).toList();
             if (stop.requested()) {
                 return Interruption.told(terminal, json);
             }
@@ -69,47 +74,62 @@ final class ValidateCommand implements Callable<Integer> {
             }
             boolean isGood = reading.isValid() && (warnings.isEmpty() || !strict);
             if (json) {
-                terminal.result(json(reading, warnings, isGood));
+                terminal.result(json(reading, warnings, notes, isGood));
             } else if (!quiet && isGood) {
-                warnings.forEach(warning -> terminal.result(warning.toString()));
-                terminal.result(file + ": valid" + (warnings.isEmpty() ? "" : ", " + warnings.size()
-                        + (warnings.size() == 1 ? " warning" : " warnings")));
+                all.forEach(found -> terminal.result(found.toString()));
+                terminal.result(file + ": valid" + counted(warnings.size(), "warning") + counted(notes.size(), "note"));
             }
             worst = Math.max(worst, isGood ? ExitCode.DONE : ExitCode.BAD_SCENE);
         }
         return worst;
     }
 
-    /** A warning of one of the scenes of a file. */
-    private record Found(String label, String scene, SceneWarning warning) {
+    private static String counted(int number, String word) {
+        return number == 0 ? "" : ", " + number + " " + word + (number == 1 ? "" : "s");
+    }
+
+    /**
+     * A warning or note on one of the scenes of a file.
+     *
+     * @param problem what it says, and where
+     */
+    private record Found(String scene, SceneWarning warning, Problem problem) {
         @Override
         public String toString() {
-            return label + ": warning: " + warning.message();
+            return problem.toString();
         }
     }
 
-    private static List<Found> warnings(SceneReading reading) {
+    private static List<Found> found(SceneReading reading) {
         List<Found> found = new ArrayList<>();
-        for (int i = 0; i < reading.scenes().size(); i++) {
-            String label = reading.label(i);
-            String scene = reading.scenes().get(i).name();
-            SceneWarnings.of(reading.scenes().get(i)).forEach(warning -> found.add(new Found(label, scene, warning)));
-        }
+        reading.text().ifPresent(text -> {
+            OriginalText.Pointer pointer = text.pointer();
+            for (int i = 0; i < reading.scenes().size(); i++) {
+                Scene scene = reading.scenes().get(i);
+                String where = text.contents().isDatabase() ? "scene \"" + scene.name() + "\": " : "";
+                for (SceneWarning warning : SceneWarnings.of(scene)) {
+                    String message = (warning.isNote() ? "note: " : "warning: ") + where + warning.message();
+                    found.add(new Found(scene.name(), warning, pointer.at(i, warning.place(), message)));
+                }
+            }
+        });
         return found;
     }
 
-    private static String json(SceneReading reading, List<Found> warnings, boolean isGood) {
+    private static String json(SceneReading reading, List<Found> warnings, List<Found> notes, boolean isGood) {
         return new Json()
                 .with("file", reading.file().toString())
                 .with("valid", isGood)
                 .with("problems", reading.problems().stream().map(ValidateCommand::json).toList())
-                .with("warnings", warnings.stream().map(found -> json(reading.file(), found)).toList())
+                .with("warnings", warnings.stream().map(ValidateCommand::json).toList())
+                .with("notes", notes.stream().map(ValidateCommand::json).toList())
                 .toString();
     }
 
-    private static Json json(Path file, Found found) {
-        return new Json().with("file", file.toString()).with("scene", found.scene()).with("object", found.warning().object())
-                .with("kind", found.warning().kind()).with("message", found.warning().message());
+    private static Json json(Found found) {
+        return new Json().with("file", found.problem().file()).with("line", found.problem().line()).with("column", found.problem().column())
+                .with("scene", found.scene()).with("object", found.warning().object()).with("kind", found.warning().kind())
+                .with("message", found.warning().message());
     }
 
     private static Json json(Problem problem) {

@@ -91,7 +91,7 @@ class ValidateCommandTest {
         Path broken = Scenes.broken(folder.resolve("broken.xml"));
         Run run = Run.cli("validate", dark, broken);
         assertThat(run.code()).isEqualTo(3);
-        assertThat(run.out()).startsWith(dark + ": warning: there is no light").endsWith(dark + ": valid, 1 warning\n");
+        assertThat(run.out()).startsWith(dark + ":1:1: warning: there is no light").endsWith(dark + ": valid, 1 warning\n");
         assertThat(run.err().lines()).hasSizeGreaterThan(1).allMatch(line -> line.startsWith(broken + ":"));
         assertThat(Run.cli("validate", dark).code()).isZero();
         assertThat(Run.cli("validate", dark, "--quiet").out()).isEmpty();
@@ -102,8 +102,52 @@ class ValidateCommandTest {
     void warningsForProgramsSayWhichSceneAndObject() throws IOException {
         Path file = Scenes.scene(folder.resolve("dark.xml"), "<material name=\"m\"/><sphere radius=\"1\"/>");
         assertThat(Run.cli("validate", file, "--json").out()).contains("\"valid\":true",
-                "{\"file\":\"" + file + "\",\"scene\":\"ball\",\"object\":\"\",\"kind\":\"dark\",\"message\":\"there is no light and no ambient light",
-                "\"object\":\"material \\\"m\\\"\",\"kind\":\"unused\"");
+                "{\"file\":\"" + file + "\",\"line\":1,\"column\":1,\"scene\":\"ball\",\"object\":\"\",\"kind\":\"dark\",\"message\":\"there is no light and no ambient light",
+                "\"line\":1,\"column\":124,\"scene\":\"ball\",\"object\":\"material \\\"m\\\"\",\"kind\":\"unused\"");
+    }
+
+    @Test
+    void warningsSayWhereTheThingBegins() throws IOException {
+        String scene = """
+                <scene xmlns='urn:paprsek:scene:1' name='a'>
+                  <!-- <sphere radius="1"/> -->
+                  <material name='ů'/><material name='used'/><material name="x"/>\r
+                  <sphere radius='1' material='used' name='>'/>\t<difference><material/>
+                    <block
+                      min='3 3 3' max='4 4 4'/>
+                    <union><sphere radius='1' position='9 9 9'/></union>
+                  </difference>
+                  <point-light position='5 5 5'/><?x?><point-light
+                    position='0 0 0'/>
+                  <camera position='0 0 5' direction='0 0 -1'/>
+                </scene>
+                """;
+        for (String text : List.of(scene, "\uFEFF" + scene, scene.replaceAll("<(/?)(?=[a-z])", "<$1q:").replace("xmlns=", "xmlns:q="))) {
+            int prefix = text.contains("xmlns:q") ? 2 : 0;
+            Path file = Files.writeString(folder.resolve("a.xml"), text);
+            assertThat(Run.cli("validate", file).out().lines().map(line -> line.replace(file + ":", ""))).containsExactly(
+                    "3:3: warning: material \"ů\" is not used",
+                    "3:" + (46 + 2 * prefix) + ": warning: material \"x\" is not used",
+                    "7:5: warning: union #2 in difference #2 removes nothing: it does not meet the first operand",
+                    "9:" + (39 + prefix) + ": warning: light #2 is inside sphere \">\", which is opaque; it lights nothing outside",
+                    " valid, 4 warnings");
+        }
+    }
+
+    @Test
+    void waterThatStandsInAGlassIsNoProblem() throws IOException {
+        Path file = Scenes.scene(folder.resolve("a.xml"), "<ambient color='gray'/>" + glass("block", "min='0 0 0' max='1 1 1'", 1.5) + glass("block", "min='0 1 0' max='1 2 1'", 1.33));
+        Run run = Run.cli("validate", file, "--strict");
+        assertThat(run.code()).isZero();
+        assertThat(run.out()).matches("(?s).*a.xml:1:\\d+: note: block #1 and block #2 touch near .*a.xml: valid, 1 note\n");
+        assertThat(Run.cli("validate", file, "--strict", "--json").out()).contains("\"valid\":true", "\"warnings\":[],\"notes\":[{\"file\"", "\"kind\":\"glass-touches\"");
+    }
+
+    @Test
+    void shippedScenesAreWithoutWarnings() {
+        Run run = Run.cli("validate", "../scenes/*.xml", "--strict");
+        assertThat(run.err()).isEmpty();
+        assertThat(run.code()).isZero();
     }
 
     @Test
@@ -111,7 +155,7 @@ class ValidateCommandTest {
         Path dark = Scenes.scene(folder.resolve("dark.xml"), "<sphere radius=\"1\"/>");
         Run run = Run.cli("validate", dark, "--strict");
         assertThat(run.code()).isEqualTo(3);
-        assertThat(run.err()).startsWith(dark + ": warning: there is no light").hasLineCount(1);
+        assertThat(run.err()).startsWith(dark + ":1:1: warning: there is no light").hasLineCount(1);
         assertThat(run.out()).isEmpty();
         assertThat(Run.cli("validate", dark, "--strict", "--json").out()).contains("\"valid\":false,\"problems\":[],\"warnings\":[{");
         assertThat(Run.cli("validate", Scenes.ball(folder.resolve("good.xml")), "--strict").code()).isZero();
@@ -129,7 +173,7 @@ class ValidateCommandTest {
         String camera = "<camera position=\"0 1 5\" direction=\"0 0 -1\"/></scene>";
         Path file = Files.writeString(folder.resolve("db.xml"), "<database xmlns=\"urn:paprsek:scene:1\"><scene name=\"one\">" + camera
                 + "<scene name=\"two\">" + camera + "</database>");
-        assertThat(Run.cli("validate", file).out()).contains(file + ": scene \"two\": warning: there are no objects");
+        assertThat(Run.cli("validate", file).out()).contains(file + ":1:110: warning: scene \"two\": there are no objects");
     }
 
     @Test

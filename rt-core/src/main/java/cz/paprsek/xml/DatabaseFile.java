@@ -2,6 +2,7 @@ package cz.paprsek.xml;
 
 import cz.paprsek.io.FileLock;
 import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.xml.SceneFiles.Contents;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -11,9 +12,9 @@ import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 import java.util.function.UnaryOperator;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A database as it was in a file when it was read or written. What others change in the file after that is never overwritten: a scene that
@@ -27,10 +28,10 @@ public final class DatabaseFile {
     private final SceneDatabase database;
     /** Of the file's bytes; tells whether it is still the same. Empty if there was no file. */
     private final byte[] digest;
-    /** The file as it was opened, which later saves start from, too; null if there was none. */
-    private final @Nullable OriginalText text;
+    /** The file as it was opened, which later saves start from, too. */
+    private final OriginalText text;
 
-    private DatabaseFile(Path path, SceneDatabase database, byte[] digest, @Nullable OriginalText text) {
+    private DatabaseFile(Path path, SceneDatabase database, byte[] digest, OriginalText text) {
         this.path = path;
         this.database = database;
         this.digest = digest;
@@ -54,42 +55,45 @@ public final class DatabaseFile {
     /** A database that is to be a new file; there is none yet. */
     public static DatabaseFile create(Path path) {
         Objects.requireNonNull(path, "path");
-        return new DatabaseFile(path, SceneDatabase.EMPTY, new byte[0], null);
+        return new DatabaseFile(path, SceneDatabase.EMPTY, new byte[0], OriginalText.ofDatabase(List.of()));
     }
 
     /**
      * Reads a database, changes it and writes it, while nobody else can.
      *
      * @param change what is to be done; may refuse with any exception, and nothing is written
+     * @param from files that scenes are taken from, with their text
      * @throws SceneFileException as {@link #open}
      * @throws IOException if it cannot be read or written
      */
     @SuppressWarnings("try") // The lock is held, not used.
-    public static DatabaseFile update(Path path, UnaryOperator<SceneDatabase> change) throws SceneFileException, IOException {
+    public static DatabaseFile update(Path path, UnaryOperator<SceneDatabase> change, OriginalText... from) throws SceneFileException, IOException {
         Objects.requireNonNull(path, "path");
         Objects.requireNonNull(change, "change");
+        List<OriginalText> texts = List.of(Objects.requireNonNull(from, "from"));
         requireFile(path);
         try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
             DatabaseFile file = open(path);
             SceneDatabase changed = change.apply(file.database);
-            return changed.equals(file.database) ? file : file.write(changed);
+            return changed.equals(file.database) ? file : file.write(changed, texts);
         }
     }
 
     /**
-     * As {@link #update(Path, UnaryOperator)}; if the file is as it was when this was read or written, it need not be read once more.
+     * As {@link #update(Path, UnaryOperator, OriginalText...)}; if the file is as it was when this was read or written, it need not be read once more.
      *
      * @throws SceneFileException as {@link #open}
      * @throws IOException if it cannot be read or written
      */
     @SuppressWarnings("try")
-    public DatabaseFile update(UnaryOperator<SceneDatabase> change) throws SceneFileException, IOException {
+    public DatabaseFile update(UnaryOperator<SceneDatabase> change, OriginalText... from) throws SceneFileException, IOException {
         Objects.requireNonNull(change, "change");
+        List<OriginalText> texts = List.of(Objects.requireNonNull(from, "from"));
         requireFile(path);
         try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
             DatabaseFile file = Arrays.equals(digest(path), digest) ? this : open(path);
             SceneDatabase changed = change.apply(file.database);
-            return changed.equals(file.database) ? file : file.write(changed);
+            return changed.equals(file.database) ? file : file.write(changed, texts);
         }
     }
 
@@ -102,24 +106,31 @@ public final class DatabaseFile {
         return database;
     }
 
+    /** The file as it was opened, to take scenes from it into other files. */
+    public OriginalText text() {
+        return text;
+    }
+
     /**
      * Writes what this database has become. If the file has been changed by others since, both changes are put together, scene by scene.
      *
+     * @param from files that scenes were taken from, with their text
      * @return the file as it is now, with the changes of others
      * @throws DatabaseConflictException if both changed the same scenes; nothing is written
      * @throws SceneFileException if others left it so that it cannot be read; nothing is written
      * @throws IOException if it cannot be written
      */
     @SuppressWarnings("try")
-    public DatabaseFile save(SceneDatabase changed) throws SceneFileException, IOException {
+    public DatabaseFile save(SceneDatabase changed, OriginalText... from) throws SceneFileException, IOException {
         Objects.requireNonNull(changed, "changed");
+        List<OriginalText> texts = List.of(Objects.requireNonNull(from, "from"));
         requireFile(path);
         try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
             if (Arrays.equals(digest(path), digest)) {
-                return write(changed);
+                return write(changed, texts);
             }
             DatabaseFile theirs = Files.exists(path) ? open(path) : create(path);
-            return theirs.write(together(changed, theirs.database));
+            return theirs.write(together(changed, theirs.database), texts);
         }
     }
 
@@ -139,10 +150,12 @@ public final class DatabaseFile {
         }
     }
 
-    private DatabaseFile write(SceneDatabase changed) throws IOException {
-        byte[] bytes = text == null ? SceneFiles.bytes(changed.scenes()) : text.with(changed.scenes());
+    private DatabaseFile write(SceneDatabase changed, List<OriginalText> from) throws IOException {
+        byte[] bytes = text.with(changed.scenes(), from);
         SceneFiles.write(path, bytes);
-        return new DatabaseFile(path, changed, newDigest().digest(bytes), text);
+        // What has come along from elsewhere is to stay, too.
+        OriginalText next = from.isEmpty() ? text : new OriginalText(path.toString(), bytes, new Contents(changed.scenes(), true));
+        return new DatabaseFile(path, changed, newDigest().digest(bytes), next);
     }
 
     static byte[] digest(Path path) throws IOException {

@@ -2,34 +2,80 @@ package cz.paprsek.xml;
 
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.CameraAt;
+import cz.paprsek.scene.ScenePath.LightAt;
+import cz.paprsek.scene.ScenePath.MaterialAt;
 import cz.paprsek.xml.SceneFiles.Contents;
+import cz.paprsek.xml.text.Excerpt;
 import cz.paprsek.xml.text.FileText;
 import cz.paprsek.xml.text.Form;
+import cz.paprsek.xml.text.Places;
+import cz.paprsek.xml.text.Places.Place;
+import cz.paprsek.xml.text.Places.Step;
 import cz.paprsek.xml.text.Unpatchable;
 import cz.paprsek.xml.write.SceneForms;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
 
-/** The bytes of a file and the scenes in it. What others the file is to have is written into these bytes, and all else stays. */
-final class OriginalText {
+/**
+ * The text of a file and the scenes in it. A scene that is taken from here into another file takes along its comments, order and wording, also
+ * under another name and with other tags. Immutable.
+ */
+public final class OriginalText {
     /**
      * How deep elements are changed piece by piece: all the way; if that went wrong, those directly inside a scene or a database are written anew.
      * At last the whole file is.
      */
     private static final int[] DEPTHS = {SceneFiles.DEEPEST + 1, 2, 1};
 
+    private final String file;
     private final byte[] bytes;
     private final Contents contents;
 
-    private OriginalText(byte[] bytes, Contents contents) {
+    /** @param file its name, for messages */
+    OriginalText(String file, byte[] bytes, Contents contents) {
+        this.file = file;
         this.bytes = bytes;
         this.contents = contents;
+    }
+
+    /**
+     * Reads a file with a scene or a database.
+     *
+     * @throws SceneFileException if it is not valid, with every problem found
+     * @throws IOException if it cannot be read
+     */
+    public static OriginalText read(Path path) throws SceneFileException, IOException {
+        return read(path, ReadMonitor.NONE);
+    }
+
+    /** As {@link #read(Path)}, from a stream, which is not closed; the name is used in messages only. */
+    public static OriginalText read(InputStream input, String fileName) throws SceneFileException, IOException {
+        byte[] bytes = new LimitedInput(input, fileName, SceneFiles.LARGEST).readAllBytes();
+        return new OriginalText(fileName, bytes, SceneReader.read(Source.of(bytes), heard -> heard, fileName));
+    }
+
+    /** Says something of what is in a file, with line and column. */
+    @FunctionalInterface
+    public interface Pointer {
+        /**
+         * What is to be said, and where it begins that this is about.
+         *
+         * @param scene which of the scenes of the file, from 0
+         * @param place in that scene; empty for the scene as a whole
+         */
+        Problem at(int scene, Optional<ScenePath> place, String message);
     }
 
     static OriginalText read(Path path, ReadMonitor monitor) throws SceneFileException, IOException {
@@ -38,36 +84,52 @@ final class OriginalText {
         try (InputStream input = new LimitedInput(Files.newInputStream(path), path.toString(), SceneFiles.LARGEST)) {
             bytes = input.readAllBytes();
         }
-        return new OriginalText(bytes, SceneReader.read(Source.of(bytes), input -> new WatchedInput(input, bytes.length, monitor), path.toString()));
+        String file = path.toString();
+        return new OriginalText(file, bytes, SceneReader.read(Source.of(bytes), input -> new WatchedInput(input, bytes.length, monitor), file));
     }
 
     /** The text of a new file. */
     static OriginalText of(Scene scene) {
-        return new OriginalText(SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8), new Contents(List.of(scene), false));
+        return new OriginalText("", SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8), new Contents(List.of(scene), false));
+    }
+
+    /** The text of a new database. */
+    static OriginalText ofDatabase(List<Scene> scenes) {
+        return new OriginalText("", SceneFiles.bytes(scenes), new Contents(scenes, true));
     }
 
     byte[] bytes() {
         return bytes;
     }
 
-    Contents contents() {
+    /** Writes all bytes of the file into a stream, which is not closed. */
+    public void writeTo(OutputStream output) throws IOException {
+        output.write(bytes);
+    }
+
+    public Contents contents() {
         return contents;
     }
 
     /**
      * The file with other scenes.
      *
+     * @param from where those that are new here may have their text
      * @throws IllegalArgumentException if these cannot be written, as {@link SceneFiles#format} and {@link SceneFiles#formatAll}
      */
-    byte[] with(List<Scene> wanted) {
+    byte[] with(List<Scene> wanted, List<OriginalText> from) {
         if (contents.isDatabase()) {
             SceneDatabase.of(wanted);
         }
         Optional<FileText> text = text();
-        for (int depth : DEPTHS) {
-            Optional<byte[]> patched = text.flatMap(original -> patched(original, wanted, depth));
-            if (patched.isPresent()) {
-                return patched.get();
+        List<Form> plain = forms(wanted);
+        List<Form> written = IntStream.range(0, wanted.size()).mapToObj(i -> written(wanted.get(i), plain.get(i), from)).toList();
+        for (List<Form> forms : from.isEmpty() ? List.of(plain) : List.of(written, plain)) {
+            for (int depth : DEPTHS) {
+                Optional<byte[]> patched = text.flatMap(original -> patched(original, wanted, forms, depth));
+                if (patched.isPresent()) {
+                    return patched.get();
+                }
             }
         }
         return (contents.isDatabase() ? SceneFiles.formatAll(wanted) : SceneFiles.format(wanted.get(0))).getBytes(StandardCharsets.UTF_8);
@@ -81,10 +143,74 @@ final class OriginalText {
         }
     }
 
+    /** Finds out where things are in the file, once for any number of messages. */
+    public Pointer pointer() {
+        Optional<Places> places = text().map(FileText::places);
+        return (scene, path, message) -> {
+            List<Step> way = path.map(at -> way(contents.scenes().get(scene), at)).orElse(List.of());
+            Place place = places.map(known -> known.of(scene, way)).orElse(new Place(1, 1));
+            return new Problem(file, place.line(), place.column(), message);
+        };
+    }
+
+    private static List<Step> way(Scene scene, ScenePath path) {
+        if (path instanceof BodyAt body) {
+            return body.numbers().stream().map(number -> new Step("body", number)).toList();
+        }
+        return List.of(path instanceof LightAt light ? new Step("light", light.index())
+                : path instanceof CameraAt camera ? new Step("camera", camera.index())
+                : new Step("material", List.copyOf(scene.materials().keySet()).indexOf(((MaterialAt) path).name())));
+    }
+
+    /**
+     * A file of its own for a scene, which keeps the text that it has here.
+     *
+     * @throws IllegalArgumentException as {@link SceneFiles#format}
+     */
+    public OriginalText alone(Scene scene) {
+        Optional<Excerpt> excerpt = excerpt(scene);
+        if (excerpt.isPresent()) {
+            FileText text = text().orElseThrow();
+            String alone = "<?xml version=\"" + text.version() + "\" encoding=\"UTF-8\"?>" + text.lineBreak() + excerpt.get().alone(text.lineBreak());
+            byte[] own = alone.getBytes(StandardCharsets.UTF_8);
+            if (says(own, List.of(scene))) {
+                return new OriginalText(file, own, new Contents(List.of(scene), false));
+            }
+        }
+        return of(scene);
+    }
+
+    private Form written(Scene wanted, Form form, List<OriginalText> from) {
+        return contents.scenes().contains(wanted) ? form
+                : from.stream().flatMap(text -> text.excerpt(wanted).stream()).findFirst().map(form::as).orElse(form);
+    }
+
+    /** The text of the scene that this is here, or was before it got another name or other tags. */
+    private Optional<Excerpt> excerpt(Scene wanted) {
+        List<Scene> scenes = contents.scenes();
+        OptionalInt found = IntStream.range(0, scenes.size())
+                .filter(i -> scenes.get(i).withName(wanted.name()).withTags(wanted.tags()).equals(wanted)).findFirst();
+        if (found.isEmpty()) {
+            return Optional.empty();
+        }
+        try {
+            return text().map(text -> text.excerpt(found.getAsInt(), SceneForms.scene(scenes.get(found.getAsInt())), SceneForms.scene(wanted)));
+        } catch (Unpatchable e) {
+            return Optional.empty();
+        }
+    }
+
+    private static List<Form> forms(List<Scene> scenes) {
+        return scenes.stream().map(SceneForms::scene).toList();
+    }
+
     /** The changed text; empty if it does not say what it should. */
     Optional<byte[]> patched(FileText text, List<Scene> wanted, int depth) {
-        List<Form> forms = wanted.stream().map(SceneForms::scene).toList();
-        Form before = contents.isDatabase() ? SceneForms.database(contents.scenes().stream().map(SceneForms::scene).toList()) : SceneForms.file(contents.scenes().get(0));
+        return patched(text, wanted, forms(wanted), depth);
+    }
+
+    private Optional<byte[]> patched(FileText text, List<Scene> wanted, List<Form> forms, int depth) {
+        Form before = contents.isDatabase() ? SceneForms.database(forms(contents.scenes())) : SceneForms.file(contents.scenes().get(0));
         Form now = contents.isDatabase() ? SceneForms.database(forms) : SceneForms.file(wanted.get(0));
         try {
             FileText.Changed changed = text.changed(before, now, depth);

@@ -44,6 +44,18 @@ public final class SceneFile {
         return new SceneFile(path, scene, text, DatabaseFile.newDigest().digest(text.bytes()));
     }
 
+    /**
+     * As {@link #create(Path, Scene)}, for a scene that comes from another file, with the text that it has there.
+     *
+     * @throws IOException if it cannot be written
+     * @throws IllegalArgumentException as {@link SceneFiles#format}
+     */
+    public static SceneFile create(Path path, Scene scene, OriginalText from) throws IOException {
+        OriginalText text = from.alone(scene);
+        SceneFiles.write(path, text.bytes());
+        return new SceneFile(path, scene, text, DatabaseFile.newDigest().digest(text.bytes()));
+    }
+
     public Path path() {
         return path;
     }
@@ -51,6 +63,11 @@ public final class SceneFile {
     /** The scene that is in the file. */
     public Scene scene() {
         return scene;
+    }
+
+    /** The file as it was opened, to take the scene from it into other files. */
+    public OriginalText text() {
+        return text;
     }
 
     /**
@@ -86,7 +103,7 @@ public final class SceneFile {
      * @throws IllegalArgumentException as {@link SceneFiles#format}
      */
     public SceneFile saveAs(Scene changed, Path elsewhere) throws IOException {
-        byte[] bytes = text.with(List.of(changed));
+        byte[] bytes = text.with(List.of(changed), List.of());
         SceneFiles.write(elsewhere, bytes);
         return new SceneFile(elsewhere, changed, text, DatabaseFile.newDigest().digest(bytes));
     }

@@ -14,6 +14,7 @@ import cz.paprsek.query.Table;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.xml.DatabaseFile;
+import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
@@ -64,8 +65,21 @@ public abstract class DbAction implements Callable<Integer> {
     }
 
     static SceneDatabase read(Path file) {
+        return readable(file, () -> Incoming.read(file)).database(Incoming.nameOf(file));
+    }
+
+    /** As it is, to take scenes from it with their text. */
+    static OriginalText text(Path file) {
+        return readable(file, () -> Incoming.text(file));
+    }
+
+    private interface Reading<T> {
+        T read() throws SceneFileException, IOException;
+    }
+
+    private static <T> T readable(Path file, Reading<T> reading) {
         try {
-            return Incoming.read(file).database(Incoming.nameOf(file));
+            return reading.read();
         } catch (SceneFileException e) {
             throw new BadScene(e.problems().stream().map(Problem::toString).toList());
         } catch (IOException e) {
@@ -73,15 +87,19 @@ public abstract class DbAction implements Callable<Integer> {
         }
     }
 
-    /** Changes a database while nobody else can. */
-    final void update(Path file, UnaryOperator<SceneDatabase> change) throws IOException {
+    /**
+     * Changes a database while nobody else can.
+     *
+     * @param from files that scenes are taken from
+     */
+    final void update(Path file, UnaryOperator<SceneDatabase> change, OriginalText... from) throws IOException {
         Incoming.requireFile(file);
         if (!Files.exists(file)) {
             throw new BadScene(List.of(file + ": no such file"));
         }
         stop.guard(() -> {
             try {
-                DatabaseFile.update(file, database -> asked(() -> change.apply(database)));
+                DatabaseFile.update(file, database -> asked(() -> change.apply(database)), from);
             } catch (SceneFileException e) {
                 throw new BadScene(e.problems().stream().map(Problem::toString).toList());
             }

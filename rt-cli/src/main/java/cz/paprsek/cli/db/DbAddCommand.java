@@ -8,14 +8,17 @@ import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.scene.SceneDatabase.Clash;
 import cz.paprsek.xml.DatabaseFile;
+import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Command;
@@ -50,29 +53,39 @@ final class DbAddCommand extends DbAction {
     @Override
     void run() throws IOException {
         Incoming.requireFile(file);
-        List<Scene> scenes = new ArrayList<>();
-        for (Path path : SceneArguments.files(added)) {
-            scenes.addAll(read(path).scenes());
+        Map<Path, OriginalText> texts = new LinkedHashMap<>();
+        SceneArguments.files(added).forEach(path -> texts.put(path, text(path)));
+        int count = texts.values().stream().mapToInt(text -> text.contents().scenes().size()).sum();
+        if (name.isPresent() && count != 1) {
+            throw new WrongUsage("--name is for one scene, but there are " + count);
         }
-        if (name.isPresent() && scenes.size() != 1) {
-            throw new WrongUsage("--name is for one scene, but there are " + scenes.size());
-        }
-        SceneDatabase more = asked(() -> SceneDatabase.of(scenes.stream().map(this::labelled).toList()));
-        SceneDatabase.Clash clash = replace ? SceneDatabase.Clash.REPLACE : SceneDatabase.Clash.REFUSE;
+        Gathered more = new Gathered(file, SceneDatabase.EMPTY);
+        texts.forEach((path, text) -> more.add(path, labelled(path, text), Clash.REFUSE, "give one of them another name"));
+        OriginalText[] from = texts.values().toArray(OriginalText[]::new);
         if (Files.exists(file)) {
-            update(file, database -> database.merge(more, clash));
+            update(file, database -> {
+                Gathered all = new Gathered(file, database);
+                texts.forEach((path, text) -> all.add(path, labelled(path, text), replace ? Clash.REPLACE : Clash.REFUSE,
+                        "--replace takes that of " + path + (count == 1 ? ", --name gives it another name" : "")));
+                return all.scenes();
+            }, from);
         } else {
-            stop.guard(() -> create(more));
+            stop.guard(() -> create(more.scenes(), from));
         }
-        done(file + ": " + scenes(more.size()) + " added");
+        done(file + ": " + scenes(more.scenes().size()) + " added");
     }
 
-    private void create(SceneDatabase content) throws IOException {
+    private void create(SceneDatabase content, OriginalText[] from) throws IOException {
         try {
-            DatabaseFile.create(file).save(content);
+            DatabaseFile.create(file).save(content, from);
         } catch (SceneFileException e) {
             throw new BadScene(List.of(String.valueOf(e.getMessage())));
         }
+    }
+
+    private SceneDatabase labelled(Path path, OriginalText text) {
+        List<Scene> found = text.contents().database(Incoming.nameOf(path)).scenes();
+        return asked(() -> SceneDatabase.of(found.stream().map(this::labelled).toList()));
     }
 
     private Scene labelled(Scene scene) {

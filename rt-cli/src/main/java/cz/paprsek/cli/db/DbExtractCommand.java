@@ -1,15 +1,16 @@
 package cz.paprsek.cli.db;
 
 import cz.paprsek.cli.input.FileNames;
+import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.output.Targets;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
-import cz.paprsek.xml.SceneFiles;
+import cz.paprsek.xml.OriginalText;
+import cz.paprsek.xml.SceneFile;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -48,15 +49,16 @@ final class DbExtractCommand extends DbAction {
 
     @Override
     void run() throws IOException {
-        SceneDatabase database = read(file);
+        OriginalText text = text(file);
+        SceneDatabase database = text.contents().database(Incoming.nameOf(file));
         List<Scene> scenes = chosen(database, names, where);
         if (output.equals("-") && scenes.size() == 1) {
-            terminal.bytes().write(SceneFiles.format(scenes.get(0)).getBytes(StandardCharsets.UTF_8));
+            text.alone(scenes.get(0)).writeTo(terminal.bytes());
             return;
         }
         Map<Path, Scene> files = files(scenes, FileNames.of(database.names()));
         for (Map.Entry<Path, Scene> one : files.entrySet()) {
-            stop.guard(() -> SceneFiles.write(one.getValue(), one.getKey()));
+            stop.guard(() -> SceneFile.create(one.getKey(), one.getValue(), text));
             done(one.getValue().name() + " -> " + one.getKey());
         }
     }

@@ -5,12 +5,13 @@ import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
-import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.scene.SceneDatabase.Clash;
+import cz.paprsek.xml.OriginalText;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -45,20 +46,17 @@ final class DbMergeCommand extends DbAction {
             throw new WrongUsage("--keep and --replace exclude each other");
         }
         Clash clash = keep ? Clash.KEEP : replace ? Clash.REPLACE : Clash.REFUSE;
-        List<SceneDatabase> read = new ArrayList<>();
-        for (Path other : SceneArguments.files(others)) {
-            read.add(read(other));
-        }
+        Map<Path, OriginalText> texts = new LinkedHashMap<>();
+        SceneArguments.files(others).forEach(other -> texts.put(other, text(other)));
         int[] sizes = new int[2];
         update(file, database -> {
-            SceneDatabase merged = database;
-            for (SceneDatabase other : read) {
-                merged = merged.merge(other, clash);
-            }
+            Gathered all = new Gathered(file, database);
+            texts.forEach((other, text) -> all.add(other, text.contents().database(Incoming.nameOf(other)), clash,
+                    "--keep takes that of the first, --replace that of the other"));
             sizes[0] = database.size();
-            sizes[1] = merged.size();
-            return merged;
-        });
+            sizes[1] = all.scenes().size();
+            return all.scenes();
+        }, texts.values().toArray(OriginalText[]::new));
         done(file + ": " + scenes(sizes[1]) + ", " + (sizes[1] - sizes[0]) + " of them new");
     }
 }

@@ -2,6 +2,7 @@ package cz.paprsek.cli.describe;
 
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Volume;
@@ -22,7 +23,7 @@ final class GlassContacts {
     private static final double NEAR = 100;
 
     /** A body that light gets through. */
-    record Body(String label, Volume volume, double index) {}
+    record Body(BodyAt place, String label, Volume volume, double index) {}
 
     /** @param point the first place found, world space */
     record Contact(Body first, Body second, boolean overlap, Vec3 point) {}

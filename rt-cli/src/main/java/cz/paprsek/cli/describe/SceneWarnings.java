@@ -10,6 +10,7 @@ import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.MaterialAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Csg.Operation;
 import cz.paprsek.shape.Operand;
@@ -22,6 +23,7 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /** What is allowed in a scene, but hardly what its author meant. */
@@ -51,38 +53,42 @@ public final class SceneWarnings {
         return check.warnings;
     }
 
-    private void add(String kind, String object, String message) {
-        warnings.add(new SceneWarning(kind, object, message));
+    private void add(String kind, String message) {
+        warnings.add(new SceneWarning(kind, "", Optional.empty(), message, false));
+    }
+
+    private void add(String kind, String object, ScenePath place, String message) {
+        warnings.add(new SceneWarning(kind, object, Optional.of(place), message, false));
     }
 
     private void light() {
         boolean isLit = scene.lights().stream().anyMatch(light -> light.intensity() > 0 && !light.color().equals(Rgb.BLACK));
         if (scene.objects().isEmpty()) {
-            add("empty", "", "there are no objects; the picture will be the background alone");
+            add("empty", "there are no objects; the picture will be the background alone");
         } else if (!isLit && scene.ambient().equals(Rgb.BLACK)) {
-            add("dark", "", "there is no light and no ambient light; every surface will be black");
+            add("dark", "there is no light and no ambient light; every surface will be black");
         }
     }
 
     private void materials(List<BodyAt> parts) {
         Set<String> used = new HashSet<>();
-        scene.materials().forEach((name, material) -> energy("material \"" + name + "\"", material));
+        scene.materials().forEach((name, material) -> energy("material \"" + name + "\"", new MaterialAt(name), material));
         for (BodyAt part : parts) {
             MaterialSource source = part.in(scene).material();
             if (source instanceof MaterialName reference) {
                 used.add(reference.name());
             } else if (source instanceof Material own) {
-                energy("material of " + label(part), own);
+                energy("material of " + label(part), part, own);
             }
         }
         scene.materials().keySet().stream().filter(name -> !used.contains(name))
-                .forEach(name -> add("unused", "material \"" + name + "\"", "material \"" + name + "\" is not used"));
+                .forEach(name -> add("unused", "material \"" + name + "\"", new MaterialAt(name), "material \"" + name + "\" is not used"));
     }
 
-    private void energy(String what, Material material) {
+    private void energy(String what, ScenePath place, Material material) {
         double sum = material.diffusion() + material.reflection() + material.transparency();
         if (sum > 1 + SLACK) {
-            add("energy", what, what + ": diffusion, reflection and transparency add up to " + Numbers.text(Math.rint(sum * 1e6) / 1e6)
+            add("energy", what, place, what + ": diffusion, reflection and transparency add up to " + Numbers.text(Math.rint(sum * 1e6) / 1e6)
                     + "; above 1 a surface gives back more light than it gets");
         }
     }
@@ -96,7 +102,7 @@ public final class SceneWarnings {
             Operand operand = csg.operands().get(i);
             if (left.intersection(bounds(operand)).isEmpty()) {
                 String label = label(part.child(i));
-                add("operand", label, csg.operation() == Operation.DIFFERENCE
+                add("operand", label, part.child(i), csg.operation() == Operation.DIFFERENCE
                         ? label + " removes nothing: it does not meet the first operand"
                         : label + " does not meet the operands before it; nothing is left of the intersection");
             }
@@ -120,21 +126,21 @@ public final class SceneWarnings {
         boolean isOpaque = made.stream().allMatch(material -> material.transparency() == 0);
         long indices = made.stream().filter(material -> material.transparency() > 0).mapToDouble(Material::refractiveIndex).distinct().count();
         if (indices > 1) {
-            add("indices", label, label + " is transparent, but its operands have different refractive indices; one body has one index");
+            add("indices", label, object, label + " is transparent, but its operands have different refractive indices; one body has one index");
         }
         Surface placed = object.placed(scene);
         if (!isOpaque && placed instanceof Volume volume) {
             double index = made.stream().filter(material -> material.transparency() > 0).findFirst().orElseThrow().refractiveIndex();
-            transparent.add(new GlassContacts.Body(label, volume, index));
+            transparent.add(new GlassContacts.Body(object, label, volume, index));
         }
         if (placed.contains(scene.camera().position())) {
-            add("camera-inside", label, "the camera is inside " + label + (isOpaque ? ", which is opaque; it will see nothing else" : ""));
+            add("camera-inside", label, object, "the camera is inside " + label + (isOpaque ? ", which is opaque; it will see nothing else" : ""));
         }
         for (int i = 0; i < scene.lights().size(); i++) {
             Light light = scene.lights().get(i);
             if (isOpaque && placed.contains(light.position())) {
                 String lamp = light.name().isEmpty() ? "light #" + (i + 1) : "light \"" + light.name() + "\"";
-                add("light-inside", lamp, lamp + " is inside " + label + ", which is opaque; it lights nothing outside");
+                add("light-inside", lamp, ScenePath.light(i), lamp + " is inside " + label + ", which is opaque; it lights nothing outside");
             }
         }
     }
@@ -143,11 +149,11 @@ public final class SceneWarnings {
         for (GlassContacts.Contact contact : GlassContacts.among(transparent, scene.camera().position())) {
             GlassContacts.Body first = contact.first();
             GlassContacts.Body second = contact.second();
-            add(contact.overlap() ? "glass-overlaps" : "glass-touches", first.label(), first.label() + " and " + second.label()
-                    + (contact.overlap() ? " reach into each other" : " touch") + " near " + rounded(contact.point()) + ", with the refractive indices "
-                    + Numbers.text(first.index()) + " and " + Numbers.text(second.index())
+            warnings.add(new SceneWarning(contact.overlap() ? "glass-overlaps" : "glass-touches", first.label(), Optional.of(first.place()), first.label()
+                    + " and " + second.label() + (contact.overlap() ? " reach into each other" : " touch") + " near " + rounded(contact.point())
+                    + ", with the refractive indices " + Numbers.text(first.index()) + " and " + Numbers.text(second.index())
                     + (contact.overlap() ? "; where both are, that of the one entered last counts" : "; there light goes straight from the one to the other")
-                    + " (found by trying " + GlassContacts.RAYS + " rays)");
+                    + " (found by trying " + GlassContacts.RAYS + " rays)", !contact.overlap()));
         }
     }
 

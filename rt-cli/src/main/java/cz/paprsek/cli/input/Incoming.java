@@ -1,6 +1,7 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.ReadMonitor;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -19,6 +20,12 @@ public final class Incoming {
     public static Contents read(Path file) throws SceneFileException, IOException {
         Foreign.refuse(file);
         return isStandardInput(file) ? SceneFiles.contents(System.in, STANDARD_INPUT) : SceneFiles.contents(file, ReadMonitor.NONE);
+    }
+
+    /** As {@link #read}, with the text, to tell where in it something is, or to take it elsewhere. */
+    public static OriginalText text(Path file) throws SceneFileException, IOException {
+        Foreign.refuse(file);
+        return isStandardInput(file) ? OriginalText.read(System.in, STANDARD_INPUT) : OriginalText.read(file);
     }
 
     /** Whether a second reading would find nothing. */

@@ -2,29 +2,37 @@ package cz.paprsek.cli.input;
 
 import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * What a file has in it: scenes, or problems.
  *
  * @param scenes one, or those of a database; empty if there are problems
  * @param problems empty if the file is valid
+ * @param text empty if there are problems
  */
-public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems) {
+public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems, Optional<OriginalText> text) {
 
     public static SceneReading of(Path file) {
         try {
-            return new SceneReading(file, Incoming.read(file).scenes(), List.of());
+            OriginalText text = Incoming.text(file);
+            return new SceneReading(file, text.contents().scenes(), List.of(), Optional.of(text));
         } catch (SceneFileException e) {
-            return new SceneReading(file, List.of(), e.problems());
+            return refused(file, e.problems());
         } catch (IOException e) {
             String sentence = Failures.sentence(file.toString(), e);
-            return new SceneReading(file, List.of(), List.of(new Problem(file.toString(), 0, 0, sentence.substring(file.toString().length() + 2))));
+            return refused(file, List.of(new Problem(file.toString(), 0, 0, sentence.substring(file.toString().length() + 2))));
         }
+    }
+
+    private static SceneReading refused(Path file, List<Problem> problems) {
+        return new SceneReading(file, List.of(), problems, Optional.empty());
     }
 
     public boolean isValid() {

@@ -55,8 +55,57 @@ class DbCommandTest {
         Run.cli("db", "merge", database, other, "--replace");
         assertThat(names()).containsExactly("red one", "Blue/2", "it's", "ball");
         Run.cli("db", "remove", database, "ball");
-        assertThat(database).hasContent(text.replace("'blue:2'", "'it&apos;s'").replace("\"Blue/2\" tags=\"blu\">", "\"Blue/2\" tags=\"blu\">\n    <description>other</description>")
+        assertThat(database).hasContent(text.replace("'blue:2'", "'it&apos;s'").replace("scene  name=\"Blue/2\" tags=\"blu\">", "scene name=\"Blue/2\" tags=\"blu\">\n    <description>other</description>")
                 + "<!-- end -->\n");
+    }
+
+    @Test
+    void scenesComeAndGoWithTheirComments() throws Exception {
+        String text = """
+                <?xml version="1.0" encoding="UTF-8"?>
+                <!-- exam 3 -->
+                <scene xmlns="urn:paprsek:scene:1">
+                  <camera direction='0 0 -1'
+                    position="0 0 5.0"/> <!-- TODO -->
+                  <?fold?>
+                  <background color="red"/>
+                </scene>
+                """;
+        String inside = """
+                  <!-- exam 3 -->
+                  <scene name="exam">
+                    <camera direction='0 0 -1'
+                      position="0 0 5.0"/> <!-- TODO -->
+                    <?fold?>
+                    <background color="red"/>
+                  </scene>
+                """;
+        Path exam = Files.writeString(folder.resolve("exam.xml"), text);
+        String before = Files.readString(database);
+        assertThat(Run.cli("db", "add", database, exam).code()).isZero();
+        assertThat(database).hasContent(before.replace("</database>", inside + "</database>"));
+        Path fresh = folder.resolve("fresh.xml");
+        Run.cli("db", "init", fresh, "--empty");
+        assertThat(Run.cli("db", "merge", fresh, database).code()).isZero();
+        assertThat(Files.readString(fresh)).isEqualTo(Files.readString(database));
+        assertThat(Run.cli("db", "extract", fresh, "exam", "-o", "-").text()).isEqualTo(text.replace("scene:1\"", "scene:1\" name=\"exam\""));
+        Run.cli("db", "extract", fresh, "exam", "-o", folder.resolve("{name}.xml"), "--force");
+        assertThat(exam).hasContent(text.replace("scene:1\"", "scene:1\" name=\"exam\""));
+    }
+
+    @Test
+    void filesWithScenesOfTheSameNameAreNamed() throws Exception {
+        Path other = folder.resolve("other.xml");
+        SceneFiles.writeAll(List.of(scene("Blue/2", "other"), scene("red one", "other"), scene("new", "")), other);
+        Path third = folder.resolve("third.xml");
+        SceneFiles.writeAll(List.of(scene("new", "third")), third);
+        assertThat(Run.cli("db", "add", folder.resolve("fresh.xml"), other, third).err())
+                .startsWith("paprsek: " + other + " and " + third + " have different scenes named \"new\"; give one of them another name\n");
+        assertThat(Run.cli("db", "merge", database, other).err()).startsWith("paprsek: " + database + " and " + other
+                + " have different scenes named \"Blue/2\", and 1 more of the same names; --keep takes that of the first, --replace that of the other\n");
+        assertThat(Run.cli("db", "merge", database, third, other).err()).startsWith("paprsek: " + database + " and " + other + " have");
+        assertThat(Run.cli("db", "add", database, third, other, "--replace").err()).startsWith("paprsek: " + third + " and " + other + " have");
+        assertThat(Run.cli("db", "add", folder.resolve("fresh.xml"), third, third, Files.copy(third, folder.resolve("copy.xml"))).code()).isZero();
     }
 
     @Test
@@ -95,7 +144,8 @@ class DbCommandTest {
         assertThat(Run.cli("db", "merge", database, fresh).err()).isEqualTo(database + ": 4 scenes, 1 of them new\n");
         assertThat(Run.cli("db", "rename", database, "my ball", "ball").code()).isZero();
         assertThat(names()).containsExactly("red one", "Blue/2", "blue:2", "ball");
-        assertThat(Run.cli("db", "add", database, ball).err()).contains("both have different scenes named \"ball\"");
+        assertThat(Run.cli("db", "add", database, ball).err()).startsWith("paprsek: " + database + " and " + ball
+                + " have different scenes named \"ball\"; --replace takes that of " + ball + ", --name gives it another name\n");
         assertThat(Run.cli("db", "add", database, ball, "--replace", "--quiet").err()).isEmpty();
         assertThat(SceneFiles.readDatabase(database).get("ball").tags()).isEmpty();
         assertThat(Run.cli("db", "remove", database, "--where", "exists(sphere) or tag = \"red\"").err())

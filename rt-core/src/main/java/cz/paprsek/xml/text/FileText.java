@@ -1,7 +1,9 @@
 package cz.paprsek.xml.text;
 
+import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.IdentityHashMap;
+import java.util.Map;
 import java.util.Set;
 
 /** The bytes of a file with a valid content, to be changed where that changes. */
@@ -27,6 +29,55 @@ public final class FileText {
         encoding = Encoding.of(file);
         source = new Source(encoding.toUtf8(file));
         layout = new Layout(source);
+    }
+
+    /**
+     * A scene of this file as it is to stand in another: with the comments that belong to it, and of a file of its own with all that is around it.
+     *
+     * @param number which scene of a database it is, from 0
+     * @param old the scene as it is in the file
+     * @param now the scene as it should be
+     * @throws Unpatchable if the text is not what it is said to be
+     */
+    public Excerpt excerpt(int number, Form old, Form now) {
+        Element root = source.root();
+        boolean isAlone = root.name().equals("scene");
+        Element scene = isAlone ? root : source.children(root).get(number);
+        Patcher patcher = new Patcher(source, layout, Integer.MAX_VALUE);
+        patcher.patchElement(scene, old, now);
+        int from = isAlone ? scene.start() : layout.startWithComments(scene);
+        int to = isAlone ? scene.end() : layout.endWithComments(scene);
+        byte[] text = patcher.edits().applied(source.bytes(), from, to);
+        return new Excerpt(isAlone ? withAllAround(text) : text, layout.indent(scene), isAlone ? Map.of() : source.declarations(root));
+    }
+
+    /** The root element with the comments and instructions outside of it, which stand directly above it then, or behind it on its line. */
+    private byte[] withAllAround(byte[] text) {
+        StringBuilder all = new StringBuilder();
+        Element root = source.root();
+        for (int at = source.firstBehindDeclaration(); at < root.start(); at = source.nextToken(source.tokenEnd(at))) {
+            all.append(source.text(at, source.tokenEnd(at))).append('\n');
+        }
+        all.append(new String(text, StandardCharsets.UTF_8));
+        for (int at = source.nextToken(root.end()); at < source.bytes().length; at = source.nextToken(source.tokenEnd(at))) {
+            all.append(' ').append(source.text(at, source.tokenEnd(at)));
+        }
+        return all.toString().getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** Where its elements begin, by line and column. */
+    public Places places() {
+        return new Places(source);
+    }
+
+    /** The version of XML that it follows. */
+    public String version() {
+        return source.has("<?xml version=\"1.1\"", 0) || source.has("<?xml version='1.1'", 0) ? "1.1" : "1.0";
+    }
+
+    /** How its lines end. */
+    public String lineBreak() {
+        return layout.lineBreak();
     }
 
     /**

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -19,6 +20,7 @@ public final class Form {
     private final String group;
     private final Object value;
     private final Supplier<Body> maker;
+    private final Optional<Excerpt> excerpt;
     private @Nullable Body body;
 
     /**
@@ -39,10 +41,11 @@ public final class Form {
         }
     }
 
-    private Form(String group, Object value, Supplier<Body> maker) {
+    private Form(String group, Object value, Supplier<Body> maker, Optional<Excerpt> excerpt) {
         this.group = group;
         this.value = value;
         this.maker = maker;
+        this.excerpt = excerpt;
     }
 
     /**
@@ -52,7 +55,7 @@ public final class Form {
      * @param value what it stands for
      */
     public static Form of(String element, Object value, Supplier<Body> maker) {
-        return new Form(group(element), value, maker);
+        return new Form(group(element), value, maker, Optional.empty());
     }
 
     /** The element of such a text. */
@@ -62,7 +65,7 @@ public final class Form {
     }
 
     static Form of(Body body) {
-        return new Form(group(body.name()), body, () -> body);
+        return new Form(group(body.name()), body, () -> body, Optional.empty());
     }
 
     private static Form of(Source source, Element element) {
@@ -74,12 +77,21 @@ public final class Form {
         return of(new Body(element.name(), attributes, children, content));
     }
 
+    /** The same element; where it comes into a text, it comes as it is written elsewhere. */
+    public Form as(Excerpt writtenElsewhere) {
+        return new Form(group, value, maker, Optional.of(writtenElsewhere));
+    }
+
     static String group(String element) {
         return NAMES.contains(element) ? element : "body";
     }
 
     String group() {
         return group;
+    }
+
+    Optional<Excerpt> excerpt() {
+        return excerpt;
     }
 
     public Body body() {

@@ -56,7 +56,7 @@ final class Layout {
         return source.has("\r\n", at - 2) ? at - 2 : at - 1;
     }
 
-    /** Where the line ends, if nothing but blanks and comments stands between; negative if something else does. */
+    /** Where the line ends, if nothing but blanks, comments and instructions stands between; negative if something else does. */
     int lineEnd(int place) {
         int at = place;
         while (true) {
@@ -66,29 +66,30 @@ final class Layout {
             if (at == text.length || isBreak(text[at])) {
                 return at;
             }
-            if (!source.has("<!--", at)) {
+            if (!source.has("<!--", at) && !source.has("<?", at)) {
                 return -1;
             }
             at = source.tokenEnd(at);
         }
     }
 
-    /** Behind the element and the comments that follow on its line. */
+    /** Behind the element and the comments and instructions that follow on its line. */
     int endWithComments(Element element) {
         return Math.max(element.end(), lineEnd(element.end()));
     }
 
-    /** Where the comments begin that stand on lines of their own directly above the element; its own start if there are none. */
+    /** Where the comments and instructions begin that stand on lines of their own directly above the element; its own start if there are none. */
     int startWithComments(Element element) {
         int start = element.start();
         while (true) {
             int above = lineBreakBefore(start);
             int end = above < 0 ? 0 : backOverBlanks(above);
-            if (!source.has("-->", end - 3)) {
+            boolean isComment = source.has("-->", end - 3);
+            if (!isComment && !source.has("?>", end - 2)) {
                 return start;
             }
-            int open = end - 7;
-            while (open >= 0 && !source.has("<!--", open)) {
+            int open = end - 2;
+            while (open >= 0 && !source.has(isComment ? "<!--" : "<?", open)) {
                 open--;
             }
             if (lineBreakBefore(Math.max(open, 0)) < 0) {

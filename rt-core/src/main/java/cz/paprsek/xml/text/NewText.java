@@ -32,6 +32,10 @@ final class NewText {
     }
 
     private void write(StringBuilder out, Form form, String prefix, String indent, int scene) {
+        if (form.excerpt().isPresent()) {
+            out.append(form.excerpt().get().within(prefix, indent, layout.lineBreak()));
+            return;
+        }
         Optional<Removed.Piece> moved = removed.moved(form, scene);
         if (moved.isPresent()) {
             out.append(moving.text(moved.get().element(), moved.get().form(), form));

@@ -47,13 +47,17 @@ final class Patcher {
         finish();
     }
 
+    void patchElement(Element element, Form old, Form now) {
+        if (!old.body().equals(now.body())) {
+            patch(element, old, now, 1);
+            finish();
+        }
+    }
+
     /** An element with the comments that belong to it, which stands elsewhere now and has perhaps been changed. */
     private String moved(Element element, Form old, Form now) {
         Patcher inner = new Patcher(source, layout, deepest);
-        if (!old.body().equals(now.body())) {
-            inner.patch(element, old, now, 1);
-            inner.finish();
-        }
+        inner.patchElement(element, old, now);
         byte[] text = inner.edits.applied(source.bytes(), layout.startWithComments(element), layout.endWithComments(element));
         return new String(text, StandardCharsets.UTF_8);
     }
@@ -65,6 +69,12 @@ final class Patcher {
     }
 
     private void patch(Element element, Form old, Form now, int depth) {
+        if (now.excerpt().isPresent()) {
+            String text = now.excerpt().get().within(source.prefix(element), layout.indent(element), layout.lineBreak());
+            edits.replace(Excerpt.hasCommentsBefore(text) ? layout.startWithComments(element) : element.start(),
+                    Excerpt.hasCommentsBehind(text) ? layout.endWithComments(element) : element.end(), text);
+            return;
+        }
         Map<String, List<Element>> parts = new HashMap<>();
         source.children(element).forEach(child -> parts.computeIfAbsent(Form.group(child.name()), group -> new ArrayList<>()).add(child));
         scene = element.name().equals("scene") ? element.start() : scene;

@@ -3,7 +3,9 @@ package cz.paprsek.xml.text;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** The text of a well-formed file in UTF-8, and where in it elements and attributes stand. Nothing is kept but the text. */
 final class Source {
@@ -19,6 +21,9 @@ final class Source {
             return valueTo + 1;
         }
     }
+
+    /** Where a prefix stands, its colon included. */
+    record Prefix(int from, int to) {}
 
     Source(byte[] text) {
         this.text = text;
@@ -65,6 +70,59 @@ final class Source {
             at = nextToken(end);
         }
         return children;
+    }
+
+    /** Where the first thing begins that is no XML declaration. */
+    int firstBehindDeclaration() {
+        int at = nextToken(0);
+        return has("<?xml", at) && isBlank(text[at + 5]) ? nextToken(tokenEnd(at)) : at;
+    }
+
+    /** What an element says that prefixes stand for, the colon included; the empty one stands for itself. */
+    Map<String, String> declarations(Element element) {
+        Map<String, String> declared = new LinkedHashMap<>();
+        for (Attribute attribute : attributes(element)) {
+            if (attribute.name().equals("xmlns") || attribute.name().startsWith("xmlns:")) {
+                String prefix = attribute.name().equals("xmlns") ? "" : attribute.name().substring("xmlns:".length()) + ":";
+                declared.put(prefix, text(attribute.valueFrom(), attribute.valueTo()));
+            }
+        }
+        return declared;
+    }
+
+    /** Where the prefixes of all tags stand, which may be empty ones. */
+    List<Prefix> prefixes() {
+        List<Prefix> prefixes = new ArrayList<>();
+        for (int at = nextToken(0); at < text.length; at = nextToken(tokenEnd(at))) {
+            if (text[at + 1] != '!' && text[at + 1] != '?') {
+                int from = at + (text[at + 1] == '/' ? 2 : 1);
+                prefixes.add(new Prefix(from, localName(from)));
+            }
+        }
+        return prefixes;
+    }
+
+    /** Whether a start tag of such an element begins here, whatever its prefix. */
+    boolean isNamed(String name, int at) {
+        return text[at + 1] != '/' && has(name, localName(at + 1)) && text[tagEnd(at) - 2] != '/';
+    }
+
+    /** Where a name begins behind its prefix. */
+    private int localName(int from) {
+        int local = from;
+        for (int at = from; !isBlank(text[at]) && text[at] != '>' && text[at] != '/'; at++) {
+            local = text[at] == ':' ? at + 1 : local;
+        }
+        return local;
+    }
+
+    boolean contains(String ascii) {
+        for (int at = 0; at < text.length; at++) {
+            if (has(ascii, at)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     List<Attribute> attributes(Element element) {
@@ -114,10 +172,9 @@ final class Source {
     }
 
     private Element element(int start) {
-        int nameTo = start + 1;
-        int nameFrom = nameTo;
+        int nameFrom = localName(start + 1);
+        int nameTo = nameFrom;
         while (!isBlank(text[nameTo]) && text[nameTo] != '>' && text[nameTo] != '/') {
-            nameFrom = text[nameTo] == ':' ? nameTo + 1 : nameFrom;
             nameTo++;
         }
         int inside = tagEnd(start);
@@ -152,7 +209,7 @@ final class Source {
     }
 
     /** The next {@code <}; the end of the text if there is none. */
-    private int nextToken(int from) {
+    int nextToken(int from) {
         int at = from;
         while (at < text.length && text[at] != '<') {
             at++;
@@ -168,7 +225,7 @@ final class Source {
         return at + 1;
     }
 
-    private int indexOf(byte wanted, int from) {
+    int indexOf(byte wanted, int from) {
         int at = from;
         while (text[at] != wanted) {
             at++;

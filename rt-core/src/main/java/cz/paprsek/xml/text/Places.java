@@ -1,0 +1,68 @@
+package cz.paprsek.xml.text;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Where the elements of a file begin, by line and column; for any number of questions. Not for several threads at once. */
+public final class Places {
+    private final Source source;
+    private final List<Integer> lines = new ArrayList<>();
+    private final Map<Element, List<Element>> children = new HashMap<>();
+
+    /**
+     * One element among others: which one of its group, from 0.
+     *
+     * @param group "body", "light", "material", "camera" or "scene"
+     */
+    public record Step(String group, int number) {
+        boolean goesTo(String element) {
+            return group.equals("light") ? element.endsWith("light") : Form.group(element).equals(group);
+        }
+    }
+
+    /** Both from 1, in characters. */
+    public record Place(int line, int column) {}
+
+    Places(Source source) {
+        this.source = source;
+    }
+
+    private void findLines() {
+        byte[] text = source.bytes();
+        lines.add(0);
+        for (int i = 0; i < text.length; i++) {
+            if (text[i] == '\n' || (text[i] == '\r' && !source.has("\n", i + 1))) {
+                lines.add(i + 1);
+            }
+        }
+    }
+
+    /**
+     * The place of an element.
+     *
+     * @param scene which scene of a database it is in, from 0
+     * @param way from within the scene inwards; empty for the scene itself
+     * @throws Unpatchable if there is no such element
+     */
+    public Place of(int scene, List<Step> way) {
+        Element at = source.root().name().equals("scene") ? source.root() : child(source.root(), new Step("scene", scene));
+        for (Step step : way) {
+            at = child(at, step);
+        }
+        if (lines.isEmpty()) {
+            findLines();
+        }
+        int line = Collections.binarySearch(lines, at.start());
+        int number = line < 0 ? -line - 1 : line + 1;
+        String before = source.text(lines.get(number - 1), at.start());
+        return new Place(number, before.length() + (before.startsWith("\uFEFF") ? 0 : 1));
+    }
+
+    private Element child(Element parent, Step step) {
+        return children.computeIfAbsent(parent, source::children).stream().filter(child -> step.goesTo(child.name())).skip(step.number()).findFirst()
+                .orElseThrow(() -> new Unpatchable("there is no " + step));
+    }
+}
