@@ -2,6 +2,8 @@ package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.PixelPlace;
+import cz.paprsek.cli.input.RayWishes;
+import cz.paprsek.cli.input.Samples;
 import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.input.Wishes;
 import cz.paprsek.cli.process.ExitCode;
@@ -16,6 +18,7 @@ import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.text.Decoration;
 import cz.paprsek.render.explain.text.TreeJson;
 import cz.paprsek.render.explain.text.TreeText;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.text.Similar;
 import cz.paprsek.words.Words;
@@ -50,6 +53,7 @@ import picocli.CommandLine.Parameters;
         })
 final class ExplainCommand implements Callable<Integer> {
     private static final double SMALLEST_SHARE = 0.01;
+    private static final Samples ONE = new Samples(1, 0);
 
     private final Terminal terminal;
     private final Stop stop;
@@ -66,9 +70,9 @@ final class ExplainCommand implements Callable<Integer> {
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height of the picture in pixels. Default: the scene's.")
     private Optional<Size> size;
 
-    @Option(names = "--samples", paramLabel = "N", description =
-            "Rays along each side of the pixel, 1-16; with more than 1 there is a tree for each ray. Default: 1, whatever the scene says.")
-    private Optional<Integer> samples;
+    @Option(names = "--samples", paramLabel = "N|A..B", description =
+            "Rays along each side of the pixel, as for 'render'; with more than 1 there is a tree for each ray. Default: 1, whatever the scene says.")
+    private Optional<Samples> samples;
 
     @Option(names = "--max-depth", paramLabel = "N", description = "Levels of reflected and refracted rays, 1-250. Default: the scene's.")
     private Optional<Integer> maxDepth;
@@ -97,11 +101,11 @@ final class ExplainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Wishes wishes = new Wishes(size, maxDepth, Optional.of(samples.orElse(1)), Optional.empty(), Optional.empty());
+        Wishes wishes = new Wishes(size, maxDepth, new RayWishes(), Optional.empty(), Optional.empty());
         try {
             Scene scene = scene();
             Pixel pixel = pixel(scene, wishes);
-            show(pixel, scene.settings().samples());
+            show(pixel, scene.settings());
             if (svg.isPresent() && !draw(TreeDrawing.svg(scene, pixel.rays().get(0), all ? 0 : SMALLEST_SHARE, Words.ENGLISH), svg.get())) {
                 return ExitCode.FAILED;
             }
@@ -130,7 +134,9 @@ final class ExplainCommand implements Callable<Integer> {
 
     private Pixel pixel(Scene scene, Wishes wishes) {
         try {
-            return RenderScene.of(scene).explain(wishes.applyTo(scene.settings()).settings(), place.column(), place.row());
+            Samples rays = samples.orElse(ONE);
+            RenderSettings settings = wishes.applyTo(scene.settings()).settings().withSamples(rays.least(), rays.most());
+            return RenderScene.of(scene).explain(settings, place.column(), place.row());
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(file + ": " + refused.getMessage());
         }
@@ -146,7 +152,7 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
-    private void show(Pixel pixel, int samplesOfScene) {
+    private void show(Pixel pixel, RenderSettings ofScene) {
         if (json) {
             terminal.result(TreeJson.of(pixel).toString());
             return;
@@ -157,9 +163,10 @@ final class ExplainCommand implements Callable<Integer> {
         } else {
             TreeText.lines(pixel, smallest, Decoration.NONE).forEach(line -> terminal.result(Letters.fit(line)));
         }
-        if (samples.isEmpty() && samplesOfScene > 1) {
-            terminal.message("This is the ray through the middle of the pixel. The scene's picture has the average of " + samplesOfScene * samplesOfScene
-                    + " rays here: --samples " + samplesOfScene + " explains each.");
+        if (samples.isEmpty() && ofScene.mostRays() > 1) {
+            terminal.message("This is the ray through the middle of the pixel. The scene's picture has the average of "
+                    + (ofScene.isAdaptive() ? ofScene.samples() * ofScene.samples() + " to " : "") + ofScene.mostRays()
+                    + " rays here: --samples " + Samples.text(ofScene) + " explains each.");
         }
     }
 

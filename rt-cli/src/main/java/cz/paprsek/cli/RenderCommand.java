@@ -4,6 +4,7 @@ import cz.paprsek.cli.db.DbAction;
 import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.Formats;
 import cz.paprsek.cli.input.Modes;
+import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneSource;
 import cz.paprsek.cli.input.Size;
@@ -32,6 +33,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -86,8 +88,8 @@ final class RenderCommand implements Callable<Integer> {
             "Renders this part only: column and row of its top left pixel from 0, width, height. The picture has the part's size.")
     private Optional<Tile> region;
 
-    @Option(names = "--samples", paramLabel = "N", description = "Rays along each side of a pixel, 1-16: N x N in all. Default: the scene's.")
-    private Optional<Integer> samples;
+    @Mixin
+    private RayWishes rays;
 
     @Option(names = "--max-depth", paramLabel = "N", description =
             "Levels of reflected and refracted rays, 1-250; the ray from the eye is level 1. Default: the scene's.")
@@ -148,7 +150,7 @@ final class RenderCommand implements Callable<Integer> {
         if (json) {
             stop.oweLastWords();
         }
-        Wishes wishes = new Wishes(size, maxDepth, samples, region, threads);
+        Wishes wishes = new Wishes(size, maxDepth, rays, region, threads);
         List<Target> targets = new Targets(output, format, raw).of(sources());
         Writing writing = new Writing(bits, exposure, tone);
         writing.check(targets);

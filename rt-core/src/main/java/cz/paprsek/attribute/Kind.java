@@ -28,7 +28,10 @@ public enum Kind {
     SQUARES(Form.WHOLE, "squares", "a whole number from 1 to 1000000", Range.from(1).to(1_000_000)),
     PIXELS(Form.WHOLE, "pixels", "a whole number from 1 to 32768", Range.from(1).to(32_768)),
     DEPTH(Form.WHOLE, "depth", "a whole number from 1 to 250", Range.from(1).to(250)),
-    SAMPLES(Form.WHOLE, "samples", "a whole number from 1 to 16", Range.from(1).to(16)),
+    /** One whole number, or two with two dots between, which two components of the same name have: the second 0 if there is one. */
+    SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, or two such as 2..8", Range.from(1).to(16)),
+    MOST_SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, or two such as 2..8", Range.from(0).to(16)),
+    CONFIDENCE(Form.NUMBER, "confidence", "a number above 0 and below 1", Range.above(0).below(1)),
     NAME(Form.TEXT, "name", "a text of 1 to 200 characters", Range.from(1).to(200)),
     /** A list of them. */
     WORDS(Form.WORDS, "tags", "words separated by blanks", Range.ANY),
@@ -37,7 +40,7 @@ public enum Kind {
     WORD(Form.WORD, "", "", Range.ANY);
 
     /** How values are written. */
-    public enum Form { NUMBER, WHOLE, VECTOR, PAIR, SCALE, COLOR, TEXT, WORDS, FLAG, WORD }
+    public enum Form { NUMBER, WHOLE, FROM_TO, VECTOR, PAIR, SCALE, COLOR, TEXT, WORDS, FLAG, WORD }
 
     private final Form form;
     private final String type;

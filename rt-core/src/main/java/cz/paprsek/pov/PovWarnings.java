@@ -66,7 +66,9 @@ final class PovWarnings {
 
     private void check() {
         int samples = scene.settings().samples();
-        if (samples > 1) {
+        if (scene.settings().isAdaptive()) {
+            sentences.add("POV-Ray does not sample pixels at random; it is given one ray through the centre of each");
+        } else if (samples > 1) {
             sentences.add("POV-Ray does not sample pixels on a grid; for the same picture render it " + samples
                     + " times as wide and high, and average");
         }

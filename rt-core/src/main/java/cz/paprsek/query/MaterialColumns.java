@@ -21,9 +21,20 @@ final class MaterialColumns {
         return columns;
     }
 
-    /** A column for each attribute of a record that is one number. */
+    /** A column for each number that is an attribute of a record, or one of two that are. */
     static <R, T> List<Column<R>> numbers(Class<T> record, Function<R, T> of) {
-        return Described.of(record).stream().filter(Described::isNumber).map(one -> Column.<R>number(one.name(), row -> one.number(of.apply(row)))).toList();
+        List<Column<R>> columns = new ArrayList<>();
+        for (Described one : Described.of(record)) {
+            if (one.isNumber()) {
+                columns.add(Column.number(one.name(), row -> one.number(of.apply(row))));
+            } else if (one.type() == double[].class) {
+                for (int i = 0; i < one.components().size(); i++) {
+                    int number = i;
+                    columns.add(Column.number(Described.name(one.components().get(i)), row -> ((double[]) one.value(of.apply(row)))[number]));
+                }
+            }
+        }
+        return columns;
     }
 
     /** The kind of a material's pattern, as its element in a scene file: {@code checker}; {@code plain} for one colour. */

@@ -14,8 +14,9 @@ import java.util.Objects;
  * @param mode what the picture shows
  * @param threads how many workers, 1–1024; the picture does not depend on it
  * @param numbers whether depths and counts are to be put in the image as they are, for programs, and not as brightness and colours
+ * @param fixedSampler whether what is random is the same in every pixel, as in a scene that is converted for POV-Ray
  */
-public record RenderOptions(RenderSettings settings, Tile region, RenderMode mode, int threads, boolean numbers) {
+public record RenderOptions(RenderSettings settings, Tile region, RenderMode mode, int threads, boolean numbers, boolean fixedSampler) {
 
     /** @throws IllegalArgumentException if the region does not lie inside the picture */
     public RenderOptions {
@@ -31,7 +32,7 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
     /** The whole picture, on all processors. */
     public static RenderOptions of(RenderSettings settings) {
         return new RenderOptions(settings, new Tile(0, 0, settings.width(), settings.height()), RenderMode.SHADED,
-                Runtime.getRuntime().availableProcessors(), false);
+                Runtime.getRuntime().availableProcessors(), false, false);
     }
 
     /** What the scene asks for. */
@@ -40,15 +41,15 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
     }
 
     public RenderOptions withThreads(int count) {
-        return new RenderOptions(settings, region, mode, count, numbers);
+        return new RenderOptions(settings, region, mode, count, numbers, fixedSampler);
     }
 
     public RenderOptions withRegion(Tile part) {
-        return new RenderOptions(settings, part, mode, threads, numbers);
+        return new RenderOptions(settings, part, mode, threads, numbers, fixedSampler);
     }
 
     public RenderOptions withMode(RenderMode shown) {
-        return new RenderOptions(settings, region, shown, threads, numbers);
+        return new RenderOptions(settings, region, shown, threads, numbers, fixedSampler);
     }
 
     /**
@@ -56,6 +57,11 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
      * counts, in all three channels alike.
      */
     public RenderOptions withNumbers() {
-        return new RenderOptions(settings, region, mode, threads, true);
+        return new RenderOptions(settings, region, mode, threads, true, fixedSampler);
+    }
+
+    /** With the same random numbers in every pixel: to be compared, pixel by pixel, with pictures of programs that are given them. */
+    public RenderOptions withFixedSampler() {
+        return new RenderOptions(settings, region, mode, threads, numbers, true);
     }
 }

@@ -4,6 +4,7 @@ import cz.paprsek.attribute.Attribute;
 import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
+import java.util.Objects;
 
 /**
  * How a scene wishes to be rendered when the caller does not say otherwise.
@@ -11,34 +12,86 @@ import cz.paprsek.math.Require;
  * @param width picture width in pixels, 1–{@value #LARGEST_SIDE}
  * @param height picture height in pixels, 1–{@value #LARGEST_SIDE}
  * @param maxDepth levels of rays, the eye ray being level 1; 1–{@value #DEEPEST}
- * @param samples rays along each side of a pixel: 1 for one ray through its centre, n for a regular grid of n × n; 1–16
+ * @param samples rays along each side of a pixel: 1 for one ray through its centre, n for a regular grid of n × n; 1–{@value #MOST_SAMPLES}
+ * @param mostSamples 0 for that grid; else a pixel gets samples² random rays, and more, at most mostSamples², until its error is as small as it
+ *     shall be: by the spread of its own rays, whatever is beside it; samples–{@value #MOST_SAMPLES}
+ * @param error how far the value that is shown of a pixel may be from the true one, 1 being from black to white; above 0
+ * @param confidence how probable it is to be that close; above 0 and below 1
+ * @param filter how a pixel's rays are strewn around its centre
  */
 @Element(name = "render", value = "How the scene wishes to be rendered.")
 public record RenderSettings(
         @Attribute(value = Kind.PIXELS, means = "Picture width in pixels", otherwise = "800") int width,
         @Attribute(value = Kind.PIXELS, means = "Picture height in pixels", otherwise = "600") int height,
         @Attribute(value = Kind.DEPTH, means = "Levels of rays, the eye ray being level 1", otherwise = "5") int maxDepth,
-        @Attribute(value = Kind.SAMPLES, means = "Rays along each side of a pixel", otherwise = "1") int samples) {
+        @Attribute(value = Kind.SAMPLES, name = "samples", means = "Rays along each side of a pixel: N for a grid of N x N, A..B for A x A random ones and "
+                + "more, at most B x B, until the error is small", otherwise = "1") int samples,
+        @Attribute(value = Kind.MOST_SAMPLES, name = "samples", means = "") int mostSamples,
+        @Attribute(value = Kind.POSITIVE, means = "With samples A..B, how far the value shown of a pixel may be from the true one; 1 is from black to white",
+                otherwise = "0.01") double error,
+        @Attribute(value = Kind.CONFIDENCE, means = "How probable it is to be that close", otherwise = "0.95") double confidence,
+        @Attribute(value = Kind.WORD, means = "How a pixel's rays are strewn around its centre", otherwise = "box") PixelFilter filter) {
     public static final int LARGEST_SIDE = 32_768;
     public static final int DEEPEST = 250;
+    public static final int MOST_SAMPLES = 16;
     public static final RenderSettings DEFAULT = new RenderSettings(800, 600, 5, 1);
 
     public RenderSettings {
         Require.within("render width", width, 1, LARGEST_SIDE);
         Require.within("render height", height, 1, LARGEST_SIDE);
         Require.within("render max-depth", maxDepth, 1, DEEPEST);
-        Require.within("render samples", samples, 1, 16);
+        Require.within("render samples", samples, 1, MOST_SAMPLES);
+        Require.within("render samples, the most of them,", mostSamples, 0, MOST_SAMPLES);
+        Require.that(mostSamples == 0 || mostSamples >= samples,
+                "render samples must go from the lesser to the greater number, but go from " + samples + " to " + mostSamples);
+        Require.positive("render error", error);
+        Require.that(confidence > 0 && confidence < 1, "render confidence must be a number above 0 and below 1, but is " + confidence);
+        Objects.requireNonNull(filter, "filter");
+    }
+
+    /** A regular grid of rays in each pixel. */
+    public RenderSettings(int width, int height, int maxDepth, int samples) {
+        this(width, height, maxDepth, samples, 0, 0.01, 0.95, PixelFilter.BOX);
+    }
+
+    /** Whether each pixel gets as many rays as it needs, rather than a grid of them. */
+    public boolean isAdaptive() {
+        return mostSamples > 0;
+    }
+
+    /** How many rays a pixel gets at most. */
+    public int mostRays() {
+        int side = Math.max(samples, mostSamples);
+        return side * side;
     }
 
     public RenderSettings withSize(int newWidth, int newHeight) {
-        return new RenderSettings(newWidth, newHeight, maxDepth, samples);
+        return new RenderSettings(newWidth, newHeight, maxDepth, samples, mostSamples, error, confidence, filter);
     }
 
     public RenderSettings withMaxDepth(int levels) {
-        return new RenderSettings(width, height, levels, samples);
+        return new RenderSettings(width, height, levels, samples, mostSamples, error, confidence, filter);
     }
 
+    /** With a regular grid. */
     public RenderSettings withSamples(int perSide) {
-        return new RenderSettings(width, height, maxDepth, perSide);
+        return withSamples(perSide, 0);
+    }
+
+    /** With random rays, from least² to most² in a pixel; a most of 0 stands for a regular grid. */
+    public RenderSettings withSamples(int least, int most) {
+        return new RenderSettings(width, height, maxDepth, least, most, error, confidence, filter);
+    }
+
+    public RenderSettings withError(double target) {
+        return new RenderSettings(width, height, maxDepth, samples, mostSamples, target, confidence, filter);
+    }
+
+    public RenderSettings withConfidence(double probability) {
+        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, probability, filter);
+    }
+
+    public RenderSettings withFilter(PixelFilter kind) {
+        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, confidence, kind);
     }
 }

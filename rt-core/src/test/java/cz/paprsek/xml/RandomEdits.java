@@ -31,7 +31,8 @@ final class RandomEdits {
             scene -> scene.withName(scene.name().isEmpty() ? "It's new" : scene.name() + "'s \"<other>\" 光"),
             scene -> scene.withTags(List.of("new", "it's")), scene -> scene.withTags(List.of()),
             scene -> scene.withDescription("Said\n <anew> & \"so\" ěšč"),
-            scene -> scene.withSettings(new RenderSettings(17, 600, 5, 2)), scene -> scene.withBackground(Rgb.grey(77)),
+            scene -> scene.withSettings(new RenderSettings(17, 600, 5, 2)),
+            scene -> scene.withSettings(scene.settings().withSamples(2, 7).withError(0.02)), scene -> scene.withBackground(Rgb.grey(77)),
             scene -> scene.withAmbient(Rgb.grey(3)), scene -> scene.withCamera(scene.camera().withFovy(33)),
             this::anotherLight, this::changedLight, this::anotherMaterial, this::changedMaterial, this::mixedMaterials,
             this::moved, this::moved, this::resized, this::renamed, this::another, this::mixed, this::changedInside, this::rotatedInside, this::otherOperation);

@@ -40,8 +40,12 @@ public final class SummaryAsJson {
     }
 
     private static Json of(RenderSettings settings) {
-        return new Json().with("width", settings.width()).with("height", settings.height()).with("max-depth", settings.maxDepth())
+        Json json = new Json().with("width", settings.width()).with("height", settings.height()).with("max-depth", settings.maxDepth())
                 .with("samples", settings.samples());
+        if (settings.isAdaptive()) {
+            json.with("most-samples", settings.mostSamples()).with("error", settings.error()).with("confidence", settings.confidence());
+        }
+        return json.with("filter", settings.filter().toString());
     }
 
     private static Json of(Camera camera) {

@@ -8,6 +8,7 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.text.Numbers;
@@ -34,7 +35,7 @@ public final class SummaryAsText {
         optional("description", scene.description().strip().replaceAll("\\s+", " "));
         optional("tags", String.join(" ", scene.tags()));
         line("picture", settings.width() + "x" + settings.height() + ", max-depth " + settings.maxDepth() + ", "
-                + (settings.samples() == 1 ? "1 ray a pixel" : settings.samples() + "x" + settings.samples() + " rays a pixel"));
+                + rays(settings));
         if (scene.cameras().size() == 1 && scene.camera().name().isEmpty()) {
             line("camera", text(scene.camera()));
         } else {
@@ -84,6 +85,14 @@ public final class SummaryAsText {
                 + ", up " + Numbers.text(camera.up()) + Described.of(lens.getClass()).stream()
                         .filter(one -> one.isRequired() || !Numbers.text(one.number(lens)).equals("0"))
                         .map(one -> ", " + one.name() + " " + Numbers.text(one.number(lens))).collect(Collectors.joining());
+    }
+
+    private static String rays(RenderSettings settings) {
+        String rays = settings.isAdaptive()
+                ? settings.samples() + "x" + settings.samples() + " to " + settings.mostSamples() + "x" + settings.mostSamples() + " rays a pixel, error "
+                        + Numbers.text(settings.error()) + " at confidence " + Numbers.text(settings.confidence())
+                : settings.samples() == 1 ? "1 ray a pixel" : settings.samples() + "x" + settings.samples() + " rays a pixel";
+        return settings.filter() == PixelFilter.BOX ? rays : rays + ", filter " + settings.filter();
     }
 
     private static String aim(Camera camera) {

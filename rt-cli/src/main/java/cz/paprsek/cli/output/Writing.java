@@ -1,5 +1,6 @@
 package cz.paprsek.cli.output;
 
+import cz.paprsek.cli.input.Samples;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
@@ -7,6 +8,7 @@ import cz.paprsek.image.Origin;
 import cz.paprsek.image.Tone;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.text.Numbers;
@@ -72,8 +74,13 @@ public record Writing(Optional<Integer> bits, Optional<Double> exposure, Optiona
 
     private String settings(RenderOptions render, View view) {
         RenderSettings settings = render.settings();
-        StringBuilder text = new StringBuilder("--size " + settings.width() + "x" + settings.height() + " --samples " + settings.samples()
+        StringBuilder text = new StringBuilder("--size " + settings.width() + "x" + settings.height() + " --samples " + Samples.text(settings)
                 + " --max-depth " + settings.maxDepth());
+        if (settings.isAdaptive()) {
+            text.append(" --error ").append(Numbers.text(settings.error())).append(" --confidence ").append(Numbers.text(settings.confidence()));
+        }
+        text.append(settings.filter() == PixelFilter.BOX ? "" : " --filter " + settings.filter());
+        text.append(render.fixedSampler() ? " --sampler fixed" : "");
         if (render.region().width() != settings.width() || render.region().height() != settings.height()) {
             text.append(" --region ").append(render.region().x()).append(',').append(render.region().y()).append(',')
                     .append(render.region().width()).append(',').append(render.region().height());

@@ -74,6 +74,20 @@ final class Adapters {
         }
     }
 
+    /** A whole number, or two with two dots between; 0 for the second if it is not there. */
+    static final class FromTo extends XmlAdapter<String, int[]> {
+        @Override
+        public int[] unmarshal(String text) {
+            String[] numbers = text.strip().split("\\.\\.", 2);
+            return new int[] {Integer.parseInt(numbers[0]), numbers.length == 1 ? 0 : Integer.parseInt(numbers[1])};
+        }
+
+        @Override
+        public @Nullable String marshal(int[] value) {
+            throw new UnsupportedOperationException("beans are only read");
+        }
+    }
+
     static final class Pair extends Reading<double[]> {
         @Override
         double[] of(double[] n) {

@@ -5,6 +5,7 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -21,6 +22,7 @@ import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
@@ -101,10 +103,13 @@ final class SceneBean extends Located {
         @XmlAttribute int width = RenderSettings.DEFAULT.width();
         @XmlAttribute int height = RenderSettings.DEFAULT.height();
         @XmlAttribute(name = "max-depth") int maxDepth = RenderSettings.DEFAULT.maxDepth();
-        @XmlAttribute int samples = RenderSettings.DEFAULT.samples();
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.FromTo.class) int[] samples = {RenderSettings.DEFAULT.samples(), RenderSettings.DEFAULT.mostSamples()};
+        @XmlAttribute double error = RenderSettings.DEFAULT.error();
+        @XmlAttribute double confidence = RenderSettings.DEFAULT.confidence();
+        @XmlAttribute String filter = RenderSettings.DEFAULT.filter().toString();
 
         RenderSettings toSettings() {
-            return new RenderSettings(width, height, maxDepth, samples);
+            return new RenderSettings(width, height, maxDepth, samples[0], samples[1], error, confidence, PixelFilter.valueOf(filter.strip().toUpperCase(Locale.ROOT)));
         }
     }
 

@@ -49,6 +49,7 @@ final class SimpleTypes {
         switch (kind.form()) {
             case NUMBER -> type(kind, () -> number(kind));
             case WHOLE -> type(kind, () -> bounded("xs:int", kind.range()));
+            case FROM_TO -> fromTo(kind);
             case VECTOR -> type(kind, () -> list(kind == Kind.POSITIVE_VECTOR ? Kind.POSITIVE.type() : Kind.NUMBER.type(), 3));
             case PAIR -> type(kind, () -> list(Kind.NUMBER.type(), 2));
             case SCALE -> scale(kind);
@@ -89,6 +90,14 @@ final class SimpleTypes {
             text.leaf(range.takesMost() ? "maxInclusive" : "maxExclusive", "value", text(range.most()));
         }
         text.close("restriction");
+    }
+
+    private void fromTo(Kind kind) {
+        String most = text(kind.range().most());
+        String number = "0*([1-9]|1[0-" + most.charAt(1) + "])";
+        type("perSide", "a whole number from 1 to " + most, () -> bounded("xs:int", kind.range()));
+        type("fromTo", "two whole numbers from 1 to " + most + " such as 2..8", () -> patterns(Stream.of(number + "\\.\\." + number)));
+        type(kind, () -> text.leaf("union", "memberTypes", "s:perSide s:fromTo"));
     }
 
     private void scale(Kind kind) {

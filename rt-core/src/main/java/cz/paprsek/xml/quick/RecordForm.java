@@ -18,6 +18,7 @@ final class RecordForm<R extends Record> {
     private final int[] places;
     /** For each component, which of the two numbers of its attribute it has; −1 if it has the whole value. */
     private final int[] numbers;
+    private final Class<?>[] types;
 
     RecordForm(Class<R> type) {
         RecordComponent[] components = type.getRecordComponents();
@@ -36,8 +37,9 @@ final class RecordForm<R extends Record> {
                 }
             }
         }
+        types = Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new);
         try {
-            constructor = type.getConstructor(Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new));
+            constructor = type.getConstructor(types);
         } catch (NoSuchMethodException e) {
             throw new IllegalStateException("every record has this constructor", e);
         }
@@ -61,7 +63,7 @@ final class RecordForm<R extends Record> {
         int other = 0;
         for (int i = 0; i < arguments.length; i++) {
             arguments[i] = places[i] == NO_ATTRIBUTE ? others[other++]
-                    : numbers[i] == WHOLE ? values[from + places[i]] : (Object) ((double[]) values[from + places[i]])[numbers[i]];
+                    : numbers[i] == WHOLE ? values[from + places[i]] : number(((double[]) values[from + places[i]])[numbers[i]], types[i]);
         }
         try {
             return constructor.newInstance(arguments);
@@ -73,6 +75,14 @@ final class RecordForm<R extends Record> {
         } catch (ReflectiveOperationException e) {
             throw new IllegalStateException("a record is not to be made as its components say", e);
         }
+    }
+
+    private static Object number(double value, Class<?> type) {
+        // Not a choice between the two: that would be a double either way.
+        if (type == int.class) {
+            return (int) value;
+        }
+        return value;
     }
 
     /** Whether all values are what they are if they are not given. */

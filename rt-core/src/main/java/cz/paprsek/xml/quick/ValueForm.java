@@ -63,6 +63,21 @@ abstract class ValueForm {
             return new double[] {n[0], n[1]};
         }
     };
+    /** One whole number or two, in an array; 0 for the second if it is not there. */
+    static final ValueForm FROM_TO = new OfText() {
+        @Override
+        Object of(String text) {
+            int dots = text.indexOf("..");
+            return dots < 0 ? new double[] {whole(text), 0} : new double[] {whole(text.substring(0, dots)), whole(text.substring(dots + 2))};
+        }
+
+        private int whole(String text) {
+            Unusual.unless(text.chars().allMatch(c -> c >= '0' && c <= '9'));
+            int number = Integer.parseInt(text);
+            Unusual.unless(number > 0);
+            return number;
+        }
+    };
     /** Not blanks around it, nor digits of other scripts. */
     static final ValueForm WHOLE = new OfText() {
         @Override
@@ -148,6 +163,7 @@ abstract class ValueForm {
         return switch (one.says().value().form()) {
             case NUMBER -> one.type() == OptionalDouble.class ? OPTIONAL_NUMBER : NUMBER;
             case WHOLE -> WHOLE;
+            case FROM_TO -> FROM_TO;
             case VECTOR -> VECTOR;
             case PAIR -> PAIR;
             case SCALE -> SCALE;

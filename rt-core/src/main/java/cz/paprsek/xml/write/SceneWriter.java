@@ -115,18 +115,23 @@ public final class SceneWriter {
     }
 
     /** Empty for what is not there. */
-    private static String text(Described one, Object value) {
+    static String text(Described one, Object value) {
         return switch (one.says().value().form()) {
             case NUMBER, WHOLE -> value instanceof OptionalDouble optional ? optional.isPresent() ? XmlText.text(optional.getAsDouble()) : ""
                     : XmlText.text(((Number) value).doubleValue());
             case VECTOR -> XmlText.text((Vec3) value);
             case SCALE -> value instanceof Vec3 scale && scale.x() == scale.y() && scale.x() == scale.z() ? XmlText.text(scale.x()) : XmlText.text((Vec3) value);
             case PAIR -> XmlText.text(((double[]) value)[0]) + " " + XmlText.text(((double[]) value)[1]);
+            case FROM_TO -> fromTo((double[]) value);
             case COLOR -> text((Rgb) value);
             case TEXT, FLAG -> value.toString();
             case WORDS -> ((List<?>) value).stream().map(String::valueOf).collect(Collectors.joining(" "));
             case WORD -> Described.word(value);
         };
+    }
+
+    private static String fromTo(double[] numbers) {
+        return XmlText.text(numbers[0]) + (numbers[1] == 0 ? "" : ".." + XmlText.text(numbers[1]));
     }
 
     private void light(String element, Rgb color) {

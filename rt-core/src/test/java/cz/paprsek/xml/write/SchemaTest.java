@@ -97,6 +97,18 @@ class SchemaTest {
     }
 
     @ParameterizedTest
+    @ValueSource(strings = {"1", "16", "03", "1..1", "2..8", "16..16", " 2..8 "})
+    void samplesAreANumberOrTwo(String samples) throws SAXException {
+        assertThat(isTaken(Kind.SAMPLES, samples)).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0", "17", "2..17", "0..4", "2..", "..2", "2...4", "2 4", "2.5", ""})
+    void whatIsNoNumberOfSamplesIsRefused(String samples) throws SAXException {
+        assertThat(isTaken(Kind.SAMPLES, samples)).isFalse();
+    }
+
+    @ParameterizedTest
     @ValueSource(strings = {"rad", "#ff80", "256 0 0", "0 0", "0 0 0 0", "-1 0 0", "NaN 0 0", ""})
     void whatIsNoColourIsRefused(String color) throws SAXException {
         assertThat(isTaken(Kind.COLOR, color)).isFalse();
@@ -111,7 +123,7 @@ class SchemaTest {
             assertThat(isTaken(type, one, kind.least() - 1)).as("below").isFalse();
             assertThat(isTaken(type, one, Math.max(kind.least(), 0.25))).as("the least, or nearly").isTrue();
             if (Double.isFinite(kind.most())) {
-                assertThat(isTaken(type, one, kind.most())).as("the most").isTrue();
+                assertThat(isTaken(type, one, kind.most())).as("the most").isEqualTo(kind.range().takesMost());
                 assertThat(isTaken(type, one, kind.most() * 1.001 + 1)).as("above").isFalse();
             }
         }
@@ -123,6 +135,7 @@ class SchemaTest {
         for (int i = 0; i < values.length; i++) {
             Class<?> component = components[i].getType();
             values[i] = components[i].getName().equals(one.component().getName()) ? (component == int.class ? (Object) (int) number : (Object) number)
+                    : type == RenderSettings.class ? components[i].getAccessor().invoke(RenderSettings.DEFAULT)
                     : component == double.class ? (Object) (type == Cone.class || !one.name().equals("major-radius") ? 1.0 : 0.25)
                     : component == int.class ? (Object) 1
                     : component == Vec3.class ? new Vec3(1, 1, 1)
@@ -147,8 +160,8 @@ class SchemaTest {
     void theDefaultIsWhatIsSaid(Record standard) {
         for (Described one : Described.of(standard.getClass())) {
             if (!one.isRequired() && !one.isOptional()) {
-                String value = one.says().value() == Kind.WORD ? Described.word(one.value(standard)) : one.value(standard) instanceof Vec3 vector ? XmlText.text(vector) : XmlText.text(one.number(standard));
-                assertThat(one.says().value() == Kind.SCALE ? value.substring(0, value.indexOf(' ')) : value).as(one.name()).isEqualTo(one.says().otherwise());
+                String value = SceneWriter.text(one, one.value(standard));
+                assertThat(value).as(one.name()).isEqualTo(one.says().otherwise());
             }
         }
     }

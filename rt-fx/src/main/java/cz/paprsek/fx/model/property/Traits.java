@@ -1,9 +1,11 @@
 package cz.paprsek.fx.model.property;
 
+import static cz.paprsek.attribute.Kind.CONFIDENCE;
 import static cz.paprsek.attribute.Kind.DEPTH;
 import static cz.paprsek.attribute.Kind.EXPONENT;
 import static cz.paprsek.attribute.Kind.FOVY;
 import static cz.paprsek.attribute.Kind.INTENSITY;
+import static cz.paprsek.attribute.Kind.MOST_SAMPLES;
 import static cz.paprsek.attribute.Kind.PIXELS;
 import static cz.paprsek.attribute.Kind.REFRACTIVE_INDEX;
 import static cz.paprsek.attribute.Kind.ROTATION;
@@ -40,7 +42,9 @@ final class Traits {
             entry(INTENSITY, Trait.of(Kind.NUMBER).range(0, INTENSITY.most()).stepping(0.1)),
             entry(PIXELS, whole(PIXELS).in(Unit.PIXELS).stepping(10)),
             entry(DEPTH, whole(DEPTH)),
-            entry(SAMPLES, whole(SAMPLES)));
+            entry(SAMPLES, whole(SAMPLES)),
+            entry(MOST_SAMPLES, whole(MOST_SAMPLES)),
+            entry(CONFIDENCE, Trait.of(Kind.NUMBER).range(0.5, 0.999).stepping(0.01)));
 
     private static final Map<Class<?>, Kind> BY_TYPE = Map.of(
             double.class, Kind.NUMBER,

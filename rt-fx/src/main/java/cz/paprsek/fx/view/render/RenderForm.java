@@ -7,9 +7,9 @@ import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javafx.beans.Observable;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
-import javafx.beans.value.ObservableBooleanValue;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -36,16 +36,19 @@ final class RenderForm extends FlowPane {
     private final WholeNumberField width;
     private final WholeNumberField height;
     private final WholeNumberField samples;
+    private final WholeNumberField mostSamples;
     private final WholeNumberField depth;
     private final WholeNumberField threads;
     private final ModeBox mode;
     private final LightBox lights;
     private final BooleanBinding valid;
+    private RenderSettings settings = RenderSettings.DEFAULT;
 
     RenderForm(Texts texts) {
         width = new WholeNumberField("render-width", texts.of("render.width"), 1, RenderSettings.LARGEST_SIDE, 4);
         height = new WholeNumberField("render-height", texts.of("render.height"), 1, RenderSettings.LARGEST_SIDE, 4);
-        samples = new WholeNumberField("render-samples", texts.of("render.samples.hint"), 1, 16, 2);
+        samples = new WholeNumberField("render-samples", texts.of("render.samples.hint"), 1, RenderSettings.MOST_SAMPLES, 2);
+        mostSamples = new WholeNumberField("render-most-samples", texts.of("render.most-samples.hint"), 0, RenderSettings.MOST_SAMPLES, 2);
         depth = new WholeNumberField("render-depth", texts.of("render.depth.hint"), 1, RenderSettings.DEEPEST, 3);
         threads = new WholeNumberField("render-threads", texts.of("render.threads.hint"), 1, 1024, 3);
         threads.set(Runtime.getRuntime().availableProcessors());
@@ -54,22 +57,24 @@ final class RenderForm extends FlowPane {
         MenuButton presets = new MenuButton(texts.of("render.size"));
         presets.setId("render-presets");
         PRESETS.forEach(preset -> presets.getItems().add(item(preset)));
-        valid = Bindings.createBooleanBinding(() -> fields().allMatch(field -> field.validProperty().get()),
-                fields().map(WholeNumberField::validProperty).toArray(ObservableBooleanValue[]::new));
+        valid = Bindings.createBooleanBinding(() -> fields().allMatch(field -> field.validProperty().get()) && isFromLessToMore(),
+                Stream.concat(fields().map(WholeNumberField::validProperty), Stream.of(samples.textProperty(), mostSamples.textProperty()))
+                        .toArray(Observable[]::new));
         setHgap(12);
         setVgap(6);
         setAlignment(Pos.CENTER_LEFT);
-        getChildren().addAll(group(presets, width, new Label("×"), height), group(new Label(texts.of("render.samples")), samples),
+        getChildren().addAll(group(presets, width, new Label("×"), height), group(new Label(texts.of("render.samples")), samples, new Label("–"), mostSamples),
                 group(new Label(texts.of("render.depth")), depth), group(new Label(texts.of("render.threads")), threads),
                 group(new Label(texts.of("render.mode")), mode), group(new Label(texts.of("render.lights")), lights));
     }
 
     /** Fills in what a scene asks for. */
     void set(Scene scene) {
-        RenderSettings settings = scene.settings();
+        settings = scene.settings();
         width.set(settings.width());
         height.set(settings.height());
         samples.set(settings.samples());
+        mostSamples.set(settings.mostSamples());
         depth.set(settings.maxDepth());
         mode.reset();
         lights.offer(scene);
@@ -82,8 +87,8 @@ final class RenderForm extends FlowPane {
 
     /** What the fields say; only if they are valid. */
     RenderOptions options() {
-        return RenderOptions.of(new RenderSettings(width.get(), height.get(), depth.get(), samples.get())).withThreads(threads.get())
-                .withMode(mode.mode());
+        RenderSettings wished = settings.withSize(width.get(), height.get()).withMaxDepth(depth.get()).withSamples(samples.get(), mostSamples.get());
+        return RenderOptions.of(wished).withThreads(threads.get()).withMode(mode.mode());
     }
 
     /** The scene with those of its lights that are to be lit. */
@@ -98,7 +103,11 @@ final class RenderForm extends FlowPane {
     }
 
     private Stream<WholeNumberField> fields() {
-        return Stream.of(width, height, samples, depth, threads);
+        return Stream.of(width, height, samples, mostSamples, depth, threads);
+    }
+
+    private boolean isFromLessToMore() {
+        return mostSamples.get() == 0 || mostSamples.get() >= samples.get();
     }
 
     private MenuItem item(Preset preset) {

@@ -1,0 +1,48 @@
+package cz.paprsek.cli.input;
+
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.scene.PixelFilter;
+import cz.paprsek.scene.RenderSettings;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** What the user wants of the rays of a pixel, otherwise than the scenes say. */
+public final class RayWishes {
+    @Option(names = "--samples", paramLabel = "N|A..B", description = {
+        "Rays along each side of a pixel, 1-16: N x N in a grid. A..B: A x A random ones, and more, at most B x B, until the error is small. "
+                + "Default: the scene's."})
+    private Optional<Samples> samples = Optional.empty();
+
+    @Option(names = "--error", paramLabel = "X", description =
+            "With samples A..B: how far the value shown may be from the true one, 1 being from black to white. 1/255 is a step. Default: the scene's.")
+    private Optional<Part> error = Optional.empty();
+
+    @Option(names = "--confidence", paramLabel = "P", description = "How probable it is to be that close, above 0 and below 1. Default: the scene's.")
+    private Optional<Double> confidence = Optional.empty();
+
+    @Option(names = "--filter", paramLabel = "FILTER", completionCandidates = Filters.class, description =
+            "How a pixel's rays are strewn around its centre: ${COMPLETION-CANDIDATES}. Default: the scene's.")
+    private Optional<PixelFilter> filter = Optional.empty();
+
+    @Option(names = "--sampler", paramLabel = "SAMPLER", defaultValue = "scrambled", description = {
+        "${COMPLETION-CANDIDATES}: what is random, other in every pixel or the same in all, as 'convert' writes it for POV-Ray. Default: scrambled."})
+    private Sampler sampler = Sampler.scrambled;
+
+    /** Where random numbers come from. */
+    enum Sampler { scrambled, fixed }
+
+    boolean isFixed() {
+        return sampler == Sampler.fixed;
+    }
+
+    /** @throws IllegalArgumentException if a number is out of range */
+    RenderSettings applyTo(RenderSettings settings) {
+        RenderSettings wished = samples.map(s -> settings.withSamples(s.least(), s.most())).orElse(settings);
+        wished = wished.withError(error.map(Part::value).orElse(wished.error())).withConfidence(confidence.orElse(wished.confidence()))
+                .withFilter(filter.orElse(wished.filter()));
+        if ((error.isPresent() || confidence.isPresent()) && samples.isPresent() && !wished.isAdaptive()) {
+            throw new WrongUsage("--error and --confidence are for --samples A..B, such as 2..8");
+        }
+        return wished;
+    }
+}
