@@ -21,14 +21,12 @@ class CostOfAChangeTest {
                 "Wording.java");
     }
 
-    /** The record, the list of solids, its bean, POV-Ray's form, and in the editor an example and an icon. */
+    /** The record, the list of solids and its bean; besides, whoever likes to do more for it: POV-Ray is told its form, and it has an icon of its own. */
     @Test
     void aShapeIsKnownWhereItIsMadeReadAndDrawn() throws IOException {
         assertThat(filesThatKnow("\\bTorus\\b|\"torus\"")).containsExactlyInAnyOrder(
-                "Torus.java", "Solid.java",
-                "ShapeBeans.java",
-                "PovShapes.java",
-                "Examples.java", "Icons.java");
+                "Torus.java", "Solid.java", "ShapeBeans.java",
+                "PovShapes.java", "Icons.java");
     }
 
     private static List<String> filesThatKnow(String word) throws IOException {

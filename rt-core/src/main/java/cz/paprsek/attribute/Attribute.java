@@ -24,6 +24,9 @@ public @interface Attribute {
     /** The value if a file gives none, as a file would have it, or {@link #NOTHING}; empty if a file must give one. */
     String otherwise() default "";
 
+    /** The value, as a file would have it, in an example about 1 across; empty if that is {@link #otherwise()}, or 0.5 if that must be given. */
+    String example() default "";
+
     /** Its name, if that is not the component's. Two components in a row that have one name are one attribute of two numbers. */
     String name() default "";
 }

@@ -22,8 +22,8 @@ import org.jspecify.annotations.Nullable;
 /** A box with faces perpendicular to the axes, from its minimum to its maximum corner. */
 @Element("A box from its minimum to its maximum corner.")
 public record Block(
-        @Attribute(value = Kind.VECTOR, means = "Below max along every axis") Vec3 min,
-        @Attribute(value = Kind.VECTOR, means = "Above min along every axis") Vec3 max) implements Solid {
+        @Attribute(value = Kind.VECTOR, means = "Below max along every axis", example = "-0.5 -0.5 -0.5") Vec3 min,
+        @Attribute(value = Kind.VECTOR, means = "Above min along every axis", example = "0.5 0.5 0.5") Vec3 max) implements Solid {
     private static final List<Face> FACES = List.of(Face.MINUS_X, Face.PLUS_X, Face.MINUS_Y, Face.PLUS_Y, Face.MINUS_Z, Face.PLUS_Z);
 
     public Block {

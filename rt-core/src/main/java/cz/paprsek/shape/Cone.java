@@ -20,7 +20,7 @@ import java.util.List;
 public record Cone(
         @Attribute(value = Kind.NOT_NEGATIVE, means = "At y = 0") double radius,
         @Attribute(value = Kind.NOT_NEGATIVE, means = "At y = height; not both radii 0", otherwise = "0") double topRadius,
-        @Attribute(value = Kind.POSITIVE, means = "Above 0") double height) implements Solid {
+        @Attribute(value = Kind.POSITIVE, means = "Above 0", example = "1") double height) implements Solid {
     public Cone {
         Require.sizeOrZero("cone radius", radius);
         Require.sizeOrZero("cone top-radius", topRadius);

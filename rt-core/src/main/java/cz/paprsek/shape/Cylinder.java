@@ -18,8 +18,8 @@ import java.util.List;
 /** A closed cylinder about the y axis, from y = 0 to y = height. */
 @Element("A closed cylinder about its y axis, from y = 0.")
 public record Cylinder(
-        @Attribute(value = Kind.POSITIVE, means = "Above 0") double radius,
-        @Attribute(value = Kind.POSITIVE, means = "Above 0") double height) implements Solid {
+        @Attribute(value = Kind.POSITIVE, means = "Above 0", example = "0.4") double radius,
+        @Attribute(value = Kind.POSITIVE, means = "Above 0", example = "1") double height) implements Solid {
     public Cylinder {
         Require.size("cylinder radius", radius);
         Require.size("cylinder height", height);

@@ -17,7 +17,7 @@ import java.util.List;
 
 /** An ellipsoid about the origin with semi-axes along x, y and z. */
 @Element("An ellipsoid about its origin.")
-public record Ellipsoid(@Attribute(value = Kind.POSITIVE_VECTOR, means = "Along x, y and z") Vec3 semiAxes) implements Solid {
+public record Ellipsoid(@Attribute(value = Kind.POSITIVE_VECTOR, means = "Along x, y and z", example = "0.6 0.4 0.4") Vec3 semiAxes) implements Solid {
     public Ellipsoid {
         Require.size("ellipsoid semi-axis x", semiAxes.x());
         Require.size("ellipsoid semi-axis y", semiAxes.y());

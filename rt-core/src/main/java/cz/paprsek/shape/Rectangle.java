@@ -17,9 +17,9 @@ import java.util.Objects;
 /** A rectangle in the plane z = 0, facing +z, seen from both sides. It has no inside. */
 @Element("A rectangle in its plane z = 0, facing +z, seen from both sides. It has no inside.")
 public record Rectangle(
-        @Attribute(value = Kind.PAIR, name = "min", means = "Below max along both axes") double minX,
+        @Attribute(value = Kind.PAIR, name = "min", means = "Below max along both axes", example = "-0.5 -0.5") double minX,
         @Attribute(value = Kind.PAIR, name = "min", means = "") double minY,
-        @Attribute(value = Kind.PAIR, name = "max", means = "Above min along both axes") double maxX,
+        @Attribute(value = Kind.PAIR, name = "max", means = "Above min along both axes", example = "0.5 0.5") double maxX,
         @Attribute(value = Kind.PAIR, name = "max", means = "") double maxY) implements Shape {
     public Rectangle {
         Require.coordinate("rectangle min x", minX);

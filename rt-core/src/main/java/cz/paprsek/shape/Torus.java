@@ -24,8 +24,8 @@ import java.util.List;
  */
 @Element("A ring about its y axis.")
 public record Torus(
-        @Attribute(value = Kind.POSITIVE, means = "From the axis to the middle of the tube") double majorRadius,
-        @Attribute(value = Kind.POSITIVE, means = "Of the tube; at most the major radius") double minorRadius) implements Solid {
+        @Attribute(value = Kind.POSITIVE, means = "From the axis to the middle of the tube", example = "0.4") double majorRadius,
+        @Attribute(value = Kind.POSITIVE, means = "Of the tube; at most the major radius", example = "0.15") double minorRadius) implements Solid {
     public Torus {
         Require.size("torus major-radius", majorRadius);
         Require.size("torus minor-radius", minorRadius);

@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.ResourceBundle;
 import java.util.stream.Collectors;
 
-/** The words of explanations in one language: English or Czech. Formulas and numbers are the same in both. */
+/** The words for kinds, faces and attributes, and those of explanations, in one language: English or Czech. Formulas and numbers are the same in both. */
 public final class Words {
     public static final Words ENGLISH = new Words(Locale.ENGLISH);
     private static final Words CZECH = new Words(Locale.forLanguageTag("cs"));
@@ -26,13 +26,18 @@ public final class Words {
         return locale.getLanguage().equals("cs") ? CZECH : ENGLISH;
     }
 
+    /** Whether there is a text of that key. */
+    public boolean has(String key) {
+        return texts.containsKey(key);
+    }
+
     /**
      * A text of {@code words.properties}, with {0}, {1} … replaced.
      *
      * @throws IllegalArgumentException if there is none of that key
      */
     public String of(String key, Object... arguments) {
-        Require.that(texts.containsKey(key), "explanations have no words for " + key);
+        Require.that(texts.containsKey(key), "there are no words for " + key);
         String text = texts.getString(key);
         for (int i = 0; i < arguments.length; i++) {
             text = text.replace("{" + i + "}", String.valueOf(arguments[i]));

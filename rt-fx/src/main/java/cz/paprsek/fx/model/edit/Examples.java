@@ -1,45 +1,50 @@
 package cz.paprsek.fx.model.edit;
 
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.ElementTable;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.shape.Block;
-import cz.paprsek.shape.Cone;
-import cz.paprsek.shape.Cylinder;
-import cz.paprsek.shape.Disc;
-import cz.paprsek.shape.Ellipsoid;
-import cz.paprsek.shape.Plane;
-import cz.paprsek.shape.Rectangle;
+import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
-import cz.paprsek.shape.Sphere;
-import cz.paprsek.shape.Torus;
+import java.lang.reflect.RecordComponent;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.Arrays;
 import java.util.List;
-import java.util.function.DoubleFunction;
+import java.util.stream.Stream;
 
-/** One shape of each primitive kind, to begin with. */
+/** One shape of each primitive kind, to begin with: as the attributes of its record say. */
 public final class Examples {
-    /** By kind, for a size: about what each measures across. */
-    private static final List<DoubleFunction<Shape>> TABLE = List.of(
-            size -> new Sphere(part(size, 0.5)),
-            size -> new Block(corner(size, -0.5), corner(size, 0.5)),
-            size -> new Cylinder(part(size, 0.4), size),
-            size -> new Cone(part(size, 0.5), size),
-            size -> new Torus(part(size, 0.4), part(size, 0.15)),
-            size -> new Ellipsoid(new Vec3(part(size, 0.6), part(size, 0.4), part(size, 0.4))),
-            size -> new Plane(),
-            size -> new Rectangle(part(size, -0.5), part(size, -0.5), part(size, 0.5), part(size, 0.5)),
-            size -> new Disc(part(size, 0.5)));
+    private static final String HALF = "0.5";
 
     private Examples() {}
 
     /** One of each kind, of about the given size. */
     public static List<Shape> ofSize(double size) {
-        return TABLE.stream().map(example -> example.apply(size)).toList();
+        return ElementTable.of(Shape.class).filter(type -> type != Csg.class).map(type -> make(type, size)).toList();
     }
 
-    private static Vec3 corner(double size, double share) {
-        double c = part(size, share);
-        return new Vec3(c, c, c);
+    private static Shape make(Class<? extends Record> type, double size) {
+        Object[] values = Described.of(type).stream().flatMap(one -> values(one, size)).toArray();
+        try {
+            Class<?>[] types = Arrays.stream(type.getRecordComponents()).map(RecordComponent::getType).toArray(Class<?>[]::new);
+            return (Shape) type.getConstructor(types).newInstance(values);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException("the example at the attributes of " + type + " is none", e);
+        }
+    }
+
+    /** The values of its components. */
+    private static Stream<Object> values(Described one, double size) {
+        Attribute says = one.says();
+        String text = !says.example().isEmpty() ? says.example() : one.isRequired() ? HALF : says.otherwise();
+        Kind.Form form = says.value().form();
+        if (form == Kind.Form.WHOLE) {
+            return Stream.of(Integer.valueOf(text));
+        }
+        double[] numbers = Arrays.stream(text.split(" ")).mapToDouble(share -> part(size, Double.parseDouble(share))).toArray();
+        return form == Kind.Form.VECTOR ? Stream.of(new Vec3(numbers[0], numbers[1], numbers[2])) : Arrays.stream(numbers).mapToObj(Double::valueOf);
     }
 
     /** A share of a size, without the noise of binary fractions. */

@@ -62,7 +62,7 @@ public final class ExplainPane extends BorderPane {
 
     public ExplainPane(Texts texts, ObservableValue<Theme> theme, TreeChooser chooser) {
         this.texts = texts;
-        this.words = Words.in(texts.locale());
+        this.words = texts.words();
         this.steps = new StepTable(texts);
         title.setId("explain-title");
         title.setMinWidth(Region.USE_PREF_SIZE);

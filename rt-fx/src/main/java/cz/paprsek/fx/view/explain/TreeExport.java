@@ -4,7 +4,6 @@ import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.Failures;
 import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.words.Words;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
@@ -45,7 +44,7 @@ final class TreeExport extends MenuButton {
 
     private void write(TreeFiles kind, PicturePoint point, Pixel pixel, Path file) {
         try {
-            kind.write(point, pixel, ExplainPane.SMALLEST_SHARE, Words.in(texts.locale()), file);
+            kind.write(point, pixel, ExplainPane.SMALLEST_SHARE, texts.words(), file);
             message.accept(texts.of("render.saved", file.getFileName()));
         } catch (IOException e) {
             message.accept(texts.of("render.not-saved", file.getFileName(), Failures.sentence(e)));

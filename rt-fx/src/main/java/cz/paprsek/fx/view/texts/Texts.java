@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.texts;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.words.Words;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -10,7 +11,10 @@ import java.util.Map;
 import java.util.MissingResourceException;
 import java.util.ResourceBundle;
 
-/** All words that a user reads, in one language. They stand in one properties file per part of the window and language. */
+/**
+ * All words that a user reads, in one language: what kinds and attributes are called is said in {@link Words}, everything else in one properties
+ * file per part of the window and language.
+ */
 public final class Texts {
     /** The files, in the folder {@code texts}. */
     static final List<String> PARTS = List.of("common", "window", "sheet", "picture", "explain", "library");
@@ -18,10 +22,12 @@ public final class Texts {
     public static final List<Locale> LANGUAGES = List.of(Locale.ENGLISH, Locale.forLanguageTag("cs"));
 
     private final Locale locale;
+    private final Words words;
     private final Map<String, String> texts = new HashMap<>();
 
     private Texts(Locale locale) {
         this.locale = locale;
+        words = Words.in(locale);
         for (String part : PARTS) {
             ResourceBundle bundle = ResourceBundle.getBundle(
                     "cz.paprsek.fx.view.texts." + part, locale, ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
@@ -42,17 +48,24 @@ public final class Texts {
     /**
      * A text, with {0}, {1} … replaced.
      *
-     * @throws MissingResourceException if no file has it
+     * @throws MissingResourceException if there is none
      */
     public String of(String key, Object... arguments) {
         String text = texts.get(key);
-        if (text == null) {
+        if (text == null && words.has(key)) {
+            return words.of(key, arguments);
+        } else if (text == null) {
             throw new MissingResourceException("there is no text for " + key, Texts.class.getName(), key);
         }
         for (int i = 0; i < arguments.length; i++) {
             text = text.replace("{" + i + "}", String.valueOf(arguments[i]));
         }
         return text;
+    }
+
+    /** What is called by the same words wherever it is spoken of. */
+    public Words words() {
+        return words;
     }
 
     /** What a kind of shape is called: "sphere". */

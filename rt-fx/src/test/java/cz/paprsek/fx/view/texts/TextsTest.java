@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.words.Words;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.Reader;
@@ -58,6 +59,7 @@ class TextsTest {
         Properties seen = new Properties();
         for (String part : PARTS) {
             for (String key : load(part + ".properties").stringPropertyNames()) {
+                assertThat(Words.ENGLISH.has(key)).as("%s is among the words already", key).isFalse();
                 assertThat(seen.put(key, part)).as(key).isNull();
             }
         }
