@@ -14,6 +14,10 @@ public enum Kind {
     FOVY(Form.NUMBER, "fovy", "a number of degrees above 0 and below 180", Range.above(0).below(180)),
     /** Degrees. */
     FISHEYE(Form.NUMBER, "fisheye", "a number of degrees above 0, 360 at most", Range.above(0).to(360)),
+    /** Degrees from the middle of a cone. */
+    CONE_ANGLE(Form.NUMBER, "coneAngle", "a number of degrees from 0 to 90", Range.from(0).to(90)),
+    /** Degrees from one side of a disc to the other. */
+    DISC_ANGLE(Form.NUMBER, "discAngle", "a number of degrees from 0 to 180", Range.from(0).to(180)),
     /** Three numbers. */
     VECTOR(Form.VECTOR, "vector", "three finite numbers, x y z", Range.ANY),
     POSITIVE_VECTOR(Form.VECTOR, "positiveVector", "three finite numbers above 0", Range.above(0)),
@@ -21,6 +25,7 @@ public enum Kind {
     ROTATION(Form.VECTOR, "vector", "three finite numbers, x y z", Range.ANY),
     /** Two numbers, which two components of the same name have. */
     PAIR(Form.PAIR, "pair", "two finite numbers, x y", Range.ANY),
+    POSITIVE_PAIR(Form.PAIR, "positivePair", "two finite numbers above 0", Range.above(0)),
     /** Three factors, or one for all. */
     SCALE(Form.SCALE, "scale", "one finite number or three, none of them 0", Range.ANY),
     COLOR(Form.COLOR, "color", "three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb", Range.from(0).to(255)),
@@ -32,6 +37,7 @@ public enum Kind {
     SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, or two such as 2..8", Range.from(1).to(16)),
     MOST_SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, or two such as 2..8", Range.from(0).to(16)),
     CONFIDENCE(Form.NUMBER, "confidence", "a number above 0 and below 1", Range.above(0).below(1)),
+    LIGHT_SAMPLES(Form.WHOLE, "lightSamples", "a whole number from 1 to 4096", Range.from(1).to(4096)),
     NAME(Form.TEXT, "name", "a text of 1 to 200 characters", Range.from(1).to(200)),
     /** A list of them. */
     WORDS(Form.WORDS, "tags", "words separated by blanks", Range.ANY),

@@ -1,7 +1,8 @@
 package cz.paprsek.drawing;
 
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.SeenLight;
+import cz.paprsek.render.explain.ShadowRay;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.text.Outline;
 import cz.paprsek.words.Words;
@@ -79,20 +80,23 @@ public record RayLine(String ray, Style style, Vec3 from, Vec3 to) {
 
     private static void add(Outline outline, double reach, List<RayLine> lines) {
         TracedRay ray = outline.ray();
-        Vec3 end = ray.encounter().map(met -> met.place().point()).orElseGet(() -> ray.origin().plus(ray.direction().times(reach)));
+        Vec3 end = ray.encounter().map(met -> met.place().point()).orElseGet(() ->
+                ray.origin().plus(ray.direction().times(ray.seen().filter(light -> Double.isFinite(light.distance())).map(SeenLight::distance).orElse(reach))));
         lines.add(new RayLine(outline.name(), style(ray.kind()), ray.origin(), end));
         ray.encounter().ifPresent(met -> {
             lines.add(new RayLine(outline.name(), Style.NORMAL, end, end.plus(met.place().towardsViewer().times(reach / 12))));
-            met.lights().stream().filter(LightTerm::isFacing).forEach(term -> lines.add(shadow(outline.name(), end, term)));
+            met.lights().stream().flatMap(term -> term.rays().stream()).filter(ShadowRay::isSent)
+                    .forEach(sent -> lines.add(shadow(outline.name(), end, sent, reach)));
         });
         outline.children().forEach(child -> add(child, reach, lines));
     }
 
     /** A shadow ray as far as it gets. */
-    private static RayLine shadow(String name, Vec3 point, LightTerm term) {
-        boolean isBlocked = term.visibility() == 0;
-        double length = isBlocked && !term.obstacles().isEmpty() ? term.obstacles().get(term.obstacles().size() - 1).distance() : term.distance();
-        return new RayLine(name, isBlocked ? Style.SHADOW_BLOCKED : Style.SHADOW_FREE, point, point.plus(term.direction().times(length)));
+    private static RayLine shadow(String name, Vec3 point, ShadowRay ray, double reach) {
+        boolean isBlocked = ray.visibility() == 0;
+        double length = isBlocked && !ray.obstacles().isEmpty() ? ray.obstacles().get(ray.obstacles().size() - 1).distance()
+                : Double.isFinite(ray.distance()) ? ray.distance() : reach;
+        return new RayLine(name, isBlocked ? Style.SHADOW_BLOCKED : Style.SHADOW_FREE, point, point.plus(ray.direction().times(length)));
     }
 
     private static Style style(TracedRay.Kind kind) {

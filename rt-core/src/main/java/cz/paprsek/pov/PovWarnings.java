@@ -8,6 +8,7 @@ import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
@@ -83,7 +84,7 @@ final class PovWarnings {
     private void checkSize() {
         Bounds all = Bounds.of(scene.camera().position(), scene.camera().position());
         for (Light light : scene.lights()) {
-            all = all.union(Bounds.of(light.position(), light.position()));
+            all = light instanceof PlacedLight placed ? all.union(Bounds.of(placed.position(), placed.position())) : all;
         }
         for (SceneObject object : scene.objects()) {
             Bounds bounds = bounds(object);

@@ -39,7 +39,9 @@ final class PovWriter {
         camera();
         for (Light light : scene.lights()) {
             text.comment(light.name());
-            text.line("light_source { " + vector(light.position()) + ", " + PovMaterials.rgb(light.color(), light.intensity()) + " }");
+            for (String line : PovLights.of(scene, light)) {
+                text.line(line);
+            }
         }
         for (Map.Entry<String, Material> named : scene.materials().entrySet()) {
             declare(named.getKey(), named.getValue());

@@ -5,7 +5,6 @@ import cz.paprsek.material.Material;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Lens;
-import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
@@ -71,7 +70,7 @@ public final class SceneTables {
     private static List<Relation<Scene, ?>> parts() {
         List<Relation<Scene, ?>> parts = new ArrayList<>(List.of(
                 new Relation<>(camera(), scene -> scene.cameras().stream().map(camera -> new InScene<>(scene, camera)), false),
-                new Relation<>(light(), scene -> scene.lights().stream().map(light -> new InScene<>(scene, light)), false),
+                new Relation<>(LightTable.of(), scene -> scene.lights().stream().map(light -> new InScene<>(scene, light)), false),
                 new Relation<>(material(), scene -> scene.materials().entrySet().stream().map(entry -> new InScene<>(scene, entry)), false),
                 new Relation<>(KindTables.all(), KindTables::rows, false)));
         parts.addAll(KindTables.kinds());
@@ -92,15 +91,6 @@ public final class SceneTables {
                     row -> lens.isInstance(row.part().lens()) ? OptionalDouble.of(one.number(row.part().lens())) : OptionalDouble.empty())));
         }
         return new Table<>("camera", columns, List.of());
-    }
-
-    private static Table<InScene<Light>> light() {
-        return new Table<>("light", List.of(
-                Column.text("scene", row -> row.scene().name()),
-                Column.text("name", row -> row.part().name()),
-                Column.vector("position", row -> row.part().position()),
-                Column.color("color", row -> Optional.of(row.part().color())),
-                Column.number("intensity", row -> row.part().intensity())), List.of());
     }
 
     private static Table<InScene<Map.Entry<String, Material>>> material() {

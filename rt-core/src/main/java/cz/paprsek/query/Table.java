@@ -25,7 +25,7 @@ public record Table<R>(String name, List<Column<R>> columns, List<Relation<R, ?>
 
     /** The column that a name in a filter means: one of this table, one of its three numbers ({@code color.red}), or one of a related table. */
     public Optional<Column<R>> column(String called) {
-        return ownColumn(called).or(() -> relatedColumn(called, false)).or(() -> relatedColumn(called, true));
+        return ownColumn(called).or(() -> relatedColumn(called));
     }
 
     /** The related rows of that name. */
@@ -50,12 +50,14 @@ public record Table<R>(String name, List<Column<R>> columns, List<Relation<R, ?>
         return columns.stream().filter(column -> column.name().equalsIgnoreCase(called)).findFirst();
     }
 
-    private Optional<Column<R>> relatedColumn(String called, boolean inParts) {
+    /** What parts repeat of the table before them is looked for there alone; other measures may be those of a part and of something else: a radius. */
+    private Optional<Column<R>> relatedColumn(String called) {
         List<Column<R>> found = new ArrayList<>();
+        boolean isRepeated = false;
         for (Relation<R, ?> relation : related) {
-            if (relation.isPart() == inParts) {
-                relation.column(called).ifPresent(found::add);
-            }
+            Optional<Column<R>> column = relation.isPart() && isRepeated ? Optional.empty() : relation.column(called);
+            isRepeated = relation.isPart() ? isRepeated : column.isPresent();
+            column.filter(one -> found.isEmpty() || one.type() == found.get(0).type()).ifPresent(found::add);
         }
         return found.isEmpty() ? Optional.empty() : Optional.of(new Column<>(found.get(0).name(), found.get(0).type(),
                 (row, test) -> found.stream().anyMatch(column -> column.any(row, test))));

@@ -40,17 +40,17 @@ public record Camera(
 
     /** A direction in world space, of any length but 0. */
     public record Direction(
-            @Attribute(value = Kind.VECTOR, name = "direction", means = "Where it looks", otherwise = Attribute.NOTHING) Vec3 vector) implements Aim {
+            @Attribute(value = Kind.VECTOR, name = "direction", means = "Where it looks, or the way light goes", otherwise = Attribute.NOTHING) Vec3 vector) implements Aim {
         public Direction {
-            Require.that(!vector.equals(Vec3.ZERO), "camera direction must not be 0 0 0");
+            Require.that(!vector.equals(Vec3.ZERO), "direction must not be 0 0 0");
         }
     }
 
     /** A point in world space; the camera turns to it wherever it moves. */
     public record Target(
-            @Attribute(value = Kind.VECTOR, name = "target", means = "A point it keeps in the middle", otherwise = Attribute.NOTHING) Vec3 point) implements Aim {
+            @Attribute(value = Kind.VECTOR, name = "target", means = "A point in the middle of what it sees or lights", otherwise = Attribute.NOTHING) Vec3 point) implements Aim {
         public Target {
-            Require.place("camera target", point);
+            Require.place("target", point);
         }
     }
 

@@ -1,56 +1,38 @@
 package cz.paprsek.scene;
 
-import cz.paprsek.attribute.Attribute;
-import cz.paprsek.attribute.Element;
-import cz.paprsek.attribute.Kind;
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.material.Rgb;
-import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
-import java.util.Objects;
 
 /**
- * A point that shines evenly in all directions, without fall-off.
- *
- * @param name free text for people; empty for none, unique among the scene's lights otherwise
- * @param position world space
- * @param color its colour
- * @param intensity factor on the linear colour, 0 to {@link #BRIGHTEST}
+ * What gives light: a record for each kind. An intensity I is light in the unit of pictures: a white surface of diffusion 1 that faces the
+ * light, where I arrives, is I bright.
  */
-@Element(name = "point-light", value = "A point that shines evenly in all directions, without fall-off.")
-public record Light(
-        @Attribute(value = Kind.NAME, means = "What the light is called; unique among the lights", otherwise = Attribute.NOTHING) String name,
-        @Attribute(value = Kind.VECTOR, means = "Where it is") Vec3 position,
-        @Attribute(value = Kind.COLOR, means = "sRGB, 0-255", otherwise = "255 255 255") Rgb color,
-        @Attribute(value = Kind.INTENSITY, means = "Factor on the colour", otherwise = "1") double intensity) {
+public sealed interface Light permits PlacedLight, SunLight {
     /** The greatest intensity: no picture of floats holds much more. */
-    public static final double BRIGHTEST = 1e12;
+    double BRIGHTEST = 1e12;
 
-    public Light {
-        Objects.requireNonNull(name, "name");
-        Objects.requireNonNull(color, "color");
-        Require.place("light position", position);
-        Require.notNegative("light intensity", intensity);
-        Require.within("light intensity", intensity, 0, BRIGHTEST);
+    /** A white point of intensity 1, without fall-off. */
+    static PointLight at(double x, double y, double z) {
+        return new PointLight("", new Vec3(x, y, z), Rgb.WHITE, 1, 0);
     }
 
-    /** A white light of intensity 1. */
-    public static Light at(double x, double y, double z) {
-        return new Light("", new Vec3(x, y, z), Rgb.WHITE, 1);
+    /** The word for it in files: {@code point-light}. */
+    default String kind() {
+        return ElementTable.name(getClass());
     }
 
-    public Light named(String value) {
-        return new Light(value, position, color, intensity);
-    }
+    /** Free text for people; empty for none, unique among the scene's lights otherwise. */
+    String name();
 
-    public Light withPosition(Vec3 value) {
-        return new Light(name, value, color, intensity);
-    }
+    Rgb color();
 
-    public Light withColor(Rgb value) {
-        return new Light(name, position, value, intensity);
-    }
+    /** Factor on the linear colour, 0 to {@link #BRIGHTEST}. */
+    double intensity();
 
-    public Light withIntensity(double value) {
-        return new Light(name, position, color, value);
-    }
+    Light named(String value);
+
+    Light withColor(Rgb value);
+
+    Light withIntensity(double value);
 }

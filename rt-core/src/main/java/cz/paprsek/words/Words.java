@@ -3,6 +3,7 @@ package cz.paprsek.words;
 import cz.paprsek.math.Require;
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Shape;
 import java.util.Locale;
@@ -46,9 +47,13 @@ public final class Words {
     }
 
     /** What a body is called, from the outermost operation inwards, such as {@code difference "bowl" › sphere "hollow"}. */
-    public String surface(InScene<BodyAt> surface) {
+    public String surface(InScene<? extends ScenePath> surface) {
         Scene scene = surface.scene();
-        return surface.part().way().map(step -> of("kind." + step.in(scene).shape().kind()) + " " + step.nameOrNumber(scene))
+        if (surface.part() instanceof ScenePath.LightAt at) {
+            String name = scene.lights().get(at.index()).name();
+            return of("light", name.isEmpty() ? "#" + (at.index() + 1) : "\"" + name + "\"");
+        }
+        return ((BodyAt) surface.part()).way().map(step -> of("kind." + step.in(scene).shape().kind()) + " " + step.nameOrNumber(scene))
                 .collect(Collectors.joining(" › "));
     }
 

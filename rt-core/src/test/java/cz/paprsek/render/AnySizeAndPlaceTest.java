@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.image.Image;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.xml.SceneFiles;
@@ -75,7 +77,7 @@ class AnySizeAndPlaceTest {
                     Placement placement = object.placement();
                     return object.placed(placement.withPosition(point.apply(placement.position())).withScale(placement.scale().times(factor)));
                 }).toList())
-                .withLights(scene.lights().stream().map(light -> light.withPosition(point.apply(light.position()))).toList())
+                .withLights(scene.lights().stream().map(PlacedLight.class::cast).<Light>map(light -> light.withPosition(point.apply(light.position()))).toList())
                 .withCamera(camera.withPosition(point.apply(camera.position())).withAim(new Camera.Direction(camera.forward())));
     }
 }

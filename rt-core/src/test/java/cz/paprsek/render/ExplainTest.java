@@ -9,6 +9,7 @@ import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.ShadowRay;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -81,9 +82,14 @@ class ExplainTest {
     }
 
     private static void assertIsConsistent(Encounter met, LightTerm term) {
-        double through = term.obstacles().stream().mapToDouble(LightTerm.Obstacle::transparency).reduce(1, (a, b) -> a * b);
-        assertThat(term.isFacing() ? through : 0).as("%s", term).isCloseTo(term.visibility(), Offset.offset(1e-12));
-        assertThat(met.place().towardsViewer().dot(term.direction())).isEqualTo(term.facing());
+        LinearRgb sum = LinearRgb.BLACK;
+        for (ShadowRay ray : term.rays()) {
+            double through = ray.obstacles().stream().mapToDouble(ShadowRay.Obstacle::transparency).reduce(1, (a, b) -> a * b);
+            assertThat(ray.isSent() ? through : 0).as("%s", ray).isCloseTo(ray.visibility(), Offset.offset(1e-12));
+            assertThat(met.place().towardsViewer().dot(ray.direction())).isEqualTo(ray.facing());
+            sum = sum.plus(ray.added());
+        }
+        assertThat(term.rays().size() == 1 ? sum : sum.times(1.0 / term.rays().size())).as("%s", term).isEqualTo(term.added());
     }
 
     @Test

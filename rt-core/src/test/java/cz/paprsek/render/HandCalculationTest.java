@@ -7,9 +7,9 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Encounter;
-import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Refraction;
+import cz.paprsek.render.explain.ShadowRay;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.InScene;
@@ -80,7 +80,7 @@ class HandCalculationTest {
         assertIsAt(met.place().normal(), 0, 0, 1);
         assertIsGrey(met.ambient(), 0.05);
 
-        LightTerm lit = met.lights().get(0);
+        ShadowRay lit = met.lights().get(0).ray();
         assertThat(lit.distance()).isCloseTo(5, EXACT);
         assertIsAt(lit.direction(), 0, 0.6, 0.8);
         assertThat(lit.facing()).isCloseTo(0.8, EXACT);
@@ -90,17 +90,17 @@ class HandCalculationTest {
         assertThat(lit.highlight()).isCloseTo(0.16, EXACT);
         assertIsGrey(lit.added(), 0.36);
 
-        LightTerm blocked = met.lights().get(1);
+        ShadowRay blocked = met.lights().get(1).ray();
         assertThat(blocked.facing()).isCloseTo(0.8, EXACT);
         assertThat(blocked.visibility()).isZero();
         assertThat(blocked.obstacles()).singleElement().satisfies(obstacle -> {
-            assertThat(label(obstacle.surface())).isEqualTo("sphere \"screen\"");
+            assertThat(label(new InScene<>(obstacle.surface().scene(), (BodyAt) obstacle.surface().part()))).isEqualTo("sphere \"screen\"");
             assertThat(obstacle.distance()).isCloseTo(2, EXACT);
         });
 
-        LightTerm behind = met.lights().get(2);
+        ShadowRay behind = met.lights().get(2).ray();
         assertThat(behind.facing()).isCloseTo(-1, EXACT);
-        assertThat(behind.isFacing()).isFalse();
+        assertThat(behind.isSent()).isFalse();
         assertIsGrey(ray.light(), 0.41);
     }
 

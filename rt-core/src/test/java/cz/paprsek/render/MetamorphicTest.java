@@ -9,6 +9,7 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -170,7 +171,7 @@ class MetamorphicTest {
         Camera camera = scene.camera();
         Vec3 direction = point.apply(camera.position().plus(camera.forward())).minus(point.apply(camera.position()));
         return scene.withObjects(scene.objects().stream().map(object).toList())
-                .withLights(scene.lights().stream().map(light -> light.withPosition(point.apply(light.position()))).toList())
+                .withLights(scene.lights().stream().map(PlacedLight.class::cast).<Light>map(light -> light.withPosition(point.apply(light.position()))).toList())
                 .withCamera(camera.withPosition(point.apply(camera.position())).withAim(new Camera.Direction(direction)));
     }
 }

@@ -105,7 +105,7 @@ class TouchingTest {
             int seen = 0;
             for (int i = 0; i < 600; i++) {
                 var met = scene.explain(i % 30, i / 30).rays().get(0).encounter();
-                if (met.isPresent() && met.get().lights().get(0).facing() > 0) {
+                if (met.isPresent() && met.get().lights().get(0).ray().facing() > 0) {
                     seen++;
                     assertThat(met.get().lights().get(0).visibility()).as("%s from %s at %d", name, from, i).isEqualTo(1);
                 }

@@ -39,9 +39,9 @@ class WorkTest {
                 tracer.trace(eye, x, y, 8, 8);
             }
         }
-        String found = tracer.reflected + ", " + tracer.shadows + ", " + tracer.nodeVisits();
+        String found = tracer.reflected + ", " + tracer.work().shadows() + ", " + tracer.nodeVisits();
         assertThat(tracer.reflected).as(found).isEqualTo(reflected);
-        assertThat(tracer.shadows).as(found).isEqualTo(shadows);
+        assertThat(tracer.work().shadows()).as(found).isEqualTo(shadows);
         assertThat(tracer.nodeVisits()).as(found).isCloseTo(visits, within(visits / 100));
     }
 }

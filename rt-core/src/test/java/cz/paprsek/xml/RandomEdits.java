@@ -6,10 +6,14 @@ import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SphereLight;
+import cz.paprsek.scene.SpotLight;
+import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
@@ -57,7 +61,13 @@ final class RandomEdits {
 
     private Scene anotherLight(Scene scene) {
         List<Light> lights = new ArrayList<>(scene.lights());
-        lights.add(random.nextInt(lights.size() + 1), Light.at(random.nextInt(9), 2, 3));
+        lights.add(random.nextInt(lights.size() + 1), switch (random.nextInt(5)) {
+            case 0 -> Light.at(random.nextInt(9), 2, 3);
+            case 1 -> SpotLight.from(new Vec3(random.nextInt(9), 2, 3), Vec3.ZERO);
+            case 2 -> AreaLight.rectangle(new Vec3(random.nextInt(9), 2, 3), 1, 2);
+            case 3 -> SphereLight.of(new Vec3(random.nextInt(9), 2, 3), 0.5);
+            default -> SunLight.along(random.nextInt(9), -1, 0);
+        });
         return scene.withLights(lights);
     }
 

@@ -7,13 +7,18 @@ import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PixelFilter;
+import cz.paprsek.scene.PointLight;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SphereLight;
+import cz.paprsek.scene.SpotLight;
+import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Examples;
@@ -56,7 +61,7 @@ public final class RandomScenes {
         return new Scene("Scene < & > \" '", random.nextBoolean() ? "" : "Two\nlines, <tags> & all", List.of("one", "two-2"),
                 new RenderSettings(1 + random.nextInt(3000), 1 + random.nextInt(3000), 1 + random.nextInt(20), 1 + random.nextInt(5), random.nextInt(2) * (5 + random.nextInt(12)),
                         random.nextInt(3) > 0 ? 0.01 : random.nextDouble() + 1e-9, random.nextInt(3) > 0 ? 0.95 : 0.5 + random.nextDouble() / 3, List.of(PixelFilter.values()).get(random.nextInt(4))),
-                color(), color(), cameras(), List.of(new Light("", vector(), color(), number()), new Light("key", vector(), Rgb.WHITE, 1)),
+                color(), color(), cameras(), lights(),
                 materials, objects);
     }
 
@@ -72,6 +77,16 @@ public final class RandomScenes {
             case 3 -> new Lens.Perspective(1 + random.nextInt(150), 0.25, number());
             default -> new Lens.Perspective(1 + random.nextInt(150), 0, random.nextInt(3));
         };
+    }
+
+    private List<Light> lights() {
+        return List.of(new PointLight("", vector(), color(), number(), 0), Light.at(1, 2, 3).named("key").withReferenceDistance(number()),
+                new SpotLight("spot", vector(), random.nextBoolean() ? new Camera.Direction(new Vec3(1, 2, 3)) : new Camera.Target(new Vec3(-5000, 2, 3)),
+                        color(), 2, number(), 5 * random.nextDouble(), 5 + 85 * random.nextDouble()),
+                new AreaLight("", vector(), vector(), random.nextBoolean() ? new AreaLight.Size(number(), number()) : new AreaLight.Radius(number()),
+                        color(), 1, number(), 1 + random.nextInt(99), random.nextBoolean()),
+                new SphereLight("ball", vector(), number(), color(), 1, number(), 1 + random.nextInt(99), random.nextBoolean()),
+                new SunLight("", new Vec3(1, random.nextDouble(), 0), color(), 3, random.nextBoolean() ? 0 : random.nextInt(180), random.nextBoolean()));
     }
 
     private Camera camera() {

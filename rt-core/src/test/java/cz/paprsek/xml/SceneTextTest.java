@@ -68,7 +68,7 @@ class SceneTextTest {
         Material steel = Material.color(180, 190, 200).withDiffusion(0.3).withHighlight(0.6, 100).withReflection(0.5);
         assertThat(scene).isEqualTo(new Scene("Glass and steel", "", List.of(), new RenderSettings(1280, 720, 5, 1),
                 new Rgb(20, 92, 184), Rgb.BLACK, List.of(Camera.looking(new Vec3(0, 2, 8), new Vec3(0, -0.2, -1))),
-                List.of(new Light("key", new Vec3(4, 5, 3), Rgb.WHITE, 0.8)), Map.of("steel", steel), List.of(
+                List.of(Light.at(4, 5, 3).named("key").withIntensity(0.8)), Map.of("steel", steel), List.of(
                         SceneObject.of(new Sphere(0.5)).named("ball").at(0, 0.5, 0).madeOf("steel"),
                         SceneObject.of(new Rectangle(-5, -5, 5, 5)).named("floor").rotated(-90, 0, 0).madeOf(
                                 Material.DEFAULT.withPattern(new Pattern.Checkerboard(10, 10, Rgb.WHITE, Rgb.grey(40)))),
@@ -104,7 +104,7 @@ class SceneTextTest {
     @ValueSource(doubles = {0.1, 1.0 / 3, 0.1 + 0.2, Double.MIN_NORMAL, Double.MIN_VALUE, 1e-45, 1e44, 1e7, 123456789, 1e22, 2e-3, 1e16})
     void everyNumberReadsBackAsItself(double number) throws Exception {
         Scene scene = PLAIN.plus(SceneObject.of(new Sphere(Math.max(number, 1e-45))).at(-number, -0.0, 0))
-                .plus(new Light("", new Vec3(-0.0, number, 0), Rgb.WHITE, Math.min(number, 1e12)));
+                .plus(Light.at(-0.0, number, 0).withIntensity(Math.min(number, 1e12)));
         assertThat(SceneFiles.parse(SceneFiles.format(scene))).isEqualTo(scene);
     }
 

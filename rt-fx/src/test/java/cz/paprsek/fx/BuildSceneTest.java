@@ -3,6 +3,7 @@ package cz.paprsek.fx;
 import static cz.paprsek.fx.EditorGui.place;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Material;
@@ -128,9 +129,9 @@ class BuildSceneTest {
 
     private static void secondLight(EditorGui editor) {
         editor.gui.click("#add-light");
-        Vec3 at = editor.model().scene().lights().get(1).position();
+        Vec3 at = LightMoves.place(editor.model().scene().lights().get(1));
         drag(editor, editor.projection("front"), at, at.plus(new Vec3(-3, 1, 0)));
-        assertThat(editor.model().scene().lights().get(1).position().x()).isLessThan(at.x() - 2);
+        assertThat(LightMoves.place(editor.model().scene().lights().get(1)).x()).isLessThan(at.x() - 2);
     }
 
     /** Full HD, which is cancelled, and something small, which is saved. */

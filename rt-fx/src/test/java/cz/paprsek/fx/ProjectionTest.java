@@ -4,6 +4,7 @@ import static cz.paprsek.fx.EditorGui.place;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.projection.ProjectionPane;
@@ -128,7 +129,7 @@ class ProjectionTest {
     void lightsAndTheCameraAreDraggedToo() {
         ProjectionPane front = editor.projection("front");
         drag(front, new Vec3(-3, 5, 3), new Vec3(-2, 4, 3));
-        assertThat(editor.model().scene().lights().get(0).position().minus(new Vec3(-2, 4, 3)).length()).isCloseTo(0, within(3 / scale(front)));
+        assertThat(LightMoves.place(editor.model().scene().lights().get(0)).minus(new Vec3(-2, 4, 3)).length()).isCloseTo(0, within(3 / scale(front)));
         drag(front, new Vec3(-6, 3, 6), new Vec3(-5, 4, 6));
         assertThat(editor.model().scene().camera().position().minus(new Vec3(-5, 4, 6)).length()).isCloseTo(0, within(3 / scale(front)));
         assertThat(editor.model().scene().camera().aim()).isEqualTo(new Camera.Target(Vec3.ZERO));

@@ -7,10 +7,12 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.MaterialAt;
+import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Csg.Operation;
 import cz.paprsek.shape.Operand;
@@ -44,6 +46,7 @@ public final class SceneWarnings {
         SceneWarnings check = new SceneWarnings(scene);
         List<BodyAt> parts = ScenePath.bodies(scene).toList();
         check.light();
+        check.suns();
         check.materials(parts);
         parts.forEach(check::operands);
         for (int i = 0; i < scene.objects().size(); i++) {
@@ -67,6 +70,14 @@ public final class SceneWarnings {
             add("empty", "there are no objects; the picture will be the background alone");
         } else if (!isLit && scene.ambient().equals(Rgb.BLACK)) {
             add("dark", "there is no light and no ambient light; every surface will be black");
+        }
+    }
+
+    private void suns() {
+        for (int i = 0; i < scene.lights().size(); i++) {
+            if (scene.lights().get(i) instanceof SunLight sun && sun.visible() && sun.angle() == 0) {
+                add("sun-without-disc", name(i), ScenePath.light(i), name(i) + " is visible but has no disc to be seen; give it an angle");
+            }
         }
     }
 
@@ -138,11 +149,15 @@ public final class SceneWarnings {
         }
         for (int i = 0; i < scene.lights().size(); i++) {
             Light light = scene.lights().get(i);
-            if (isOpaque && placed.contains(light.position())) {
-                String lamp = light.name().isEmpty() ? "light #" + (i + 1) : "light \"" + light.name() + "\"";
-                add("light-inside", lamp, ScenePath.light(i), lamp + " is inside " + label + ", which is opaque; it lights nothing outside");
+            if (isOpaque && light instanceof PlacedLight lamp && placed.contains(lamp.position())) {
+                add("light-inside", name(i), ScenePath.light(i), name(i) + " is inside " + label + ", which is opaque; it lights nothing outside");
             }
         }
+    }
+
+    private String name(int light) {
+        String name = scene.lights().get(light).name();
+        return name.isEmpty() ? "light #" + (light + 1) : "light \"" + name + "\"";
     }
 
     private void glass() {

@@ -1,6 +1,7 @@
 package cz.paprsek.cli.describe;
 
 import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.io.Json;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
@@ -59,8 +60,23 @@ public final class SummaryAsJson {
     }
 
     private static Json of(Light light) {
-        return new Json().with("name", light.name()).with("position", light.position()).with("color", vector(light.color()))
-                .with("intensity", light.intensity());
+        Json json = new Json().with("name", light.name()).with("kind", light.kind());
+        Described.inline(light.getClass()).stream().filter(one -> one.isOf(light) && one.says().value() != Kind.NAME).forEach(one -> with(json, one.name(), one.value(light)));
+        return json;
+    }
+
+    private static void with(Json json, String name, Object value) {
+        if (value instanceof Rgb color) {
+            json.with(name, vector(color));
+        } else if (value instanceof Vec3 vector) {
+            json.with(name, vector);
+        } else if (value instanceof Boolean flag) {
+            json.with(name, flag);
+        } else if (value instanceof double[] pair) {
+            json.withNumbers(name, pair);
+        } else {
+            json.with(name, ((Number) value).doubleValue());
+        }
     }
 
     private static Json of(String name, Material material) {

@@ -1,10 +1,12 @@
 package cz.paprsek.cli.describe;
 
 import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
@@ -46,11 +48,23 @@ public final class SummaryAsText {
         line("ambient", text(scene.ambient()));
         line("lights", Integer.toString(scene.lights().size()));
         for (Light light : scene.lights()) {
-            item(light.name(), "position " + Numbers.text(light.position()) + ", color " + text(light.color()) + ", intensity "
-                    + Numbers.text(light.intensity()));
+            item(light.name(), light.kind() + ": " + text(light));
         }
         line("materials", Integer.toString(scene.materials().size()));
         scene.materials().forEach((name, material) -> item(name, text(material)));
+    }
+
+    private static String text(Light light) {
+        return Described.inline(light.getClass()).stream().filter(one -> one.isOf(light) && one.says().value() != Kind.NAME)
+                .map(one -> one.name() + " " + text(one.value(light))).collect(Collectors.joining(", "));
+    }
+
+    private static String text(Object value) {
+        return value instanceof Rgb color ? text(color)
+                : value instanceof Vec3 vector ? Numbers.text(vector)
+                : value instanceof Boolean flag ? flag.toString()
+                : value instanceof double[] pair ? Numbers.text(pair[0]) + " " + Numbers.text(pair[1])
+                : Numbers.text(((Number) value).doubleValue());
     }
 
     private void objects(SceneSummary summary) {

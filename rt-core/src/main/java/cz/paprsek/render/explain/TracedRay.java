@@ -15,17 +15,20 @@ import java.util.stream.Stream;
  * @param origin world space
  * @param direction of length 1, world space
  * @param medium what it travels through
- * @param encounter what it hits; empty if it sees the background
+ * @param encounter what object it hits; empty if it sees a light or the background
+ * @param seen what light it sees as it is, at which it ends
  * @param light what it brings back, the exact sum of the encounter's {@linkplain Encounter#terms terms}
  */
 public record TracedRay(
-        Kind kind, int level, double weight, Vec3 origin, Vec3 direction, Medium medium, Optional<Encounter> encounter, LinearRgb light) {
+        Kind kind, int level, double weight, Vec3 origin, Vec3 direction, Medium medium, Optional<Encounter> encounter,
+        Optional<SeenLight> seen, LinearRgb light) {
     public TracedRay {
         Objects.requireNonNull(kind, "kind");
         Objects.requireNonNull(origin, "origin");
         Objects.requireNonNull(direction, "direction");
         Objects.requireNonNull(medium, "medium");
         Objects.requireNonNull(encounter, "encounter");
+        Objects.requireNonNull(seen, "seen");
         Objects.requireNonNull(light, "light");
     }
 

@@ -5,6 +5,7 @@ import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Refraction;
+import cz.paprsek.render.explain.ShadowRay;
 import cz.paprsek.render.explain.TracedRay;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,7 +19,7 @@ public final class Draft {
     private final LinearRgb color;
     private final LinearRgb ambientLight;
     public final ShadowWalk.Start start;
-    public final List<LightTerm> lights = new ArrayList<>();
+    private final List<LightTerm> lights = new ArrayList<>();
     public Optional<Refraction> refraction = Optional.empty();
     private Optional<TracedRay> reflected = Optional.empty();
     private Optional<TracedRay> refracted = Optional.empty();
@@ -33,6 +34,32 @@ public final class Draft {
         this.start = start;
     }
 
+    /** Adds a shadow ray to a light; several in a row to one are one term. */
+    void sought(int lamp, String name, ShadowRay ray) {
+        LightTerm last = lights.isEmpty() ? null : lights.get(lights.size() - 1);
+        if (last != null && last.light() == lamp) {
+            List<ShadowRay> rays = new ArrayList<>(last.rays());
+            rays.add(ray);
+            lights.set(lights.size() - 1, new LightTerm(lamp, name, rays, LinearRgb.BLACK));
+        } else {
+            lights.add(new LightTerm(lamp, name, List.of(ray), LinearRgb.BLACK));
+        }
+    }
+
+    /** Says what the last shadow ray brings: all of its light's term, unless that turns out to be a mean. */
+    void lit(double diffuse, double highlight, LinearRgb light) {
+        LightTerm last = lights.get(lights.size() - 1);
+        List<ShadowRay> rays = new ArrayList<>(last.rays());
+        rays.set(rays.size() - 1, rays.get(rays.size() - 1).lit(diffuse, highlight, light));
+        lights.set(lights.size() - 1, new LightTerm(last.light(), last.name(), rays, light));
+    }
+
+    /** Says what the shadow rays of the last light bring together. */
+    void averaged(LinearRgb light) {
+        LightTerm last = lights.get(lights.size() - 1);
+        lights.set(lights.size() - 1, new LightTerm(last.light(), last.name(), last.rays(), light));
+    }
+
     public void add(TracedRay child) {
         if (child.kind() == TracedRay.Kind.REFLECTED) {
             reflected = Optional.of(child);
@@ -44,6 +71,6 @@ public final class Draft {
     public TracedRay finished(LinearRgb light, int maxDepth) {
         boolean cutOff = ray.level() == maxDepth && (material.reflection() > 0 || material.transparency() > 0);
         Encounter encounter = new Encounter(place, material, color, ambientLight, ray.light(), lights, refraction, reflected, refracted, cutOff);
-        return new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.of(encounter), light);
+        return new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.of(encounter), Optional.empty(), light);
     }
 }

@@ -3,17 +3,18 @@ package cz.paprsek.render.integrate;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.explain.Encounter;
-import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Medium;
 import cz.paprsek.render.explain.Refraction;
+import cz.paprsek.render.explain.SeenLight;
+import cz.paprsek.render.explain.ShadowRay;
 import cz.paprsek.render.explain.TracedRay;
-import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.light.Arrival;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.InScene;
-import cz.paprsek.scene.Light;
+import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Shape;
@@ -79,21 +80,37 @@ public final class Recorder extends Whitted {
     }
 
     @Override
-    public void sought(int lamp, double x, double y, double z, double distance, double facing, double visibility) {
+    public void seen(Level level, int lamp) {
+        TracedRay ray = begin(level);
+        deliver(new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.empty(),
+                Optional.of(new SeenLight(lamp, scene.scene().lights().get(lamp).name(), level.ray.max)), ray.light()));
+    }
+
+    @Override
+    public void sought(int lamp, Arrival arrival, double facing, double visibility) {
         Draft draft = open.element();
-        Light light = scene.scene().lights().get(lamp);
-        Lamp ready = scene.lamps()[lamp];
-        Vec3 direction = new Vec3(x, y, z);
-        draft.lights.add(new LightTerm(lamp, light.name(), light.position(),
-                new LinearRgb(ready.red(), ready.green(), ready.blue()), direction, distance, facing, draft.place.mirrored().dot(direction), visibility,
-                facing > 0 && visibility < 1 ? shadowWalk.obstacles(draft.start, direction, distance) : List.of(),
+        Vec3 direction = new Vec3(arrival.x, arrival.y, arrival.z);
+        boolean isSent = facing > 0 && (arrival.red > 0 || arrival.green > 0 || arrival.blue > 0);
+        draft.sought(lamp, scene.scene().lights().get(lamp).name(), new ShadowRay(target(lamp, draft, direction, arrival.distance), new LinearRgb(arrival.red, arrival.green, arrival.blue),
+                direction, arrival.distance, facing, draft.place.mirrored().dot(direction), visibility,
+                isSent && visibility < 1 ? shadowWalk.obstacles(draft.start, direction, arrival.distance, lamp) : List.of(),
                 0, 0, LinearRgb.BLACK));
+    }
+
+    /** Of a light without a size, to the last bit where it stands. */
+    private Optional<Vec3> target(int lamp, Draft draft, Vec3 direction, double distance) {
+        return scene.scene().lights().get(lamp) instanceof PlacedLight placed && scene.lamps()[lamp].samples() == 1 ? Optional.of(placed.position())
+                : Double.isFinite(distance) ? Optional.of(draft.place.point().plus(direction.times(distance))) : Optional.empty();
     }
 
     @Override
     public void illuminated(double diffuse, double highlight, double red, double green, double blue) {
-        List<LightTerm> lights = open.element().lights;
-        lights.set(lights.size() - 1, lights.get(lights.size() - 1).lit(diffuse, highlight, new LinearRgb(red, green, blue)));
+        open.element().lit(diffuse, highlight, new LinearRgb(red, green, blue));
+    }
+
+    @Override
+    public void averaged(int lamp, double red, double green, double blue) {
+        open.element().averaged(new LinearRgb(red, green, blue));
     }
 
     @Override
@@ -112,7 +129,7 @@ public final class Recorder extends Whitted {
         int around = level.media.innermost();
         return new TracedRay(kind, open.size() + 1, weight, new Vec3(ray.ox, ray.oy, ray.oz), new Vec3(ray.dx, ray.dy, ray.dz),
                 new Medium(around < 0 ? Optional.empty() : Optional.of(new InScene<>(scene.scene(), ScenePath.body(around))), level.media.refractiveIndex()),
-                Optional.empty(), light(level));
+                Optional.empty(), Optional.empty(), light(level));
     }
 
     private void deliver(TracedRay ray) {

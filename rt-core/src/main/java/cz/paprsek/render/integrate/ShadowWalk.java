@@ -1,13 +1,15 @@
 package cz.paprsek.render.integrate;
 
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.explain.LightTerm.Obstacle;
+import cz.paprsek.render.explain.ShadowRay.Obstacle;
+import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Contacts;
 import cz.paprsek.render.surface.Media;
 import cz.paprsek.render.surface.PartTable;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
@@ -48,11 +50,13 @@ public final class ShadowWalk {
         this.path = path;
     }
 
-    /** The surfaces in the way, the nearest first, up to the first that lets no light through. */
-    public List<Obstacle> obstacles(Start start, Vec3 direction, double distance) {
+    /** The surfaces in the way to a light, the nearest first, up to the first that lets no light through. */
+    public List<Obstacle> obstacles(Start start, Vec3 direction, double distance, int lamp) {
         Vec3 point = start.point();
         ray.start(point.x(), point.y(), point.z(), direction.x(), direction.y(), direction.z(), start.size(),
                 distance - Ray.TOUCH * start.size(), start.part(), start.inwards());
+        int blocking = scene.glows().occluder(ray, lamp);
+        double reach = blocking == Glows.NONE ? Double.POSITIVE_INFINITY : scene.glows().distance(ray, blocking);
         spans.release(0);
         bodies.crossings(ray, gatherer);
         int[] inOrder = IntStream.range(0, spans.size())
@@ -61,10 +65,16 @@ public final class ShadowWalk {
                 .mapToInt(Integer::intValue).toArray();
         List<Obstacle> found = new ArrayList<>();
         for (int i : inOrder) {
-            found.add(new Obstacle(path.apply(spans.part(i)), Math.max(0, spans.t(i)), parts.finish(spans.part(i)).transparency));
-            if (isOpaque(i)) {
+            if (spans.t(i) > reach) {
                 break;
             }
+            found.add(new Obstacle(path.apply(spans.part(i)), Math.max(0, spans.t(i)), parts.finish(spans.part(i)).transparency));
+            if (isOpaque(i)) {
+                return found;
+            }
+        }
+        if (blocking != Glows.NONE) {
+            found.add(new Obstacle(new InScene<>(scene.scene(), ScenePath.light(blocking)), reach, 0));
         }
         return found;
     }

@@ -6,7 +6,7 @@ import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.light.Arrival;
-import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Bodies;
@@ -19,12 +19,9 @@ import cz.paprsek.render.surface.Surroundings;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
-import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Stream;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Follows rays and shades what they hit: one worker's scratch and the formulas of the picture. Nothing is allocated once it is made.
@@ -34,43 +31,33 @@ import org.jspecify.annotations.Nullable;
 public class Whitted extends Witness implements Integrator {
     /** How many rays are traced between two questions whether to stop. */
     private static final int BATCH = 64;
-    /** Into how many subtrees a block's search is split at most: as measured. Rays from the eye stop at the first that lies behind what they hit. */
-    private static final int MOST_FROM_EYE = 24;
-    private static final int MOST_FROM_LAMP = 8;
+    /** Into how many subtrees a block's search is split at most: as measured. Rays stop at the first that lies behind what they hit. */
+    private static final int MOST_ENTRIES = 24;
 
     private final World scene;
     private final BooleanSupplier stop;
     private final Spans spans = new Spans();
-    private final Ray shadow = new Ray(spans);
     private final Bodies bodies;
     private final PartTable parts;
-    private final Lamp[] lamps;
+    private final Glows glows;
+    private final Lighting lighting;
     private final Bodies.Finder finder;
     private final Level[] levels;
     private final Sampling sampling;
     /** What is random: started for a sample of a pixel before its ray is, and anew before the block's hits are shaded, if there is a light that asks. */
     private final Sampler sampler;
-    private final boolean isRandom;
     private final double[] background;
     private final double[] ambient;
-    /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
-    private final @Nullable Surface[] lastOccluder;
     private final Contacts contacts;
     private final Surroundings surroundings;
-    private final Arrival arrival = new Arrival();
+    private final Arrival seen = new Arrival();
     private final Bundle bundle = new Bundle();
-    private final Entries entries = new Entries(MOST_FROM_EYE);
-    private final Entries[] towardsLamp;
-    /** Where shadow rays of the block look for what stands in their way, by light. */
-    private final Entries[] between;
-    private final Entries[] anywhere;
+    private final Entries entries = new Entries(MOST_ENTRIES);
     private Level[] block = {};
-    private double[] shares = new double[16];
 
     public long primary;
     public long reflected;
     public long refracted;
-    public long shadows;
     public long hits;
     public boolean cancelled;
 
@@ -79,17 +66,13 @@ public class Whitted extends Witness implements Integrator {
         this.stop = stop;
         this.bodies = scene.bodies();
         this.parts = scene.parts();
-        this.lamps = scene.lamps();
+        this.glows = scene.glows();
         this.finder = bodies.newFinder();
         this.contacts = new Contacts(scene, finder, spans);
         this.surroundings = new Surroundings(scene);
-        this.lastOccluder = new Surface[maxDepth * lamps.length];
-        this.towardsLamp = Stream.generate(() -> new Entries(MOST_FROM_LAMP)).limit(lamps.length).toArray(Entries[]::new);
-        this.between = new Entries[lamps.length];
-        this.anywhere = Stream.generate(bodies::whole).limit(lamps.length).toArray(Entries[]::new);
         this.sampling = sampling;
         this.sampler = sampling.newSampler();
-        this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1);
+        this.lighting = new Lighting(scene, maxDepth, finder, contacts, spans, sampler, this);
         this.levels = new Level[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
             levels[i] = new Level(spans);
@@ -129,7 +112,7 @@ public class Whitted extends Witness implements Integrator {
 
     @Override
     public final Work work() {
-        return new Work(primary, reflected, refracted, shadows, hits);
+        return new Work(primary, reflected, refracted, lighting.rays, hits);
     }
 
     /**
@@ -159,20 +142,13 @@ public class Whitted extends Witness implements Integrator {
             }
         }
         primary += rays;
-        for (int light = 0; light < lamps.length; light++) {
-            if (gather(lamps[light], first, rays)) {
-                bodies.enter(bundle, towardsLamp[light]);
-                between[light] = towardsLamp[light];
-            } else {
-                between[light] = bodies.whole();
-            }
-        }
+        lighting.prepare(first, rays);
         for (i = 0; i < rays; i++) {
-            if (isRandom) {
+            if (lighting.isRandom()) {
                 int pixel = i / perPixel;
                 sampler.start(x + pixel % width, y + pixel / width, i % perPixel);
             }
-            shade(first[i], 0, between);
+            shade(first[i], 0);
         }
         return first;
     }
@@ -194,29 +170,6 @@ public class Whitted extends Witness implements Integrator {
             surroundings.enter(level.ray, level.media);
         }
         return sees;
-    }
-
-    /**
-     * Bundles the lines from a lamp to all hits, as far as shadow rays look: not the last bit before a hit, which keeps the surfaces that
-     * were hit out of the bundle. False if these lines cannot be bundled.
-     */
-    private boolean gather(Lamp lamp, Level[] first, int rays) {
-        if (!lamp.start(bundle)) {
-            return false;
-        }
-        double smallest = Double.POSITIVE_INFINITY;
-        double farthest = 0;
-        for (int i = 0; i < rays; i++) {
-            Hit hit = first[i].hit;
-            if (first[i].ray.part >= 0) {
-                double reach = lamp.add(hit, bundle);
-                smallest = hit.size < smallest ? hit.size : smallest;
-                farthest = reach > farthest ? reach : farthest;
-            }
-        }
-        // A shadow ray begins at TOUCH · size; a tenth less leaves room for rounding.
-        bundle.end(1 - 0.9 * Ray.TOUCH * smallest / farthest);
-        return true;
     }
 
     private Level[] levels(int size) {
@@ -266,6 +219,7 @@ public class Whitted extends Witness implements Integrator {
     /** Traces the ray of {@link #alone}, as if it were that of the first sample of the first pixel. */
     public final void traceAlone() {
         primary++;
+        lighting.prepareNothing();
         trace(0);
     }
 
@@ -281,7 +235,7 @@ public class Whitted extends Witness implements Integrator {
         if (!level.ray.isBlind()) {
             find(level, bodies.whole());
         }
-        shade(level, depth, anywhere);
+        shade(level, depth);
     }
 
     /** Nodes of the tree visited so far, leaves included, those of bundles not. */
@@ -291,7 +245,7 @@ public class Whitted extends Witness implements Integrator {
 
     @Override
     public final long rays() {
-        return primary + reflected + refracted + shadows;
+        return primary + reflected + refracted + lighting.rays;
     }
 
     /** Finds what the level's ray hits, and where. */
@@ -301,18 +255,21 @@ public class Whitted extends Witness implements Integrator {
         if (ray.part >= 0 && (ray.max <= ray.contact || level.media.areAround())) {
             contacts.settle(level);
         }
+        glows.nearest(ray);
         if (ray.part >= 0) {
             hits++;
             locate(ray, level.hit);
         }
     }
 
-    private void shade(Level level, int depth, Entries[] between) {
+    private void shade(Level level, int depth) {
         Ray ray = level.ray;
         if (ray.part < 0) {
-            boolean isBlind = ray.isBlind();
-            level.light(isBlind ? 0 : background[0], isBlind ? 0 : background[1], isBlind ? 0 : background[2]);
-            missed(level);
+            miss(level);
+            return;
+        }
+        if (glows.has(ray.part)) {
+            glow(level);
             return;
         }
         Hit hit = level.hit;
@@ -335,9 +292,7 @@ public class Whitted extends Witness implements Integrator {
         level.light(ambient[0] * level.colorRed, ambient[1] * level.colorGreen, ambient[2] * level.colorBlue);
         met(level, leaving, c, mirrorX, mirrorY, mirrorZ, size);
         if (finish.isLit()) {
-            for (int i = 0; i < lamps.length; i++) {
-                illuminate(depth, i, between[i], level, finish, leaving, mirrorX, mirrorY, mirrorZ, size);
-            }
+            lighting.illuminate(depth, level, finish, leaving, mirrorX, mirrorY, mirrorZ);
         }
         if (depth + 1 < levels.length && (finish.reflection > 0 || finish.transparency > 0)) {
             spawn(level, levels[depth + 1], depth + 1, finish, leaving, c, mirrorX, mirrorY, mirrorZ, size);
@@ -345,11 +300,40 @@ public class Whitted extends Witness implements Integrator {
         ended(level);
     }
 
+    /** The ray sees a light's body, and ends there. */
+    private void glow(Level level) {
+        Ray ray = level.ray;
+        Hit hit = level.hit;
+        boolean isBehind = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz > 0;
+        if (isBehind) {
+            hit.turn();
+        }
+        glows.shine(ray.part, isBehind, seen);
+        level.light(seen.red, seen.green, seen.blue);
+        seen(level, glows.lamp(ray.part));
+    }
+
+    private void miss(Level level) {
+        boolean isBlind = level.ray.isBlind();
+        int sun = isBlind ? Glows.NONE : glows.sky(level.ray.dx, level.ray.dy, level.ray.dz, seen);
+        if (sun == Glows.NONE) {
+            level.light(isBlind ? 0 : background[0], isBlind ? 0 : background[1], isBlind ? 0 : background[2]);
+            missed(level);
+        } else {
+            level.light(seen.red, seen.green, seen.blue);
+            seen(level, sun);
+        }
+    }
+
     private void locate(Ray ray, Hit hit) {
         hit.px = ray.ox + ray.max * ray.dx;
         hit.py = ray.oy + ray.max * ray.dy;
         hit.pz = ray.oz + ray.max * ray.dz;
         hit.size = ray.max + Math.abs(hit.px) + Math.abs(hit.py) + Math.abs(hit.pz);
+        if (glows.has(ray.part)) {
+            glows.describe(ray.part, ray.face, hit);
+            return;
+        }
         boolean flipped = ray.face < 0;
         parts.part(ray.part).describe(flipped ? ~ray.face : ray.face, hit);
         if (flipped) {
@@ -360,90 +344,12 @@ public class Whitted extends Witness implements Integrator {
     /** Finds the place of the level's hit in a picture that covers the surface. */
     protected final void map(Level level) {
         int face = level.ray.face;
-        parts.part(level.ray.part).map(face < 0 ? ~face : face, level.hit);
-    }
-
-    /** Adds one light's diffuse and specular part. */
-    private void illuminate(int depth, int light, Entries between, Level level, Finish finish, boolean leaving,
-            double mirrorX, double mirrorY, double mirrorZ, double size) {
-        Hit hit = level.hit;
-        Lamp lamp = lamps[light];
-        lamp.sample(hit, 0.5, 0.5, arrival);
-        double lx = arrival.x;
-        double ly = arrival.y;
-        double lz = arrival.z;
-        double distance = arrival.distance;
-        double facing = hit.sx * lx + hit.sy * ly + hit.sz * lz;
-        if (!(facing > 0)) {
-            sought(light, lx, ly, lz, distance, facing, 0);
+        if (glows.has(level.ray.part)) {
+            level.hit.u = 0;
+            level.hit.v = 0;
             return;
         }
-        double visibility = 1;
-        shadows++;
-        if (!bodies.isClear(between)) {
-            Ray ray = level.ray;
-            shadow.start(hit.px, hit.py, hit.pz, lx, ly, lz, size, distance - Ray.TOUCH * size, ray.part, leaving != ray.face < 0);
-            backFrom(level, shadow);
-            visibility = visibility(depth * lamps.length + light, between, level.media);
-        }
-        sought(light, lx, ly, lz, distance, facing, visibility);
-        if (visibility > 0) {
-            double diffuse = finish.diffusion * facing;
-            double highlight = finish.highlight(mirrorX * lx + mirrorY * ly + mirrorZ * lz);
-            double red = visibility * lamp.red() * (diffuse * level.colorRed + highlight);
-            double green = visibility * lamp.green() * (diffuse * level.colorGreen + highlight);
-            double blue = visibility * lamp.blue() * (diffuse * level.colorBlue + highlight);
-            level.add(red, green, blue);
-            illuminated(diffuse, highlight, red, green, blue);
-        }
-    }
-
-    /** Nothing that touches a surface lies on the side it was seen from, unless the ray that came has met it just before, in the same place. */
-    private static void backFrom(Level level, Ray ray) {
-        if (level.ray.max > level.ray.contact) {
-            ray.min = ray.contact;
-        }
-    }
-
-    /** The share of a light that comes along the shadow ray: the product of the transparencies of all surfaces in between. */
-    private double visibility(int memory, Entries between, Media around) {
-        Surface last = lastOccluder[memory];
-        if (last != null && last.occludes(shadow)) {
-            return 0;
-        }
-        int mark = spans.size();
-        Surface occluder = bodies.occluder(shadow, between, finder, spans);
-        double product = occluder == null ? product(mark, around) : 0;
-        spans.release(mark);
-        if (occluder != last) {
-            lastOccluder[memory] = occluder;
-        }
-        return product;
-    }
-
-    /** The smallest share first, so that the product does not depend on the order in which the surfaces were found. */
-    private double product(int mark, Media around) {
-        int most = spans.size() - mark;
-        if (most > shares.length) {
-            shares = new double[2 * most];
-        }
-        int count = 0;
-        for (int i = mark; i < mark + most; i++) {
-            if (spans.t(i) <= shadow.contact && !contacts.counts(shadow, around, true, false, i)) {
-                continue;
-            }
-            double share = parts.finish(spans.part(i)).transparency;
-            int at = count++;
-            for (; at > 0 && shares[at - 1] > share; at--) {
-                shares[at] = shares[at - 1];
-            }
-            shares[at] = share;
-        }
-        double product = 1;
-        for (int i = 0; i < count; i++) {
-            product *= shares[i];
-        }
-        return product;
+        parts.part(level.ray.part).map(face < 0 ? ~face : face, level.hit);
     }
 
     /**
@@ -478,7 +384,7 @@ public class Whitted extends Witness implements Integrator {
             next.ray.start(hit.px, hit.py, hit.pz, mirrorX, mirrorY, mirrorZ, size, Double.POSITIVE_INFINITY, ray.part, leaving != ray.face < 0);
             next.beyond = false;
             next.path = Sampler.mirrored(level.path);
-            backFrom(level, next.ray);
+            Lighting.backFrom(level, next.ray);
             next.media.set(level.media);
             reflected++;
             following(false, reflection);

@@ -1,13 +1,14 @@
 package cz.paprsek.render.integrate;
 
+import cz.paprsek.render.light.Arrival;
 import cz.paprsek.render.surface.Level;
 
 /**
  * Every term of a colour, told where the tracer makes it. Whoever wants to know overrides these methods; those of the tracer that renders
  * pictures are empty, and the JVM makes nothing of them.
  *
- * <p>Calls nest as rays do: {@link #following} announces a ray that another one gives rise to, {@link #missed} or {@link #met} begins the
- * account of a ray, {@link #ended} ends that of one that has met something. What a level holds is only valid during the call.
+ * <p>Calls nest as rays do: {@link #following} announces a ray that another one gives rise to, {@link #missed}, {@link #seen} or {@link #met} begins the
+ * account of a ray, {@link #ended} ends that of one that has met an object. What a level holds is only valid during the call.
  */
 public abstract class Witness {
     /** The next ray is mirrored, or goes on beyond the surface; its light will be added times the weight. */
@@ -27,20 +28,31 @@ public abstract class Witness {
     public void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {}
 
     /**
-     * A light was looked for, in the direction (x, y, z) of length 1.
+     * The level's ray sees a light as it is: its body, or the disc of a sun, and brings its light. It ends there.
      *
-     * @param facing N·L; if it is not above 0 the surface is turned away, and nobody looked what stands between
-     * @param visibility the share of the light that arrives
+     * @param lamp number of the light
      */
-    public void sought(int lamp, double x, double y, double z, double distance, double facing, double visibility) {}
+    public void seen(Level level, int lamp) {}
 
     /**
-     * The light sought last adds to the level's light.
+     * A light was looked for.
+     *
+     * @param arrival where, and what it sends from there, which may be nothing
+     * @param facing N·L; if it is not above 0 the surface is turned away, and nobody looked what stands between
+     * @param visibility the share of that which arrives
+     */
+    public void sought(int lamp, Arrival arrival, double facing, double visibility) {}
+
+    /**
+     * What the light sought last adds to the level's light, or to the mean of those sought.
      *
      * @param diffuse kD·max(0, N·L)
      * @param highlight kS·max(0, R·L)ⁿ
      */
     public void illuminated(double diffuse, double highlight, double red, double green, double blue) {}
+
+    /** The light sought last was looked for at several points, and adds to the level's light the mean of what was found. */
+    public void averaged(int lamp, double red, double green, double blue) {}
 
     /**
      * The ray comes to a transparent surface.

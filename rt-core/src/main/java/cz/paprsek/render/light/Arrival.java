@@ -1,11 +1,36 @@
 package cz.paprsek.render.light;
 
-/** Scratch of one worker: where a light is looked for from a point. */
+import cz.paprsek.ray.Hit;
+
+/** Scratch of one worker: where a light is looked for from a point, and what arrives of it if nothing stands in the way. */
 public final class Arrival {
     /** The direction to the light, of length 1, world space. */
     public double x;
     public double y;
     public double z;
-    /** How far away it is, scene units. */
+    /** How far away it is, scene units; infinite for a sun. */
     public double distance;
+    /** The light, linear. */
+    public double red;
+    public double green;
+    public double blue;
+
+    /** Turns to a point. */
+    void towards(Hit from, double pointX, double pointY, double pointZ) {
+        double lx = pointX - from.px;
+        double ly = pointY - from.py;
+        double lz = pointZ - from.pz;
+        double length = Math.sqrt(lx * lx + ly * ly + lz * lz);
+        double k = 1 / length;
+        x = lx * k;
+        y = ly * k;
+        z = lz * k;
+        distance = length;
+    }
+
+    void set(double r, double g, double b) {
+        red = r;
+        green = g;
+        blue = b;
+    }
 }

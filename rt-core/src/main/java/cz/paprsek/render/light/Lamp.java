@@ -2,11 +2,19 @@ package cz.paprsek.render.light;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.PointLight;
+import cz.paprsek.scene.SphereLight;
+import cz.paprsek.scene.SpotLight;
+import cz.paprsek.scene.SunLight;
 import cz.paprsek.tree.Bundle;
 
 /** A light ready for shading: one class for each kind. Immutable. */
 public abstract class Lamp {
+    /** By no more than this is light multiplied, however near: so that pictures are of finite numbers. */
+    static final double MOST = 1e20;
+
     private final double red;
     private final double green;
     private final double blue;
@@ -18,10 +26,20 @@ public abstract class Lamp {
     }
 
     public static Lamp of(Light light) {
-        return new PointLamp(light);
+        if (light instanceof PointLight point) {
+            return point.referenceDistance() == 0 ? new PointLamp(point) : new FadingLamp(point);
+        } else if (light instanceof SpotLight spot) {
+            return new SpotLamp(spot);
+        } else if (light instanceof AreaLight area) {
+            return area.form() instanceof AreaLight.Size size ? new RectangleLamp(area, size) : new DiscLamp(area, (AreaLight.Radius) area.form());
+        } else if (light instanceof SphereLight ball) {
+            return new BallLamp(ball);
+        }
+        SunLight sun = (SunLight) light;
+        return sun.angle() == 0 ? new SunLamp(sun) : new SunDiscLamp(sun);
     }
 
-    /** The light that arrives where nothing stands in the way, linear colour times intensity. */
+    /** Its colour times its intensity, linear. */
     public final double red() {
         return red;
     }
@@ -38,21 +56,34 @@ public abstract class Lamp {
     public abstract int samples();
 
     /**
-     * Chooses a point of the light, and tells where it is.
+     * Chooses a point of the light, and tells where it is, and what arrives of the light if nothing stands in the way: the mean of all that is
+     * chosen is the light that arrives.
      *
      * @param from the point it is looked for from
      * @param u which point, 0–1; without meaning for a light of no size
      * @param v likewise
+     * @return whether anything arrives
      */
-    public abstract void sample(Hit from, double u, double v, Arrival out);
+    public abstract boolean sample(Hit from, double u, double v, Arrival out);
 
     /** Starts a bundle of the lines from the light to many hits; false if they do not start in one place, and cannot be bundled. */
-    public abstract boolean start(Bundle bundle);
+    public boolean start(Bundle bundle) {
+        return false;
+    }
 
     /**
-     * Adds the line from the light to a hit to a bundle.
+     * Adds the line from the light to a hit to a bundle that was started.
      *
      * @return at least the length of the line, at most √3 times that
      */
-    public abstract double add(Hit hit, Bundle bundle);
+    public double add(Hit hit, Bundle bundle) {
+        throw new IllegalStateException("the lines from this light cannot be bundled");
+    }
+
+    /** Makes its own light, times a factor, what arrives. */
+    final boolean arrives(double factor, Arrival out) {
+        double k = factor < MOST ? factor : MOST;
+        out.set(k * red, k * green, k * blue);
+        return k > 0;
+    }
 }

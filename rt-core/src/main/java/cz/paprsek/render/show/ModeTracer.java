@@ -5,6 +5,7 @@ import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.integrate.Whitted;
+import cz.paprsek.render.light.Arrival;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.sample.Sampling;
@@ -86,6 +87,10 @@ public final class ModeTracer extends Whitted {
 
     @Override
     public void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
+        shape(level, scene.parts().object(level.ray.part));
+    }
+
+    private void shape(Level level, int object) {
         Hit hit = level.hit;
         switch (mode) {
             case NORMALS -> add(encoded(hit.sx), encoded(hit.sy), encoded(hit.sz));
@@ -97,20 +102,29 @@ public final class ModeTracer extends Whitted {
                 double shown = numbers ? level.ray.max : range.brightness(level.ray.max);
                 add(shown, shown, shown);
             }
-            case OBJECTS -> add(ObjectColors.of(scene.parts().object(level.ray.part)));
+            case OBJECTS -> add(ObjectColors.of(object));
             case SHADED, RAYS, NODES, SHADOWS -> {
                 // What these show is known when the pixel is done.
             }
         }
     }
 
+    /** Lights that are seen are bodies like others, but show no light that falls on them. */
     @Override
-    public void sought(int lamp, double x, double y, double z, double distance, double facing, double visibility) {
+    public void seen(Level level, int lamp) {
+        if (Double.isFinite(level.ray.max)) {
+            shape(level, scene.scene().objects().size() + lamp);
+        }
+    }
+
+    @Override
+    public void sought(int lamp, Arrival arrival, double facing, double visibility) {
         if (mode == RenderMode.SHADOWS) {
             Lamp light = scene.lamps()[lamp];
-            arrived[0] += visibility * light.red();
-            arrived[1] += visibility * light.green();
-            arrived[2] += visibility * light.blue();
+            double share = visibility / light.samples();
+            arrived[0] += share * light.red();
+            arrived[1] += share * light.green();
+            arrived[2] += share * light.blue();
         }
     }
 

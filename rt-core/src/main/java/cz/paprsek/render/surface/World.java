@@ -1,6 +1,7 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.material.Rgb;
+import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Solid;
@@ -21,6 +22,7 @@ public final class World {
     private final boolean[] opaque;
     private final Bodies bodies;
     private final Lamp[] lamps;
+    private final Glows glows;
     /** Whether each object is transparent, has an inside, and may touch another such object. */
     private final boolean[] mayTouch;
     /** The first part of every solid without end. */
@@ -45,6 +47,7 @@ public final class World {
             opaque[i] = isOpaque(first, parts.size());
         }
         this.bodies = Bodies.of(surfaces, opaque, stop);
+        this.glows = Glows.of(scene.lights(), parts.size());
         this.mayTouch = touching();
         this.endless = findEndless();
         this.aroundCamera = new Surroundings(this).around(scene.camera().position());
@@ -59,6 +62,7 @@ public final class World {
         this.bodies = other.bodies;
         this.mayTouch = other.mayTouch;
         this.endless = other.endless;
+        this.glows = Glows.of(scene.lights(), parts.size());
         this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
         this.aroundCamera = new Surroundings(this).around(scene.camera().position());
     }
@@ -78,6 +82,11 @@ public final class World {
 
     public Lamp[] lamps() {
         return lamps;
+    }
+
+    /** The lights that are seen. */
+    public Glows glows() {
+        return glows;
     }
 
     public Rgb background() {

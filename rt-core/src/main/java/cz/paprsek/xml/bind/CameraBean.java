@@ -27,12 +27,15 @@ final class CameraBean extends Located {
     @XmlAttribute @Nullable Double height;
     @XmlAttribute @Nullable Double angle;
 
+    /** The one that is given. */
+    static Camera.Aim aim(String element, @Nullable Vec3 direction, @Nullable Vec3 target) {
+        Require.that(direction != null || target != null, "<" + element + "> needs a direction or a target");
+        Require.that(direction == null || target == null, "<" + element + "> has either a direction or a target, not both; remove one of them");
+        return direction != null ? new Camera.Direction(direction) : new Camera.Target(Objects.requireNonNull(target));
+    }
+
     Camera toCamera() {
-        Require.that(direction != null || target != null, "<camera> needs a direction or a target");
-        Require.that(direction == null || target == null, "<camera> has either a direction or a target, not both; remove one of them");
-        Camera.Aim aim = direction != null ? new Camera.Direction(direction)
-                : new Camera.Target(Objects.requireNonNull(target));
-        Camera camera = new Camera(name, position, aim, up == null ? Camera.DEFAULT.up() : up, lens());
+        Camera camera = new Camera(name, position, aim("camera", direction, target), up == null ? Camera.DEFAULT.up() : up, lens());
         Require.that(up == null || !Camera.isAlong(camera.forward(), up), Camera.ALONG);
         return camera;
     }

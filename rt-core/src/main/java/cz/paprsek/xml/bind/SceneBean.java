@@ -2,7 +2,6 @@ package cz.paprsek.xml.bind;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
-import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PixelFilter;
@@ -16,6 +15,7 @@ import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlAttribute;
 import jakarta.xml.bind.annotation.XmlElement;
 import jakarta.xml.bind.annotation.XmlElementRef;
+import jakarta.xml.bind.annotation.XmlElements;
 import jakarta.xml.bind.annotation.XmlRootElement;
 import jakarta.xml.bind.annotation.XmlType;
 import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
@@ -39,7 +39,13 @@ final class SceneBean extends Located {
     @XmlElement @Nullable ColoredBean background;
     @XmlElement @Nullable ColoredBean ambient;
     @XmlElement(name = "camera") List<CameraBean> cameras = new ArrayList<>();
-    @XmlElement(name = "point-light") List<LightBean> lights = new ArrayList<>();
+    @XmlElements({
+        @XmlElement(name = "point-light", type = LightBeans.PointLightBean.class),
+        @XmlElement(name = "spot-light", type = LightBeans.SpotLightBean.class),
+        @XmlElement(name = "area-light", type = LightBeans.AreaLightBean.class),
+        @XmlElement(name = "sphere-light", type = LightBeans.SphereLightBean.class),
+        @XmlElement(name = "sun-light", type = LightBeans.SunLightBean.class)})
+    List<LightBeans.LightBean> lights = new ArrayList<>();
     @XmlElement(name = "material") List<MaterialBean> materials = new ArrayList<>();
     @XmlElementRef List<ShapeBean> objects = new ArrayList<>();
 
@@ -52,7 +58,7 @@ final class SceneBean extends Located {
         SceneRules.checkCameras(eyes, (culprit, sentence) -> problems.add(problems.origin(culprit, this), sentence));
         checkTexts(problems);
         Map<String, Material> named = named(problems);
-        List<Light> lamps = made(lights, problems, LightBean::toLight);
+        List<Light> lamps = made(lights, problems, LightBeans.LightBean::toLight);
         List<SceneObject> made = made(objects, problems, bean -> bean.toObject(problems));
         // References to materials that were refused are no fault of those who refer.
         if (Similar.nearest("material", problems.skipped()).isEmpty()) {
@@ -117,18 +123,5 @@ final class SceneBean extends Located {
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class ColoredBean extends Located {
         @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Color.class) Rgb color = Rgb.BLACK;
-    }
-
-    /** {@code <point-light>}. */
-    @XmlAccessorType(XmlAccessType.FIELD)
-    static final class LightBean extends Located {
-        @XmlAttribute String name = "";
-        @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 position = Vec3.ZERO;
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb color = Rgb.WHITE;
-        @XmlAttribute double intensity = 1;
-
-        Light toLight() {
-            return new Light(name, position, color, intensity);
-        }
     }
 }

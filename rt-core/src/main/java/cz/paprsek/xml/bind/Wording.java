@@ -22,7 +22,11 @@ final class Wording {
             square quad quadrangle rect = rectangle
             circle disk = disc
             ground halfspace infiniteplane = plane
-            light lamp omni omnilight bulb lightsource arealight spotlight sunlight directionallight = point-light
+            light lamp omni omnilight bulb lightsource = point-light
+            spot spotlamp spotsource = spot-light
+            sun directional directionallight distantlight distant infinitelight = sun-light
+            rectanglelight rectlight quadlight disclight disklight softbox panel = area-light
+            balllight globelight = sphere-light
             backgroundcolor sky skycolor skysphere = background
             ambientlight globalambient = ambient
             eye viewpoint viewer view = camera

@@ -51,7 +51,7 @@ final class SimpleTypes {
             case WHOLE -> type(kind, () -> bounded("xs:int", kind.range()));
             case FROM_TO -> fromTo(kind);
             case VECTOR -> type(kind, () -> list(kind == Kind.POSITIVE_VECTOR ? Kind.POSITIVE.type() : Kind.NUMBER.type(), 3));
-            case PAIR -> type(kind, () -> list(Kind.NUMBER.type(), 2));
+            case PAIR -> type(kind, () -> list(kind == Kind.POSITIVE_PAIR ? Kind.POSITIVE.type() : Kind.NUMBER.type(), 2));
             case SCALE -> scale(kind);
             case COLOR -> color(kind);
             // Control characters are refused when the scene is made of the file: a pattern would make reading twice as long.

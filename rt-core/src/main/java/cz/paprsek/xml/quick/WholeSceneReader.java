@@ -15,7 +15,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Reads {@code <scene>}: what is inside comes in any order. */
@@ -26,14 +25,11 @@ final class WholeSceneReader {
     private static final byte[] BACKGROUND = Slot.ascii("background");
     private static final byte[] AMBIENT = Slot.ascii("ambient");
     private static final byte[] CAMERA = Slot.ascii("camera");
-    private static final byte[] LIGHT = Slot.ascii("point-light");
 
     private static final RecordForm<RenderSettings> SETTINGS = new RecordForm<>(RenderSettings.class);
-    private static final RecordForm<Light> LAMP = new RecordForm<>(Light.class);
     private static final TagForm SCENE_TAG = new TagForm(List.of(), Described.of(Scene.class).stream().map(Slot::of).toList());
     private static final TagForm SETTINGS_TAG = new TagForm(List.of(), SETTINGS.slots());
     private static final TagForm COLOR_TAG = new TagForm(List.of(), List.of(Slot.required("color", ValueForm.COLOR)));
-    private static final TagForm LAMP_TAG = new TagForm(List.of(), LAMP.slots());
 
     private final Markup markup;
     private final double[] room;
@@ -94,9 +90,7 @@ final class WholeSceneReader {
     }
 
     private void part(Parts parts, int depth) throws IOException {
-        if (markup.isNamed(LIGHT)) {
-            parts.lights.add(LAMP.make(leaf(LAMP_TAG, LIGHT, depth), 0));
-        } else if (markup.isNamed(MaterialReader.ELEMENT)) {
+        if (markup.isNamed(MaterialReader.ELEMENT)) {
             MaterialReader.Named named = materials.read(depth);
             Unusual.unless(parts.materials.put(named.name(), named.material()) == null);
         } else if (markup.isNamed(CAMERA)) {
@@ -114,8 +108,23 @@ final class WholeSceneReader {
             Unusual.unless(parts.description == null);
             parts.description = text(DESCRIPTION);
         } else {
-            parts.objects.add(shapes.object(depth));
+            bodyOrLight(parts, depth);
         }
+    }
+
+    private void bodyOrLight(Parts parts, int depth) throws IOException {
+        for (LightForm light : LightForm.ALL) {
+            if (light.name().isAtHand(markup)) {
+                Object[] values = light.tag().read(markup, room);
+                if (markup.hasContent(depth)) {
+                    Unusual.unless(!markup.nextTag());
+                    light.name().end(markup);
+                }
+                parts.lights.add(light.make(values));
+                return;
+            }
+        }
+        parts.objects.add(shapes.object(depth));
     }
 
     /** The attributes of an element that has nothing inside. */

@@ -12,9 +12,10 @@ import org.jspecify.annotations.Nullable;
 
 /** An element in the form that is written when there is no text yet; worked out when it is looked into. Equal if it stands for equal things. */
 public final class Form {
-    /** The elements that are no bodies. All bodies are one group, whose order matters. */
-    static final List<String> GROUPS = List.of("description", "render", "background", "ambient", "camera", "point-light", "material",
+    /** The elements that are neither bodies nor lights. All bodies are one group, whose order matters, and so are all lights. */
+    static final List<String> GROUPS = List.of("description", "render", "background", "ambient", "camera", "light", "material",
             "checkerboard", "checker", "scene", "body");
+    private static final String LIGHT = "-light";
     private static final Set<String> NAMES = Set.copyOf(GROUPS);
 
     private final String group;
@@ -51,7 +52,7 @@ public final class Form {
     /**
      * An element that stands for something.
      *
-     * @param element its name, or that of any other body if it is one
+     * @param element its name, or that of any other body or light if it is one
      * @param value what it stands for
      */
     public static Form of(String element, Object value, Supplier<Body> maker) {
@@ -83,7 +84,7 @@ public final class Form {
     }
 
     static String group(String element) {
-        return NAMES.contains(element) ? element : "body";
+        return NAMES.contains(element) ? element : element.endsWith(LIGHT) ? "light" : "body";
     }
 
     String group() {

@@ -50,7 +50,7 @@ public final class SceneWriter {
 
     static String text(Light light) {
         SceneWriter writer = new SceneWriter();
-        writer.leaf(light);
+        writer.leaf((Record) light);
         return writer.xml.toString();
     }
 
@@ -88,7 +88,7 @@ public final class SceneWriter {
         light("background", scene.background());
         light("ambient", scene.ambient());
         scene.cameras().forEach(this::leaf);
-        scene.lights().forEach(this::leaf);
+        scene.lights().forEach(light -> leaf((Record) light));
         scene.materials().forEach(this::material);
         scene.objects().forEach(this::object);
         xml.close("scene");

@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import jakarta.xml.bind.annotation.XmlAttribute;
 import jakarta.xml.bind.annotation.XmlElement;
 import jakarta.xml.bind.annotation.XmlElementRef;
+import jakarta.xml.bind.annotation.XmlElements;
 import jakarta.xml.bind.annotation.XmlRootElement;
 import java.lang.reflect.Field;
 import java.lang.reflect.ParameterizedType;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
@@ -50,6 +52,9 @@ class BeansTest {
                     Class<?> held = field.getGenericType() instanceof ParameterizedType list
                             ? (Class<?>) list.getActualTypeArguments()[0] : field.getType();
                     children.put(element.name().equals("##default") ? field.getName() : element.name(), held);
+                }
+                if (field.isAnnotationPresent(XmlElements.class)) {
+                    Arrays.stream(field.getAnnotation(XmlElements.class).value()).forEach(each -> children.put(each.name(), each.type()));
                 }
                 if (field.isAnnotationPresent(XmlElementRef.class)) {
                     ShapeBeans.all().filter(shape -> isIn(grammar, type, shape)).forEach(shape -> children.put(name(shape), shape));

@@ -2,6 +2,7 @@ package cz.paprsek.render.explain.text;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.SeenLight;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.text.Step.Topic;
 import cz.paprsek.words.Words;
@@ -31,8 +32,15 @@ final class Exercise {
     }
 
     private void missed() {
-        say(Topic.POINT, words.of("name.hits"), words.of("nothing"));
+        ray.seen().ifPresentOrElse(this::seen, () -> say(Topic.POINT, words.of("name.hits"), words.of("nothing")));
         step(Topic.SUM, words.of("name.light-of", name), "", "", Figures.of(ray.light()));
+    }
+
+    private void seen(SeenLight light) {
+        say(Topic.POINT, words.of("name.hits"), words.of("light", light.label()));
+        if (Double.isFinite(light.distance())) {
+            step(Topic.POINT, words.of("name.distance"), "t", "", Figures.of(light.distance()));
+        }
     }
 
     private void met(Encounter met) {

@@ -2,8 +2,9 @@ package cz.paprsek.render.explain.text;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Encounter;
-import cz.paprsek.render.explain.LightTerm.Obstacle;
 import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.ShadowRay;
+import cz.paprsek.render.explain.ShadowRay.Obstacle;
 import cz.paprsek.render.explain.text.Step.Topic;
 import cz.paprsek.words.Words;
 import java.util.List;
@@ -13,18 +14,26 @@ import java.util.stream.Collectors;
 record LightSteps(Encounter met, LightTerm term, Words words, List<Step> steps) {
 
     void write() {
-        step(words.of("name.light", term.label()), words.of("towards", Figures.of(term.position())), "", Figures.of(term.direction()));
-        step("", "N·L", Figures.of(met.place().towardsViewer()) + "·" + Figures.of(term.direction()), Figures.of(term.facing()));
-        if (!term.isFacing()) {
-            steps.add(Step.saying(Topic.SHADOW, "", words.of("turned-away")));
+        if (term.rays().size() == 1) {
+            alone(term.ray());
+        } else {
+            several();
+        }
+    }
+
+    private void alone(ShadowRay ray) {
+        step(words.of("name.light", term.label()), ray.target().map(point -> words.of("towards", Figures.of(point))).orElse("L"), "", Figures.of(ray.direction()));
+        step("", "N·L", Figures.of(met.place().towardsViewer()) + "·" + Figures.of(ray.direction()), Figures.of(ray.facing()));
+        if (!ray.isSent()) {
+            steps.add(Step.saying(Topic.SHADOW, "", words.of(ray.facing() > 0 ? "shines-elsewhere" : "turned-away")));
             return;
         }
-        term.obstacles().forEach(this::obstacle);
-        steps.add(new Step(Topic.SHADOW, "", "V", term.obstacles().size() < 2 ? ""
-                : term.obstacles().stream().map(o -> Figures.of(o.transparency())).collect(Collectors.joining("·")),
-                Figures.of(term.visibility()) + (term.obstacles().isEmpty() ? words.of("free") : term.visibility() > 0 ? "" : words.of("in-shadow"))));
-        if (term.visibility() > 0) {
-            shine();
+        ray.obstacles().forEach(this::obstacle);
+        steps.add(new Step(Topic.SHADOW, "", "V", ray.obstacles().size() < 2 ? ""
+                : ray.obstacles().stream().map(o -> Figures.of(o.transparency())).collect(Collectors.joining("·")),
+                Figures.of(ray.visibility()) + (ray.obstacles().isEmpty() ? words.of("free") : ray.visibility() > 0 ? "" : words.of("in-shadow"))));
+        if (ray.visibility() > 0) {
+            shine(ray);
         }
     }
 
@@ -33,18 +42,42 @@ record LightSteps(Encounter met, LightTerm term, Words words, List<Step> steps) 
                 words.surface(obstacle.surface()), Figures.of(obstacle.distance()), Figures.of(obstacle.transparency()))));
     }
 
-    private void shine() {
+    private void shine(ShadowRay ray) {
         Material material = met.material();
-        step("", words.of("diffuse", "kD·N·L"), Figures.of(material.diffusion()) + "·" + Figures.of(term.facing()), Figures.of(term.diffuse()));
+        step("", words.of("diffuse", "kD·N·L"), Figures.of(material.diffusion()) + "·" + Figures.of(ray.facing()), Figures.of(ray.diffuse()));
         if (material.specular() > 0) {
-            step("", "R·L", Figures.of(met.place().mirrored()) + "·" + Figures.of(term.direction()), Figures.of(term.alignment()));
+            step("", "R·L", Figures.of(met.place().mirrored()) + "·" + Figures.of(ray.direction()), Figures.of(ray.alignment()));
             step("", words.of("highlight", "kS·max(0, R·L)ⁿ"),
-                    Figures.of(material.specular()) + "·" + (term.alignment() > 0 ? Figures.power(term.alignment(), material.shininess()) : "0"),
-                    Figures.of(term.highlight()));
+                    Figures.of(material.specular()) + "·" + (ray.alignment() > 0 ? Figures.power(ray.alignment(), material.shininess()) : "0"),
+                    Figures.of(ray.highlight()));
         }
-        step("", material.specular() > 0 ? "V·I·(D·C + S)" : "V·I·D·C", Figures.of(term.visibility()) + "·" + Figures.of(term.intensity()) + "·"
-                + (material.specular() > 0 ? "(" + Figures.of(term.diffuse()) + "·C + " + Figures.of(term.highlight()) + ")" : Figures.of(term.diffuse()) + "·C"),
-                Figures.of(term.added()));
+        step("", material.specular() > 0 ? "V·I·(D·C + S)" : "V·I·D·C", brings(ray), Figures.of(ray.added()));
+    }
+
+    private String brings(ShadowRay ray) {
+        return Figures.of(ray.visibility()) + "·" + Figures.of(ray.intensity()) + "·"
+                + (met.material().specular() > 0 ? "(" + Figures.of(ray.diffuse()) + "·C + " + Figures.of(ray.highlight()) + ")" : Figures.of(ray.diffuse()) + "·C");
+    }
+
+    /** A line for each shadow ray, and the mean. */
+    private void several() {
+        int count = term.rays().size();
+        steps.add(Step.saying(Topic.LIGHT, words.of("name.light", term.label()), words.of("looked-for", count)));
+        for (int i = 0; i < count; i++) {
+            ShadowRay ray = term.rays().get(i);
+            String name = words.of("towards", ray.target().map(Figures::of).orElseGet(() -> Figures.of(ray.direction())));
+            if (!ray.isSent()) {
+                steps.add(Step.saying(Topic.SHADOW, "", (i + 1) + ": " + name + ": " + words.of(ray.facing() > 0 ? "shines-elsewhere" : "turned-away")));
+            } else if (ray.visibility() > 0) {
+                ray.obstacles().forEach(this::obstacle);
+                step("", (i + 1) + ": " + name, brings(ray), Figures.of(ray.added()));
+            } else {
+                Obstacle last = ray.obstacles().get(ray.obstacles().size() - 1);
+                steps.add(Step.saying(Topic.SHADOW, "", (i + 1) + ": " + name + ": "
+                        + words.of("blocked", words.surface(last.surface()), Figures.of(last.distance()), Figures.of(last.transparency()))));
+            }
+        }
+        step("", words.of("mean"), "Σ / " + count, Figures.of(term.added()));
     }
 
     private void step(String name, String formula, String numbers, String result) {

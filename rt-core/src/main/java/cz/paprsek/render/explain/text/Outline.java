@@ -52,6 +52,9 @@ public record Outline(String name, TracedRay ray, double share, List<Outline> ch
             case REFLECTED -> words.of("reflected");
             case REFRACTED -> words.of("refracted");
         };
+        if (ray.seen().isPresent()) {
+            return kind + inside(words) + words.of("sees-light", ray.seen().get().label());
+        }
         if (ray.encounter().isEmpty()) {
             return kind + inside(words) + words.of("sees-background");
         }

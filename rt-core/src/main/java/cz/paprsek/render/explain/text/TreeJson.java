@@ -4,13 +4,17 @@ import cz.paprsek.attribute.Described;
 import cz.paprsek.io.Json;
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Encounter;
-import cz.paprsek.render.explain.LightTerm.Obstacle;
 import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.Refraction;
+import cz.paprsek.render.explain.SeenLight;
+import cz.paprsek.render.explain.ShadowRay;
+import cz.paprsek.render.explain.ShadowRay.Obstacle;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.Locale;
 
@@ -36,6 +40,7 @@ public final class TreeJson {
                 .with("medium", new Json().with("name", ray.medium().solid().map(solid -> solid.part().label(solid.scene())).orElse(""))
                         .with("refractive-index", ray.medium().refractiveIndex()));
         color(json, "light", ray.light());
+        ray.seen().ifPresent(light -> json.with("seen", of(light)));
         ray.encounter().ifPresent(met -> json.with("hit", of(met)));
         return json;
     }
@@ -68,10 +73,15 @@ public final class TreeJson {
                 .with("mirrored", place.mirrored());
     }
 
-    private static Json of(InScene<BodyAt> surface) {
+    private static Json of(InScene<? extends ScenePath> surface) {
+        return surface.part() instanceof BodyAt body ? body(surface.scene(), body)
+                : new Json().with("light", ((ScenePath.LightAt) surface.part()).index());
+    }
+
+    private static Json body(Scene scene, BodyAt at) {
         return new Json()
-                .withNumbers("path", surface.part().numbers().stream().mapToDouble(Integer::doubleValue).toArray())
-                .withTexts("names", surface.part().way().map(step -> step.label(surface.scene())).toList());
+                .withNumbers("path", at.numbers().stream().mapToDouble(Integer::doubleValue).toArray())
+                .withTexts("names", at.way().map(step -> step.label(scene)).toList());
     }
 
     private static Json of(Material material) {
@@ -83,18 +93,33 @@ public final class TreeJson {
     private static Json of(LightTerm term) {
         Json json = new Json()
                 .with("light", term.light())
-                .with("name", term.label())
-                .with("position", term.position());
-        color(json, "intensity", term.intensity())
-                .with("direction", term.direction())
-                .with("distance", term.distance())
-                .with("n-dot-l", term.facing())
-                .with("r-dot-l", term.alignment())
-                .with("visibility", term.visibility())
-                .with("obstacles", term.obstacles().stream().map(TreeJson::of).toList())
-                .with("diffuse", term.diffuse())
-                .with("highlight", term.highlight());
-        return color(json, "added", term.added());
+                .with("name", term.label());
+        if (term.rays().size() > 1) {
+            return color(json.with("shadow-rays", term.rays().stream().map(ray -> color(with(new Json(), ray), "added", ray.added())).toList()),
+                    "added", term.added());
+        }
+        return color(with(json, term.ray()), "added", term.added());
+    }
+
+    private static Json with(Json json, ShadowRay ray) {
+        ray.target().ifPresent(point -> json.with("position", point));
+        color(json, "intensity", ray.intensity()).with("direction", ray.direction());
+        // JSON has no number for a sun's.
+        if (Double.isFinite(ray.distance())) {
+            json.with("distance", ray.distance());
+        }
+        return json
+                .with("n-dot-l", ray.facing())
+                .with("r-dot-l", ray.alignment())
+                .with("visibility", ray.visibility())
+                .with("obstacles", ray.obstacles().stream().map(TreeJson::of).toList())
+                .with("diffuse", ray.diffuse())
+                .with("highlight", ray.highlight());
+    }
+
+    private static Json of(SeenLight light) {
+        Json json = new Json().with("light", light.light()).with("name", light.label());
+        return Double.isFinite(light.distance()) ? json.with("distance", light.distance()) : json;
     }
 
     private static Json of(Obstacle obstacle) {

@@ -24,7 +24,7 @@ public final class Moves {
 
     /** Items moved by a vector in world space. A camera that keeps a target goes on looking at it. */
     public static Scene translated(Scene scene, Collection<? extends Item> items, Vec3 by) {
-        return by.equals(Vec3.ZERO) ? scene : changed(scene, items, position -> position.plus(by), (toParent, placement) ->
+        return by.equals(Vec3.ZERO) ? scene : changed(scene, items, position -> position.plus(by), light -> LightMoves.moved(light, position -> position.plus(by)), (toParent, placement) ->
                 placement.withPosition(placement.position().plus(toParent.inverse().direction(by))));
     }
 
@@ -35,7 +35,7 @@ public final class Moves {
      */
     public static Scene rotated(Scene scene, Collection<? extends Item> items, Vec3 pivot, Vec3 degrees) {
         Affine turn = about(pivot, Affine.rotation(degrees));
-        return changed(scene, items, turn::point, (toParent, placement) -> {
+        return changed(scene, items, turn::point, light -> LightMoves.turned(light, turn), (toParent, placement) -> {
             Affine local = toParent.inverse().after(turn).after(toParent);
             // The scale is left out of the sums, and so stays what it was to the last digit.
             Affine rotation = new Placement(Vec3.ZERO, placement.rotation(), Vec3.ONE).toParent();
@@ -51,7 +51,7 @@ public final class Moves {
         Affine stretch = about(pivot, Affine.scaling(factors));
         double even = largestChange(factors);
         Affine evenly = about(pivot, Affine.scaling(new Vec3(even, even, even)));
-        return changed(scene, items, stretch::point, (toParent, placement) -> {
+        return changed(scene, items, stretch::point, light -> LightMoves.stretched(light, stretch, factors, even), (toParent, placement) -> {
             Affine own = toParent.after(placement.toParent());
             Affine map = own.keepsAxes() ? stretch : evenly;
             Vec3 along = own.keepsAxes() ? ownFactors(own, factors) : new Vec3(even, even, even);
@@ -68,7 +68,8 @@ public final class Moves {
         Placement apply(Affine parentToWorld, Placement placement);
     }
 
-    private static Scene changed(Scene scene, Collection<? extends Item> items, UnaryOperator<Vec3> point, Replacing replacing) {
+    private static Scene changed(Scene scene, Collection<? extends Item> items, UnaryOperator<Vec3> point, UnaryOperator<Light> light,
+            Replacing replacing) {
         Scene result = scene;
         Map<BodyAt, Affine> spaces = new HashMap<>();
         List<BodyAt> bodies = Items.outermost(items);
@@ -78,7 +79,7 @@ public final class Moves {
         List<LightAt> lights = Items.lights(items);
         if (!lights.isEmpty()) {
             List<Light> moved = new ArrayList<>(scene.lights());
-            lights.forEach(at -> moved.set(at.index(), moved.get(at.index()).withPosition(point.apply(moved.get(at.index()).position()))));
+            lights.forEach(at -> moved.set(at.index(), light.apply(moved.get(at.index()))));
             result = result.withLights(moved);
         }
         if (items.contains(Item.CAMERA)) {
@@ -92,12 +93,12 @@ public final class Moves {
         return Affine.translation(pivot).after(map).after(Affine.translation(pivot.negated()));
     }
 
-    private static Affine linear(Affine map) {
+    static Affine linear(Affine map) {
         return new Affine(map.xx(), map.xy(), map.xz(), 0, map.yx(), map.yy(), map.yz(), 0, map.zx(), map.zy(), map.zz(), 0);
     }
 
     /** Factors along the world's axes as factors along a body's own, for a body whose axes are the world's in some order. */
-    private static Vec3 ownFactors(Affine own, Vec3 factors) {
+    static Vec3 ownFactors(Affine own, Vec3 factors) {
         return new Vec3(
                 factorAlong(own.xx(), own.yx(), factors), factorAlong(own.xy(), own.yy(), factors), factorAlong(own.xz(), own.yz(), factors));
     }
@@ -114,11 +115,11 @@ public final class Moves {
         return even;
     }
 
-    private static Vec3 rounded(Vec3 v) {
+    static Vec3 rounded(Vec3 v) {
         return new Vec3(rounded(v.x()), rounded(v.y()), rounded(v.z()));
     }
 
-    private static double rounded(double value) {
+    static double rounded(double value) {
         return value == 0 ? 0 : Placements.round(value, Math.abs(value));
     }
 }

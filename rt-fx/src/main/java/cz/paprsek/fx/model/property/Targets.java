@@ -40,14 +40,14 @@ final class Targets {
     /** Lights. */
     record LightsAt(List<LightAt> places) implements Target {
         @Override
-        public List<Light> read(Scene scene) {
-            return places.stream().filter(at -> at.index() < scene.lights().size()).map(at -> scene.lights().get(at.index())).toList();
+        public List<Record> read(Scene scene) {
+            return places.stream().filter(at -> at.index() < scene.lights().size()).map(at -> (Record) scene.lights().get(at.index())).toList();
         }
 
         @Override
         public Scene change(Scene scene, UnaryOperator<Record> change) {
             List<Light> lights = new ArrayList<>(scene.lights());
-            places.forEach(at -> lights.set(at.index(), (Light) change.apply(lights.get(at.index()))));
+            places.forEach(at -> lights.set(at.index(), (Light) change.apply((Record) lights.get(at.index()))));
             return scene.withLights(lights);
         }
     }

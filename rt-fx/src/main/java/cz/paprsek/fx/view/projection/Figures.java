@@ -1,10 +1,12 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -59,7 +61,8 @@ final class Figures {
     /** The box around an item; a point for lights and the camera. */
     Box box(Item item) {
         if (item instanceof LightAt light) {
-            return Box.EMPTY.with(axes.u(scene.lights().get(light.index()).position()), axes.v(scene.lights().get(light.index()).position()));
+            Vec3 place = LightMoves.place(scene.lights().get(light.index()));
+            return Box.EMPTY.with(axes.u(place), axes.v(place));
         }
         if (item instanceof BodyAt body) {
             return of(body).box();

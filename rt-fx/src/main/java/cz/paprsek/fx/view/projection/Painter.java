@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.look.Palette;
 import cz.paprsek.math.Vec3;
@@ -186,8 +187,8 @@ final class Painter {
     }
 
     private void light(Light light, Color color) {
-        double x = view.x(axes.u(light.position()));
-        double y = view.y(axes.v(light.position()));
+        double x = x(LightMoves.place(light));
+        double y = y(LightMoves.place(light));
         g.setStroke(color);
         g.setLineWidth(1.5);
         g.strokeOval(x - 4, y - 4, 8, 8);

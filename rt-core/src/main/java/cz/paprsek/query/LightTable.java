@@ -1,0 +1,63 @@
+package cz.paprsek.query;
+
+import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.ElementTable;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.AreaLight;
+import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.SpotLight;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/** The table of lights: a column for whatever one of the kinds has, empty for the others. */
+final class LightTable {
+    private LightTable() {}
+
+    static Table<InScene<Light>> of() {
+        Map<String, Column<InScene<Light>>> columns = new LinkedHashMap<>();
+        columns.put("scene", Column.text("scene", row -> row.scene().name()));
+        columns.put("name", Column.text("name", row -> row.part().name()));
+        columns.put("kind", Column.text("kind", row -> row.part().kind()));
+        ElementTable.of(Light.class).flatMap(kind -> Described.inline(kind).stream()).forEach(one -> columns.computeIfAbsent(one.name(), name -> column(one)));
+        columns.put("direction", Column.vectors("direction", row -> direction(row.part())));
+        columns.remove("size");
+        columns.put("width", Column.numbers("width", row -> number(size(row.part()).map(AreaLight.Size::width))));
+        columns.put("height", Column.numbers("height", row -> number(size(row.part()).map(AreaLight.Size::height))));
+        return new Table<>("light", new ArrayList<>(columns.values()), List.of());
+    }
+
+    private static Column<InScene<Light>> column(Described one) {
+        String name = one.name();
+        return switch (one.says().value().form()) {
+            case NUMBER, WHOLE -> Column.numbers(name, row -> number(value(row.part(), name)));
+            case VECTOR -> Column.vectors(name, row -> value(row.part(), name).map(Vec3.class::cast));
+            case COLOR -> Column.color(name, row -> value(row.part(), name).map(Rgb.class::cast));
+            default -> Column.texts(name, row -> value(row.part(), name).map(String::valueOf).stream().toList());
+        };
+    }
+
+    private static Optional<Object> value(Light light, String name) {
+        return Described.inline(light.getClass()).stream().filter(one -> one.name().equals(name) && one.isOf(light)).map(one -> one.value(light)).findFirst();
+    }
+
+    private static OptionalDouble number(Optional<?> value) {
+        return value.isPresent() ? OptionalDouble.of(((Number) value.get()).doubleValue()) : OptionalDouble.empty();
+    }
+
+    /** The way its light goes, given or not. */
+    private static Optional<Vec3> direction(Light light) {
+        return light instanceof SpotLight spot ? Optional.of(spot.direction())
+                : light instanceof AreaLight area ? Optional.of(area.direction())
+                : value(light, "direction").map(Vec3.class::cast);
+    }
+
+    private static Optional<AreaLight.Size> size(Light light) {
+        return light instanceof AreaLight area && area.form() instanceof AreaLight.Size size ? Optional.of(size) : Optional.empty();
+    }
+}

@@ -1,0 +1,263 @@
+package cz.paprsek.render.integrate;
+
+import cz.paprsek.ray.Hit;
+import cz.paprsek.render.light.Arrival;
+import cz.paprsek.render.light.Glows;
+import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.light.PointLamp;
+import cz.paprsek.render.sample.Sampler;
+import cz.paprsek.render.surface.Bodies;
+import cz.paprsek.render.surface.Contacts;
+import cz.paprsek.render.surface.Finish;
+import cz.paprsek.render.surface.Level;
+import cz.paprsek.render.surface.Media;
+import cz.paprsek.render.surface.PartTable;
+import cz.paprsek.render.surface.World;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Surface;
+import cz.paprsek.tree.Bundle;
+import cz.paprsek.tree.Entries;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Adds what the lights bring to a hit, and looks what stands in their way: scratch of one worker. A light with a size is looked for at several
+ * points, and brings the mean.
+ */
+final class Lighting {
+    /** Into how many subtrees the search of a block's shadow rays is split at most: as measured. */
+    private static final int MOST_ENTRIES = 8;
+    /** For a light that is looked for at one point. */
+    private static final double MIDDLE = 0.5;
+
+    private final Witness witness;
+    private final Sampler sampler;
+    private final Bodies bodies;
+    private final PartTable parts;
+    private final Lamp[] lamps;
+    private final boolean isRandom;
+    private final Glows glows;
+    private final Bodies.Finder finder;
+    private final Contacts contacts;
+    private final Spans spans;
+    private final Ray shadow;
+    private final Arrival arrival = new Arrival();
+    /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
+    private final @Nullable Surface[] lastOccluder;
+    private final Bundle bundle = new Bundle();
+    private final Entries[] towardsLamp;
+    /** Where shadow rays of the block look for what stands in their way, by light. */
+    private final Entries[] between;
+    private final Entries anywhere;
+    private double[] shares = new double[16];
+    /** What the light that was last looked for brings along its shadow ray. */
+    private double red;
+    private double green;
+    private double blue;
+
+    /** Shadow rays sent so far. */
+    long rays;
+
+    Lighting(World scene, int maxDepth, Bodies.Finder finder, Contacts contacts, Spans spans, Sampler sampler, Witness witness) {
+        this.witness = witness;
+        this.sampler = sampler;
+        this.bodies = scene.bodies();
+        this.parts = scene.parts();
+        this.lamps = scene.lamps();
+        this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1);
+        this.glows = scene.glows();
+        this.finder = finder;
+        this.contacts = contacts;
+        this.spans = spans;
+        this.shadow = new Ray(spans);
+        this.lastOccluder = new Surface[maxDepth * lamps.length];
+        this.towardsLamp = Stream.generate(() -> new Entries(MOST_ENTRIES)).limit(lamps.length).toArray(Entries[]::new);
+        this.between = new Entries[lamps.length];
+        this.anywhere = bodies.whole();
+    }
+
+    /** Whether some light is looked for at random points: then the sampler is to be started before each hit is lit. */
+    boolean isRandom() {
+        return isRandom;
+    }
+
+    /** Finds out what can stand between each light and the hits of a block, once for all: to be called before these are lit, on level 0. */
+    void prepare(Level[] block, int count) {
+        for (int light = 0; light < lamps.length; light++) {
+            if (gather(lamps[light], block, count)) {
+                bodies.enter(bundle, towardsLamp[light]);
+                between[light] = towardsLamp[light];
+            } else {
+                between[light] = anywhere;
+            }
+        }
+    }
+
+    /** Before a hit of a ray that is traced by itself is lit, on level 0. */
+    void prepareNothing() {
+        for (int light = 0; light < lamps.length; light++) {
+            between[light] = anywhere;
+        }
+    }
+
+    /**
+     * Bundles the lines from a lamp to all hits, as far as shadow rays look: not the last bit before a hit, which keeps the surfaces that
+     * were hit out of the bundle. False if these lines cannot be bundled.
+     */
+    private boolean gather(Lamp lamp, Level[] first, int count) {
+        if (!lamp.start(bundle)) {
+            return false;
+        }
+        double smallest = Double.POSITIVE_INFINITY;
+        double farthest = 0;
+        for (int i = 0; i < count; i++) {
+            Hit hit = first[i].hit;
+            if (first[i].ray.part >= 0) {
+                double reach = lamp.add(hit, bundle);
+                smallest = hit.size < smallest ? hit.size : smallest;
+                farthest = reach > farthest ? reach : farthest;
+            }
+        }
+        // A shadow ray begins at TOUCH · size; a tenth less leaves room for rounding.
+        bundle.end(1 - 0.9 * Ray.TOUCH * smallest / farthest);
+        return true;
+    }
+
+    /**
+     * Adds the diffuse and specular part of all lights to the level's light.
+     *
+     * @param depth the level's number, from 0
+     * @param leaving whether its normal was turned round
+     * @param mirrorX the mirrored direction, of length 1
+     */
+    void illuminate(int depth, Level level, Finish finish, boolean leaving, double mirrorX, double mirrorY, double mirrorZ) {
+        for (int light = 0; light < lamps.length; light++) {
+            Lamp lamp = lamps[light];
+            if (lamp instanceof PointLamp point) {
+                point.sample(level.hit, MIDDLE, MIDDLE, arrival);
+                add(look(depth, light, true, level, finish, leaving, mirrorX, mirrorY, mirrorZ), level);
+            } else if (lamp.samples() == 1) {
+                boolean shines = lamp.sample(level.hit, MIDDLE, MIDDLE, arrival);
+                add(look(depth, light, shines, level, finish, leaving, mirrorX, mirrorY, mirrorZ), level);
+            } else {
+                average(depth, light, level, finish, leaving, mirrorX, mirrorY, mirrorZ);
+            }
+        }
+    }
+
+    private void add(boolean brings, Level level) {
+        if (brings) {
+            level.add(red, green, blue);
+        }
+    }
+
+    /** Adds the mean of what several points of the light bring. */
+    private void average(int depth, int light, Level level, Finish finish, boolean leaving, double mirrorX, double mirrorY, double mirrorZ) {
+        int samples = lamps[light].samples();
+        double sumRed = 0;
+        double sumGreen = 0;
+        double sumBlue = 0;
+        sampler.lights(level.path, light, samples);
+        for (int i = 0; i < samples; i++) {
+            sampler.next();
+            boolean shines = lamps[light].sample(level.hit, sampler.u, sampler.v, arrival);
+            if (look(depth, light, shines, level, finish, leaving, mirrorX, mirrorY, mirrorZ)) {
+                sumRed += red;
+                sumGreen += green;
+                sumBlue += blue;
+            }
+        }
+        double share = 1.0 / samples;
+        level.add(sumRed * share, sumGreen * share, sumBlue * share);
+        witness.averaged(light, sumRed * share, sumGreen * share, sumBlue * share);
+    }
+
+    /** Looks along one shadow ray, that of the arrival: whether it brings anything. */
+    private boolean look(int depth, int light, boolean shines, Level level, Finish finish, boolean leaving, double mirrorX, double mirrorY, double mirrorZ) {
+        Hit hit = level.hit;
+        double lx = arrival.x;
+        double ly = arrival.y;
+        double lz = arrival.z;
+        double facing = hit.sx * lx + hit.sy * ly + hit.sz * lz;
+        if (!shines || !(facing > 0)) {
+            witness.sought(light, arrival, facing, 0);
+            return false;
+        }
+        double visibility = visibility(depth, light, level, leaving);
+        witness.sought(light, arrival, facing, visibility);
+        if (!(visibility > 0)) {
+            return false;
+        }
+        double diffuse = finish.diffusion * facing;
+        double highlight = finish.highlight(mirrorX * lx + mirrorY * ly + mirrorZ * lz);
+        red = visibility * arrival.red * (diffuse * level.colorRed + highlight);
+        green = visibility * arrival.green * (diffuse * level.colorGreen + highlight);
+        blue = visibility * arrival.blue * (diffuse * level.colorBlue + highlight);
+        witness.illuminated(diffuse, highlight, red, green, blue);
+        return true;
+    }
+
+    private double visibility(int depth, int light, Level level, boolean leaving) {
+        rays++;
+        Entries among = depth == 0 ? between[light] : anywhere;
+        if (bodies.isClear(among) && glows.areNone()) {
+            return 1;
+        }
+        Hit hit = level.hit;
+        Ray ray = level.ray;
+        shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, ray.part,
+                leaving != ray.face < 0);
+        backFrom(level, shadow);
+        double share = share(depth * lamps.length + light, among, level.media);
+        return share > 0 && glows.occluder(shadow, light) != Glows.NONE ? 0 : share;
+    }
+
+    /** Nothing that touches a surface lies on the side it was seen from, unless the ray that came has met it just before, in the same place. */
+    static void backFrom(Level level, Ray ray) {
+        if (level.ray.max > level.ray.contact) {
+            ray.min = ray.contact;
+        }
+    }
+
+    /** The share of a light that comes along the shadow ray: the product of the transparencies of all surfaces in between. */
+    private double share(int memory, Entries among, Media around) {
+        Surface last = lastOccluder[memory];
+        if (last != null && last.occludes(shadow)) {
+            return 0;
+        }
+        int mark = spans.size();
+        Surface occluder = bodies.occluder(shadow, among, finder, spans);
+        double product = occluder == null ? product(mark, around) : 0;
+        spans.release(mark);
+        if (occluder != last) {
+            lastOccluder[memory] = occluder;
+        }
+        return product;
+    }
+
+    /** The smallest share first, so that the product does not depend on the order in which the surfaces were found. */
+    private double product(int mark, Media around) {
+        int most = spans.size() - mark;
+        if (most > shares.length) {
+            shares = new double[2 * most];
+        }
+        int count = 0;
+        for (int i = mark; i < mark + most; i++) {
+            if (spans.t(i) <= shadow.contact && !contacts.counts(shadow, around, true, false, i)) {
+                continue;
+            }
+            double share = parts.finish(spans.part(i)).transparency;
+            int at = count++;
+            for (; at > 0 && shares[at - 1] > share; at--) {
+                shares[at] = shares[at - 1];
+            }
+            shares[at] = share;
+        }
+        double product = 1;
+        for (int i = 0; i < count; i++) {
+            product *= shares[i];
+        }
+        return product;
+    }
+}

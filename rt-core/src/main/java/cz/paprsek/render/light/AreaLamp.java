@@ -1,0 +1,55 @@
+package cz.paprsek.render.light;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.scene.AreaLight;
+
+/**
+ * A flat light that shines to one side. Points are chosen evenly on it; each brings I·D²·cos θ/d², with θ the angle between the way to the
+ * point and the light's normal.
+ */
+abstract class AreaLamp extends Lamp {
+    private final int samples;
+    private final double square;
+    private final Vec3 middle;
+    private final Vec3 across;
+    private final Vec3 along;
+    private final Vec3 normal;
+
+    /**
+     * A light as it stands.
+     *
+     * @param halfWidth how far from its middle it reaches along its own x
+     * @param halfHeight likewise along y
+     */
+    AreaLamp(AreaLight light, double halfWidth, double halfHeight) {
+        super(light.color(), light.intensity());
+        samples = light.samples();
+        square = light.referenceDistance() * light.referenceDistance();
+        Affine toWorld = light.placement().toParent();
+        middle = light.position();
+        across = toWorld.direction(Vec3.X).times(halfWidth);
+        along = toWorld.direction(Vec3.Y).times(halfHeight);
+        normal = toWorld.direction(Vec3.Z);
+    }
+
+    @Override
+    public final int samples() {
+        return samples;
+    }
+
+    /** Puts a point of it into the arrival's x and y: ±1 where it ends. */
+    abstract void place(double u, double v, Arrival out);
+
+    @Override
+    public final boolean sample(Hit from, double u, double v, Arrival out) {
+        place(u, v, out);
+        double p = out.x;
+        double q = out.y;
+        out.towards(from, middle.x() + p * across.x() + q * along.x(), middle.y() + p * across.y() + q * along.y(),
+                middle.z() + p * across.z() + q * along.z());
+        double cosine = -(out.x * normal.x() + out.y * normal.y() + out.z * normal.z());
+        return cosine > 0 && arrives(cosine * (square / (out.distance * out.distance)), out);
+    }
+}

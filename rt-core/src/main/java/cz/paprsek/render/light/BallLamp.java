@@ -1,0 +1,55 @@
+package cz.paprsek.render.light;
+
+import cz.paprsek.ray.Hit;
+import cz.paprsek.scene.SphereLight;
+
+/**
+ * A ball that shines to all sides. Directions are chosen evenly within the cone that it fills, of which α is the angle from the middle; each brings
+ * its radiance I·D²/r² times the solid angle 2π(1 − cos α) by π.
+ */
+final class BallLamp extends Lamp {
+    private final int samples;
+    private final double x;
+    private final double y;
+    private final double z;
+    private final double radius;
+    /** The radiance by that of a light of intensity 1. */
+    private final double bright;
+
+    BallLamp(SphereLight light) {
+        super(light.color(), light.intensity());
+        samples = light.samples();
+        x = light.position().x();
+        y = light.position().y();
+        z = light.position().z();
+        radius = light.radius();
+        double by = light.referenceDistance() / radius;
+        bright = by * by;
+    }
+
+    @Override
+    public int samples() {
+        return samples;
+    }
+
+    @Override
+    public boolean sample(Hit from, double u, double v, Arrival out) {
+        out.towards(from, x, y, z);
+        double distance = out.distance;
+        double sine = radius / distance;
+        if (!(sine < 1)) {
+            // Within it, where it gives no light.
+            return arrives(0, out);
+        }
+        double square = sine * sine;
+        double depth = square / (1 + Math.sqrt(1 - square));
+        double wx = out.x;
+        double wy = out.y;
+        double wz = out.z;
+        Unit.cap(wx, wy, wz, depth, u, v, out);
+        double cosine = wx * out.x + wy * out.y + wz * out.z;
+        double half = square - (1 - cosine) * (1 + cosine);
+        out.distance = distance * (cosine - Math.sqrt(half > 0 ? half : 0));
+        return arrives(2 * bright * depth, out);
+    }
+}

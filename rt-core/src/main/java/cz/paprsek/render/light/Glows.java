@@ -1,0 +1,122 @@
+package cz.paprsek.render.light;
+
+import cz.paprsek.math.Angles;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.SunLight;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The lights of a scene that are seen: bodies, each of one part, numbered after those of the objects; and suns, behind everything. They are few, and
+ * every ray looks at each. Where one lies in one place with an object, it is the light that is met. Immutable.
+ */
+public final class Glows {
+    /** In place of the number of a light: there is none. */
+    public static final int NONE = -1;
+
+    private final int firstPart;
+    private final Glow[] bodies;
+    private final Sun[] suns;
+
+    private record Sun(int lamp, Vec3 towards, double cosine, double red, double green, double blue) {}
+
+    private Glows(int firstPart, Glow[] bodies, Sun[] suns) {
+        this.firstPart = firstPart;
+        this.bodies = bodies;
+        this.suns = suns;
+    }
+
+    /** @param firstPart the number of parts that objects have */
+    public static Glows of(List<Light> lights, int firstPart) {
+        List<Glow> bodies = new ArrayList<>();
+        List<Sun> suns = new ArrayList<>();
+        for (int i = 0; i < lights.size(); i++) {
+            Glow.of(i, lights.get(i), firstPart + bodies.size()).ifPresent(bodies::add);
+            if (lights.get(i) instanceof SunLight sun && sun.visible() && sun.angle() > 0) {
+                suns.add(sun(i, sun));
+            }
+        }
+        return new Glows(firstPart, bodies.toArray(Glow[]::new), suns.toArray(Sun[]::new));
+    }
+
+    /** The radiance of its disc is I/sin²(angle/2). */
+    private static Sun sun(int lamp, SunLight light) {
+        double sine = Angles.sin(light.angle() / 2);
+        double k = Math.min(1 / (sine * sine), Lamp.MOST) * light.intensity();
+        return new Sun(lamp, light.direction().normalized().negated(), Angles.cos(light.angle() / 2),
+                k * light.color().linearRed(), k * light.color().linearGreen(), k * light.color().linearBlue());
+    }
+
+    /** Whether there is no body that could be in a ray's way. */
+    public boolean areNone() {
+        return bodies.length == 0;
+    }
+
+    /** Makes the first light that the ray meets its hit, unless something else is met before. */
+    public void nearest(Ray ray) {
+        for (Glow glow : bodies) {
+            int before = ray.part;
+            // Of hits in one place that of the lowest part counts: it is to be the light's.
+            ray.part = before < 0 ? before : Integer.MAX_VALUE;
+            glow.surface.nearest(ray);
+            ray.part = ray.part == Integer.MAX_VALUE ? before : ray.part;
+        }
+    }
+
+    /** Whether a light, other than the one that is looked for, stands between the ray's start and its end: the number of the first found, or {@link #NONE}. */
+    public int occluder(Ray ray, int lamp) {
+        for (Glow glow : bodies) {
+            if (glow.lamp != lamp && glow.surface.occludes(ray)) {
+                return glow.lamp;
+            }
+        }
+        return NONE;
+    }
+
+    /** How far along a ray it first meets a light's body; not for the hot path. */
+    public double distance(Ray ray, int lamp) {
+        Ray own = new Ray(new Spans());
+        own.within(ray, ray.contact, ray.max);
+        for (Glow glow : bodies) {
+            if (glow.lamp == lamp) {
+                glow.surface.nearest(own);
+            }
+        }
+        return own.max;
+    }
+
+    /** Whether the part that a ray has hit is that of a light. */
+    public boolean has(int part) {
+        return part >= firstPart && part < firstPart + bodies.length;
+    }
+
+    /** The number of the light that has this part. */
+    public int lamp(int part) {
+        return bodies[part - firstPart].lamp;
+    }
+
+    /** Says where the surface of the part was hit. */
+    public void describe(int part, int face, Hit hit) {
+        bodies[part - firstPart].describe(face, hit);
+    }
+
+    /** The light that is seen of the part. */
+    public void shine(int part, boolean isBehind, Arrival out) {
+        bodies[part - firstPart].shine(isBehind, out);
+    }
+
+    /** The number of the sun that is seen in a direction of length 1, and its radiance; {@link #NONE} if there is none. Of several the first is seen. */
+    public int sky(double dx, double dy, double dz, Arrival out) {
+        for (Sun sun : suns) {
+            if (dx * sun.towards.x() + dy * sun.towards.y() + dz * sun.towards.z() >= sun.cosine) {
+                out.set(sun.red, sun.green, sun.blue);
+                return sun.lamp;
+            }
+        }
+        return NONE;
+    }
+}
