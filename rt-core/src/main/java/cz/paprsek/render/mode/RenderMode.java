@@ -11,11 +11,6 @@ public enum RenderMode {
     SHADED("the light that reaches the eye"),
     /** Of what is seen, the normal towards the viewer: x as red, y as green, z as blue, −1 as 0 and 1 as 255. */
     NORMALS("the normal of what is seen: x, y, z as red, green, blue"),
-    /**
-     * How a picture lies on what is seen: ten by ten cells, each with the tenths of its u and v as two digits, redder to the right and
-     * greener upwards.
-     */
-    UV("how a picture lies on what is seen: numbered cells, u and v in tenths"),
     /** Of what is seen, the distance from the eye: light is near, dark is far, black is nothing. */
     DEPTH("the distance of what is seen: light is near, dark is far"),
     /** Of what is seen, the object: a colour for each, by its number in the scene. */
@@ -28,7 +23,12 @@ public enum RenderMode {
      * The share of the lights that reaches what is seen, in their colours; black where all are blocked or behind, and on what shows no light
      * that falls on it, such as a perfect mirror.
      */
-    SHADOWS("the share of the lights that reaches what is seen");
+    SHADOWS("the share of the lights that reaches what is seen"),
+    /**
+     * How a picture lies on what is seen: ten by ten cells, each with the tenths of its u and v as two digits, redder to the right and
+     * greener upwards.
+     */
+    UV("how a picture lies on what is seen: numbered cells, u and v in tenths");
 
     private final String meaning;
 
