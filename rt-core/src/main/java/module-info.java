@@ -20,6 +20,7 @@ module cz.paprsek.core {
     exports cz.paprsek.render.mode;
     exports cz.paprsek.scene;
     exports cz.paprsek.shape;
+    exports cz.paprsek.shape.check;
     exports cz.paprsek.xml;
 
     exports cz.paprsek.attribute to cz.paprsek.cli, cz.paprsek.fx;

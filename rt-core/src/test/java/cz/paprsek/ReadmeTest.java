@@ -3,8 +3,10 @@ package cz.paprsek;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.xml.SceneFiles;
+import java.io.File;
 import java.io.IOException;
 import java.net.URI;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -40,7 +42,24 @@ class ReadmeTest {
     @ParameterizedTest
     @MethodSource("javaExamples")
     void everyProgramCompiles(String source, @TempDir Path folder) {
-        Matcher name = Pattern.compile("class (\\w+)").matcher(source);
+        compile(source, folder);
+    }
+
+    static Stream<String> programsWithoutFiles() throws IOException {
+        return javaExamples().filter(source -> !source.contains("Path"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("programsWithoutFiles")
+    void everyProgramThatNeedsNoFileRuns(String source, @TempDir Path folder) throws Exception {
+        String name = compile(source, folder);
+        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                folder + File.pathSeparator + System.getProperty("java.class.path"), name).redirectErrorStream(true).start();
+        assertThat(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip()).isEqualTo("480000 pixels");
+    }
+
+    private static String compile(String source, Path folder) {
+        Matcher name = Pattern.compile("(?m)^class (\\w+)").matcher(source);
         assertThat(name.find()).isTrue();
         DiagnosticCollector<JavaFileObject> complaints = new DiagnosticCollector<>();
         JavaFileObject file = new SimpleJavaFileObject(URI.create("string:///" + name.group(1) + ".java"), JavaFileObject.Kind.SOURCE) {
@@ -52,6 +71,7 @@ class ReadmeTest {
         boolean compiled = ToolProvider.getSystemJavaCompiler().getTask(null, null, complaints,
                 List.of("-d", folder.toString(), "-proc:none"), null, List.of(file)).call();
         assertThat(compiled).as(complaints.getDiagnostics().toString()).isTrue();
+        return name.group(1);
     }
 
     @ParameterizedTest

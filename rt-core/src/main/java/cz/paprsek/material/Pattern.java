@@ -5,10 +5,16 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import java.util.Locale;
 import java.util.Objects;
 
 /** What gives a surface its colour at each point. */
-public sealed interface Pattern {
+public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pattern.Checker, CustomPattern {
+
+    /** The word for its kind: that of its element in a scene file, if it has one. */
+    default String kind() {
+        return getClass().getSimpleName().toLowerCase(Locale.ROOT);
+    }
 
     /** Whether it goes by the place in a picture that covers the surface, u and v, rather than by the place in space. */
     default boolean isMapped() {

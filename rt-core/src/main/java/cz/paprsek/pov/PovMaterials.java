@@ -13,6 +13,7 @@ import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
+import cz.paprsek.text.MadeInCode;
 import java.util.List;
 
 /**
@@ -66,7 +67,10 @@ final class PovMaterials {
             return checker(checker.even(), checker.odd(), transmit) + " scale " + text(checker.size())
                     + (checker.origin().equals(Vec3.ZERO) ? "" : " translate " + vector(checker.origin()));
         }
-        return color(((Pattern.Plain) pattern).color(), transmit);
+        if (pattern instanceof Pattern.Plain plain) {
+            return color(plain.color(), transmit);
+        }
+        throw MadeInCode.refusedBy("a scene for POV-Ray", pattern.kind(), "pattern");
     }
 
     private static String board(Pattern.Checkerboard board, Shape shape, double transmit) {

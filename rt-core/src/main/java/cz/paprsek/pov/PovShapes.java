@@ -14,6 +14,7 @@ import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Torus;
+import cz.paprsek.text.MadeInCode;
 
 /** The shapes in POV-Ray's words. */
 final class PovShapes {
@@ -49,7 +50,7 @@ final class PovShapes {
         } else if (shape instanceof Disc d) {
             return "disc { " + ORIGIN + ", z, " + text(d.radius());
         }
-        throw new IllegalStateException("no words for " + shape.getClass().getSimpleName());
+        throw MadeInCode.refusedBy("a scene for POV-Ray", shape.kind(), "shape");
     }
 
     /** A union in POV-Ray keeps the walls inside; ours is its merge. A single operand is itself, whatever is done. */

@@ -29,6 +29,18 @@ public final class Hit {
     public double ty;
     public double tz;
 
+    /** The colour of the surface there, linear light, 0–1: what a pattern that was made in code answers. */
+    public double red;
+    public double green;
+    public double blue;
+
+    /** Sets the colour, linear light, 0–1. */
+    public void color(double r, double g, double b) {
+        red = r;
+        green = g;
+        blue = b;
+    }
+
     /** Sets the normals from one in a shape's own space, of any length but 0, by the transpose of the map into that space. */
     public void normal(Affine toLocal, double x, double y, double z) {
         normal(

@@ -1,7 +1,12 @@
 package cz.paprsek.ray;
 
-/** Scratch of one worker: a line o + t·d in the space of a shape. */
+import java.util.Arrays;
+
+/** Scratch of one worker: a line o + t·d in the space of a shape, and where it crosses one that was made in code. */
 public final class Line {
+    private static final double[] NO_PLACES = {};
+    private static final int[] NO_FACES = {};
+
     /** Where it starts, t = 0. */
     public double ox;
     public double oy;
@@ -10,4 +15,46 @@ public final class Line {
     public double dx;
     public double dy;
     public double dz;
+    private double[] places = NO_PLACES;
+    private int[] faces = NO_FACES;
+    private int crossings;
+
+    /** Notes that it crosses face 0 of a shape at o + t·d; t may be below 0, and infinite for a shape without end. */
+    public void cross(double t) {
+        cross(t, 0);
+    }
+
+    /**
+     * Notes that it crosses a face of a shape at o + t·d.
+     *
+     * @param face by the shape's own numbering, from 0 on
+     */
+    public void cross(double t, int face) {
+        if (crossings == places.length) {
+            places = Arrays.copyOf(places, Math.max(8, 2 * crossings));
+            faces = Arrays.copyOf(faces, places.length);
+        }
+        places[crossings] = t;
+        faces[crossings++] = face;
+    }
+
+    /** How many crossings were noted. */
+    public int crossings() {
+        return crossings;
+    }
+
+    /** Where the i-th one is. */
+    public double t(int i) {
+        return places[i];
+    }
+
+    /** Which face is crossed there. */
+    public int face(int i) {
+        return faces[i];
+    }
+
+    /** Forgets all crossings. */
+    public void clear() {
+        crossings = 0;
+    }
 }

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Locale;
 
 /** The geometry of one thing, in its own space: a {@link Solid} or a surface without an inside. */
-public sealed interface Shape permits Solid, Rectangle, Disc {
+public sealed interface Shape permits Solid, Rectangle, Disc, CustomShape {
 
     /** The word for its kind: that of its element in a scene file. */
     default String kind() {

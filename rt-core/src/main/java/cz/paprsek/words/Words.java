@@ -5,6 +5,7 @@ import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.CustomShape;
 import cz.paprsek.shape.Shape;
 import java.util.Locale;
 import java.util.ResourceBundle;
@@ -53,8 +54,13 @@ public final class Words {
             String name = scene.lights().get(at.index()).name();
             return of("light", name.isEmpty() ? "#" + (at.index() + 1) : "\"" + name + "\"");
         }
-        return ((BodyAt) surface.part()).way().map(step -> of("kind." + step.in(scene).shape().kind()) + " " + step.nameOrNumber(scene))
+        return ((BodyAt) surface.part()).way().map(step -> kind(step.in(scene).shape()) + " " + step.nameOrNumber(scene))
                 .collect(Collectors.joining(" › "));
+    }
+
+    /** A shape that was made in code is called as its code says. */
+    private String kind(Shape shape) {
+        return shape instanceof CustomShape ? shape.kind() : of("kind." + shape.kind());
     }
 
     /** What comes after the surface: its face if it has several. */

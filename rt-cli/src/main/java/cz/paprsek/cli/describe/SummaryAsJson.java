@@ -84,7 +84,7 @@ public final class SummaryAsJson {
         if (material.pattern() instanceof Pattern.Plain plain) {
             json.with("color", vector(plain.color()));
         } else {
-            json.with("pattern", material.pattern() instanceof Pattern.Checkerboard ? "checkerboard" : "checker");
+            json.with("pattern", material.pattern().kind());
         }
         Described.of(Material.class).forEach(one -> json.with(one.name(), one.number(material)));
         return json;

@@ -121,7 +121,7 @@ public final class SummaryAsText {
 
     private static String text(Material material) {
         String color = material.pattern() instanceof Pattern.Plain plain ? text(plain.color())
-                : material.pattern() instanceof Pattern.Checkerboard ? "checkerboard" : "checker";
+                : material.pattern().kind();
         return "color " + color + Described.of(Material.class).stream().map(one -> ", " + one.name() + " " + Numbers.text(one.number(material)))
                 .collect(Collectors.joining());
     }

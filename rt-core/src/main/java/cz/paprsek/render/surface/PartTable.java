@@ -4,7 +4,6 @@ import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
-import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Affine;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -83,8 +82,8 @@ public final class PartTable {
 
     /** A pattern in space depends on where it is declared; all other finishes are shared. */
     private Finish finish(Material material, Affine toWorld) {
-        return material.pattern() instanceof Pattern.Checker checker
-                ? new Finish(material, Paint.of(checker, toWorld.inverse()))
+        return Paint.isPlaced(material.pattern())
+                ? new Finish(material, Paint.of(material.pattern(), toWorld.inverse()))
                 : shared(material);
     }
 

@@ -2,6 +2,7 @@ package cz.paprsek.xml.write;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.ElementTable;
+import cz.paprsek.material.CustomPattern;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
@@ -15,9 +16,11 @@ import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SceneRules;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.CustomShape;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.text.MadeInCode;
 import cz.paprsek.xml.format.SceneFormat;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +29,8 @@ import java.util.stream.Collectors;
 
 /** Writes scenes in a fixed order and form: one element a line, attributes equal to their default left out. */
 public final class SceneWriter {
+    private static final String HERE = "a scene file";
+
     private final XmlText xml = new XmlText();
 
     public String file(Scene scene) {
@@ -144,6 +149,9 @@ public final class SceneWriter {
         String element = ElementTable.name(Material.class);
         xml.open(element).attribute("name", name);
         attributes(material);
+        if (material.pattern() instanceof CustomPattern) {
+            throw MadeInCode.refusedBy(HERE, material.pattern().kind(), "pattern");
+        }
         ElementTable.of(material.pattern().getClass()).forEach(pattern -> leaf((Record) material.pattern()));
         xml.close(element);
     }
@@ -157,6 +165,9 @@ public final class SceneWriter {
     }
 
     private void body(String name, Shape shape, Placement placement, MaterialSource material) {
+        if (shape instanceof CustomShape) {
+            throw MadeInCode.refusedBy(HERE, shape.kind(), "shape");
+        }
         String element = shape.kind();
         xml.open(element).attribute("name", name);
         attributes((Record) shape);

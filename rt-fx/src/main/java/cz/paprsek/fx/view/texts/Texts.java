@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.texts;
 
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.CustomShape;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.words.Words;
 import java.util.HashMap;
@@ -70,7 +71,7 @@ public final class Texts {
 
     /** What a kind of shape is called: "sphere". */
     public String kind(Shape shape) {
-        return of("kind." + (shape instanceof Csg csg ? csg.operation().name() : shape.getClass().getSimpleName()).toLowerCase(Locale.ROOT));
+        return shape instanceof CustomShape ? shape.kind() : of("kind." + (shape instanceof Csg csg ? csg.operation().name() : shape.getClass().getSimpleName()).toLowerCase(Locale.ROOT));
     }
 
     /** What an edit is called: "Move sphere". */

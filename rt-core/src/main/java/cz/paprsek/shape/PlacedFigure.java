@@ -1,0 +1,160 @@
+package cz.paprsek.shape;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.ray.Line;
+import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Surface;
+
+/** A figure made in code, in the world. */
+final class PlacedFigure extends Surface implements Part {
+    private final int part;
+    private final Affine toLocal;
+    private final Bounds bounds;
+    private final CustomShape shape;
+
+    PlacedFigure(int part, Affine toWorld, CustomShape shape) {
+        this.part = part;
+        this.toLocal = toWorld.inverse();
+        this.bounds = shape.bounds().transformed(toWorld);
+        this.shape = shape;
+    }
+
+    @Override
+    public Bounds bounds() {
+        return bounds;
+    }
+
+    @Override
+    public double cost() {
+        return shape.cost();
+    }
+
+    @Override
+    public void nearest(Ray ray) {
+        Line line = crossed(ray);
+        int start = start(line, ray);
+        for (int i = 0; i < line.crossings(); i++) {
+            if (i != start && line.t(i) > ray.min && line.t(i) < ray.reach) {
+                ray.accept(line.t(i), part, line.face(i));
+            }
+        }
+    }
+
+    @Override
+    public boolean occludes(Ray ray) {
+        Line line = crossed(ray);
+        int start = start(line, ray);
+        for (int i = 0; i < line.crossings(); i++) {
+            if (i != start && line.t(i) > ray.contact && line.t(i) < ray.max) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    @Override
+    public void crossings(Ray ray, Spans out) {
+        Line line = crossed(ray);
+        int start = start(line, ray);
+        for (int i = 0; i < line.crossings(); i++) {
+            if (i != start && line.t(i) > ray.min && line.t(i) < ray.max) {
+                out.add(line.t(i), part, line.face(i));
+            }
+        }
+    }
+
+    private Line crossed(Ray ray) {
+        Line line = ray.in(toLocal);
+        line.clear();
+        shape.cross(line);
+        return line;
+    }
+
+    /** Which crossing is where the ray starts, if it starts from this figure: the one nearest to that place. */
+    private int start(Line line, Ray ray) {
+        int start = -1;
+        if (part == ray.left) {
+            for (int i = 0; i < line.crossings(); i++) {
+                if (start < 0 || Math.abs(line.t(i)) < Math.abs(line.t(start))) {
+                    start = i;
+                }
+            }
+        }
+        return start;
+    }
+
+    @Override
+    public void describe(int face, Hit hit) {
+        describe(shape, face, toLocal, hit);
+    }
+
+    @Override
+    public void map(int face, Hit hit) {
+        map(shape, face, toLocal, hit);
+    }
+
+    /** Has a shape describe a hit in its own space, and takes the answer to the world. */
+    static void describe(CustomShape shape, int face, Affine toLocal, Hit hit) {
+        double x = hit.px;
+        double y = hit.py;
+        double z = hit.pz;
+        toLocal(hit, toLocal);
+        shape.normal(face, hit);
+        place(hit, x, y, z);
+        hit.normal(toLocal, hit.nx, hit.ny, hit.nz);
+    }
+
+    /** Has a shape map a hit in its own space, and takes the answer to the world. */
+    static void map(CustomShape shape, int face, Affine toLocal, Hit hit) {
+        double x = hit.px;
+        double y = hit.py;
+        double z = hit.pz;
+        toLocal(hit, toLocal);
+        shape.map(face, hit);
+        place(hit, x, y, z);
+        hit.tangentFrom(toLocal);
+    }
+
+    /**
+     * Maps a hit as on a globe about the middle of the shape's bounds. Along the surface, u grows and v does not where its direction e from the
+     * middle changes as on the globe, by e′: towards e′ + a·e with the a for which that is at right angles to the normal.
+     */
+    static void mapGlobe(CustomShape shape, int face, Hit hit) {
+        Bounds box = shape.bounds();
+        double x = box.isFinite() ? hit.px - (box.minX() + box.maxX()) / 2 : hit.px;
+        double y = box.isFinite() ? hit.py - (box.minY() + box.maxY()) / 2 : hit.py;
+        double z = box.isFinite() ? hit.pz - (box.minZ() + box.maxZ()) / 2 : hit.pz;
+        hit.mapGlobe(x, y, z);
+        double nx = hit.nx;
+        double ny = hit.ny;
+        double nz = hit.nz;
+        double sx = hit.sx;
+        double sy = hit.sy;
+        double sz = hit.sz;
+        shape.normal(face, hit);
+        double along = hit.tx * hit.nx + hit.ty * hit.ny + hit.tz * hit.nz;
+        double outwards = x * hit.nx + y * hit.ny + z * hit.nz;
+        hit.unitNormal(nx, ny, nz);
+        hit.sx = sx;
+        hit.sy = sy;
+        hit.sz = sz;
+        double a = -along / outwards;
+        if (Math.abs(a) < Double.MAX_VALUE) {
+            hit.map(hit.u, hit.v, hit.tx + a * x, hit.ty + a * y, hit.tz + a * z);
+        }
+    }
+
+    private static void toLocal(Hit hit, Affine map) {
+        place(hit, map.pointX(hit.px, hit.py, hit.pz), map.pointY(hit.px, hit.py, hit.pz), map.pointZ(hit.px, hit.py, hit.pz));
+    }
+
+    private static void place(Hit hit, double x, double y, double z) {
+        hit.px = x;
+        hit.py = y;
+        hit.pz = z;
+    }
+}

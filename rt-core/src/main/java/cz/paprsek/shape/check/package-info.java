@@ -1,0 +1,2 @@
+/** Tries shapes that were made in code, for their makers' tests. */
+package cz.paprsek.shape.check;

@@ -1,0 +1,22 @@
+package cz.paprsek.text;
+
+import java.util.Objects;
+
+/** What is made in code: only the code itself knows what it is. */
+public final class MadeInCode {
+    private MadeInCode() {}
+
+    /**
+     * Says that something made in code cannot be written.
+     *
+     * @param holder where to: {@code a scene file}
+     * @param kind what it is called
+     * @param what a shape, a pattern or a light
+     */
+    public static IllegalArgumentException refusedBy(String holder, String kind, String what) {
+        Objects.requireNonNull(holder, "holder");
+        Objects.requireNonNull(kind, "kind");
+        Objects.requireNonNull(what, "what");
+        return new IllegalArgumentException(holder + " cannot hold the " + what + " \"" + kind + "\", which is made in code");
+    }
+}
