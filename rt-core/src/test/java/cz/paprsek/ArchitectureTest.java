@@ -57,7 +57,7 @@ class ArchitectureTest {
             .whereLayer("worked").mayOnlyBeAccessedByLayers("drawing")
             .whereLayer("words").mayOnlyBeAccessedByLayers("worked", "drawing")
             .whereLayer("drawing").mayNotBeAccessedByAnyLayer()
-            .whereLayer("render").mayOnlyBeAccessedByLayers("drawing")
+            .whereLayer("render").mayOnlyBeAccessedByLayers("drawing", "pov")
             .whereLayer("xml").mayNotBeAccessedByAnyLayer()
             .whereLayer("text").mayOnlyBeAccessedByLayers("xml")
             .whereLayer("pov").mayNotBeAccessedByAnyLayer();

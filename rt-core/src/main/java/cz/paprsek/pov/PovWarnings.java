@@ -7,10 +7,12 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.render.light.FixedPoints;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SphereLight;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
@@ -73,11 +75,27 @@ final class PovWarnings {
             sentences.add("POV-Ray does not sample pixels on a grid; for the same picture render it " + samples
                     + " times as wide and high, and average");
         }
+        checkLights();
         checkSize();
         checkOverlap();
         for (int i = 0; i < scene.objects().size(); i++) {
             SceneObject object = scene.objects().get(i);
             check(object.name().isEmpty() ? "object " + (i + 1) : "\"" + object.name() + "\"", object);
+        }
+    }
+
+    private void checkLights() {
+        boolean isSampled = false;
+        for (int i = 0; i < scene.lights().size(); i++) {
+            Light light = scene.lights().get(i);
+            String name = light.name().isEmpty() ? "light " + (i + 1) : "\"" + light.name() + "\"";
+            if (light instanceof SphereLight) {
+                sentences.add(name + " is a ball; POV-Ray is given a point in its middle, whose shadows are sharp, and what is seen of it casts none");
+            }
+            isSampled |= !FixedPoints.of(light, i).isEmpty();
+        }
+        if (isSampled) {
+            sentences.add("lights with a size are as many small ones for POV-Ray as they have samples; render with --sampler fixed for the same picture");
         }
     }
 

@@ -37,9 +37,10 @@ final class PovWriter {
     void write() throws IOException {
         head();
         camera();
-        for (Light light : scene.lights()) {
+        for (int i = 0; i < scene.lights().size(); i++) {
+            Light light = scene.lights().get(i);
             text.comment(light.name());
-            for (String line : PovLights.of(scene, light)) {
+            for (String line : PovLights.of(scene, light, i)) {
                 text.line(line);
             }
         }

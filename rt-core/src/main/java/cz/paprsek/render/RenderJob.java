@@ -127,8 +127,12 @@ final class RenderJob implements RenderMonitor {
     private Integrator integrator() {
         RenderSettings settings = options.settings();
         return options.mode() == RenderMode.SHADED
-                ? new Whitted(scene.world(), settings.maxDepth(), Sampling.grid(settings.samples()), this::cancelled)
-                : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), Sampling.grid(settings.samples()), depths, options.numbers(), this::cancelled);
+                ? new Whitted(scene.world(), settings.maxDepth(), grid(settings), this::cancelled)
+                : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), grid(settings), depths, options.numbers(), this::cancelled);
+    }
+
+    private Sampling grid(RenderSettings settings) {
+        return options.fixedSampler() ? Sampling.fixedGrid(settings.samples()) : Sampling.grid(settings.samples());
     }
 
     private synchronized void add(Integrator.Work work) {

@@ -5,6 +5,9 @@ import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.StoredImage;
 import cz.paprsek.image.StoredImage.Precision;
 import cz.paprsek.pov.PovFiles;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
@@ -28,7 +31,7 @@ record CrossCheck(StoredImage ours, StoredImage theirs, ImageComparison comparis
     }
 
     /**
-     * Renders a scene with one ray a pixel and compares it with POV-Ray's picture.
+     * Renders a scene with one ray a pixel, random points the same in every one, and compares it with POV-Ray's picture.
      *
      * @param live runs POV-Ray; if empty, its recorded picture is taken
      * @param record whether a picture made now is recorded
@@ -42,7 +45,7 @@ record CrossCheck(StoredImage ours, StoredImage theirs, ImageComparison comparis
         StoredImage theirs = live.isPresent() && !record
                 ? new StoredImage(live.get().render(scene, 1).image(), Precision.SIXTEEN_BIT, false)
                 : recorded(recording(file));
-        StoredImage ours = StoredImage.of(Renderer.render(scene));
+        StoredImage ours = StoredImage.of(Renderer.render(RenderScene.of(scene), RenderOptions.of(scene).withFixedSampler(), RenderMonitor.NONE).image());
         return new CrossCheck(ours, theirs, ImageComparison.of(ours, theirs, tolerance), PovFiles.write(scene, new StringBuilder()));
     }
 

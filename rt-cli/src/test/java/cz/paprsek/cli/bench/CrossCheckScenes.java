@@ -6,11 +6,14 @@ import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SpotLight;
+import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
@@ -59,9 +62,26 @@ final class CrossCheckScenes {
                 .withBackground(color()).withAmbient(Rgb.ofLinear(between(0, 0.1), between(0, 0.1), between(0, 0.1)))
                 .withObjects(objects);
         for (int i = 1 + random.nextInt(3); i > 0; i--) {
-            scene = scene.plus(Light.at(between(-8, 8), between(6, 9), between(2, 9)).withIntensity(between(0.2, 0.5)).withColor(color()));
+            scene = scene.plus(light().withIntensity(between(0.2, 0.5)).withColor(color()));
         }
         return scene;
+    }
+
+    /** Of any kind but a ball, which POV-Ray cannot be given, above and before the bodies. */
+    private Light light() {
+        Vec3 place = new Vec3(between(-8, 8), between(6, 9), between(2, 9));
+        Vec3 target = new Vec3(between(-2, 2), between(0, 2), 0);
+        return switch (random.nextInt(7)) {
+            case 0 -> Light.at(place.x(), place.y(), place.z()).withReferenceDistance(between(5, 9));
+            case 1 -> SpotLight.from(place, target).withAngles(between(5, 20), between(20, 40));
+            case 2 -> SunLight.along(-place.x(), -place.y(), -place.z());
+            case 3 -> SunLight.along(-place.x(), -place.y(), -place.z()).withDisc(between(2, 15), random.nextBoolean());
+            case 4 -> AreaLight.rectangle(place, between(0.5, 2), between(0.5, 2)).withRotation(new Vec3(between(70, 110), between(-30, 30), between(-30, 30)))
+                    .withReferenceDistance(between(6, 9)).withSamples(1 + random.nextInt(16)).withVisible(random.nextBoolean());
+            case 5 -> AreaLight.disc(place, between(0.3, 1)).withRotation(new Vec3(between(70, 110), between(-30, 30), between(-30, 30)))
+                    .withReferenceDistance(between(6, 9)).withSamples(1 + random.nextInt(16)).withVisible(random.nextBoolean());
+            default -> Light.at(place.x(), place.y(), place.z());
+        };
     }
 
     private SceneObject body() {

@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.StoredImage;
 import cz.paprsek.image.StoredImage.Precision;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
@@ -58,7 +61,7 @@ class LiveCrossCheckTest {
     private static void compare(Scene scene) throws Exception {
         assumeTrue(POVRAY.isPresent(), "povray is not installed");
         StoredImage theirs = new StoredImage(POVRAY.get().render(scene, 1).image(), Precision.SIXTEEN_BIT, false);
-        ImageComparison comparison = ImageComparison.of(StoredImage.of(Renderer.render(scene)), theirs, STEPS);
+        ImageComparison comparison = ImageComparison.of(StoredImage.of(Renderer.render(RenderScene.of(scene), RenderOptions.of(scene).withFixedSampler(), RenderMonitor.NONE).image()), theirs, STEPS);
         assertThat(comparison.shareBeyond()).as(comparison.toString()).isLessThanOrEqualTo(SHARE);
         // Rounding alone is a quarter of a step on the average.
         assertThat(comparison.beyond() > 0 || comparison.mean() < 0.4).as(comparison.toString()).isTrue();

@@ -42,6 +42,12 @@ abstract class AreaLamp extends Lamp {
     /** Puts a point of it into the arrival's x and y: ±1 where it ends. */
     abstract void place(double u, double v, Arrival out);
 
+    /** A point of it, world space. */
+    final Vec3 point(double u, double v, Arrival scratch) {
+        place(u, v, scratch);
+        return middle.plus(across.times(scratch.x)).plus(along.times(scratch.y));
+    }
+
     @Override
     public final boolean sample(Hit from, double u, double v, Arrival out) {
         place(u, v, out);

@@ -29,6 +29,11 @@ final class SunDiscLamp extends Lamp {
         return SunLight.SAMPLES;
     }
 
+    Vec3 direction(double u, double v, Arrival scratch) {
+        Unit.cap(towards.x(), towards.y(), towards.z(), depth, u, v, scratch);
+        return new Vec3(scratch.x, scratch.y, scratch.z);
+    }
+
     @Override
     public boolean sample(Hit from, double u, double v, Arrival out) {
         Unit.cap(towards.x(), towards.y(), towards.z(), depth, u, v, out);
