@@ -45,7 +45,7 @@ class ArchitectureTest {
             .whereLayer("standard").mayNotBeAccessedByAnyLayer()
             .whereLayer("io").mayOnlyBeAccessedByLayers("query", "image", "asset", "worked", "xml", "pov")
             .whereLayer("tree").mayOnlyBeAccessedByLayers("shape", "render")
-            .whereLayer("attribute").mayOnlyBeAccessedByLayers("material", "shape", "scene", "query", "worked", "words", "xml")
+            .whereLayer("attribute").mayOnlyBeAccessedByLayers("material", "shape", "scene", "query", "worked", "words", "xml", "pov")
             .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "query", "image", "render", "explain", "worked", "drawing", "xml", "pov", "standard")
             .whereLayer("ray").mayOnlyBeAccessedByLayers("material", "shape", "scene", "render")
             .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "explain", "worked", "words", "drawing", "xml", "pov", "standard")

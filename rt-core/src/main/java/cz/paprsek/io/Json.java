@@ -4,6 +4,8 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.text.Numbers;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 
 /**
@@ -32,6 +34,16 @@ public final class Json {
 
     public Json with(String name, Vec3 value) {
         return withNumbers(name, value.x(), value.y(), value.z());
+    }
+
+    /** A value of whatever kind an attribute has: a number, a flag, three numbers, or else a text; nothing of an optional that is empty. */
+    public Json withValue(String name, Object value) {
+        if (value instanceof OptionalDouble optional) {
+            return optional.isPresent() ? with(name, optional.getAsDouble()) : this;
+        }
+        return value instanceof Number number ? with(name, number.doubleValue()) : value instanceof Boolean flag ? with(name, flag.booleanValue())
+                : value instanceof Vec3 numbers ? with(name, numbers) : value instanceof double[] pair ? withNumbers(name, pair)
+                : with(name, value instanceof Enum<?> word ? word.name().toLowerCase(Locale.ROOT).replace('_', '-') : value.toString());
     }
 
     public Json with(String name, Json value) {

@@ -139,7 +139,16 @@ final class PovWarnings {
         return object.shape().bounds().transformed(object.placement().toParent());
     }
 
+    private void checkMaterials(String name, SceneObject object) {
+        Set<Material> all = new LinkedHashSet<>();
+        collect(scene, object.shape(), own(scene, object.material(), Material.DEFAULT), all);
+        for (Material material : all) {
+            Untold.of(material).forEach(attribute -> sentences.add(name + ": POV-Ray is not told the " + attribute + " of its material"));
+        }
+    }
+
     private void check(String name, SceneObject object) {
+        checkMaterials(name, object);
         List<Material> materials = transparent(scene, object);
         List<Double> indices = new ArrayList<>(materials.stream().map(Material::refractiveIndex).distinct().toList());
         boolean solid = object.shape() instanceof Solid;

@@ -58,9 +58,8 @@ public final class SceneTables {
                 Column.number("materials", scene -> scene.materials().size()),
                 Column.number("objects", scene -> scene.objects().size()),
                 Column.number("operands", scene -> ScenePath.bodies(scene).filter(at -> at.depth() > 0).count())));
-        columns.addAll(MaterialColumns.numbers(RenderSettings.class, Scene::settings));
+        columns.addAll(MaterialColumns.attributes(RenderSettings.class, Scene::settings));
         columns.addAll(List.of(
-                Column.text("filter", scene -> scene.settings().filter().toString()),
                 Column.color("background", scene -> Optional.of(scene.background())),
                 Column.color("ambient", scene -> Optional.of(scene.ambient())),
                 Column.text("description", Scene::description)));

@@ -2,6 +2,8 @@ package cz.paprsek.pov;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.attribute.Described;
+import cz.paprsek.material.Material;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
@@ -14,7 +16,11 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -39,6 +45,35 @@ class PovFilesTest {
                 "POV-Ray does not sample pixels on a grid; for the same picture render it 2 times as wide and high, and average",
                 "object 9: POV-Ray does not count rays that go straight through as a level of max-depth",
                 "object 10 has surfaces of several refractive indices; POV-Ray knows one inside only and is told 1.5");
+    }
+
+    static Stream<Described> attributesOfMaterials() {
+        return Described.inline(Material.class).stream();
+    }
+
+    /** An attribute that comes later is told to POV-Ray, or a sentence says that it is not. */
+    @ParameterizedTest
+    @MethodSource("attributesOfMaterials")
+    void noAttributeOfAMaterialIsLostWithoutAWord(Described one) throws Exception {
+        Map<String, String> attributes = new LinkedHashMap<>(Map.of("specular", "0.5", "transparency", "0.5", "refractive-index", "1.5"));
+        String before = everything(attributes);
+        attributes.put(one.name(), switch (one.says().value().form()) {
+            case COLOR -> "1 2 3";
+            case FLAG -> String.valueOf(one.says().otherwise().equals("false"));
+            case WORD -> Arrays.stream(one.type().getEnumConstants()).map(constant -> Described.word((Enum<?>) constant))
+                    .filter(word -> !word.equals(one.says().otherwise())).findFirst().orElseThrow();
+            default -> "0.75";
+        });
+        assertThat(everything(attributes)).isNotEqualTo(before);
+    }
+
+    /** What is written of a scene with a ball of such a material, and the sentences. */
+    private static String everything(Map<String, String> attributes) throws Exception {
+        StringBuilder text = new StringBuilder("<scene xmlns='" + SceneFiles.NAMESPACE + "'><camera position='0 0 5' direction='0 0 -1'/><sphere radius='1'><material");
+        attributes.forEach((name, value) -> text.append(' ').append(name).append("='").append(value).append('\''));
+        StringBuilder out = new StringBuilder();
+        List<String> warnings = PovFiles.write(SceneFiles.parse(text.append("/></sphere></scene>").toString()), out);
+        return out + String.join("\n", warnings);
     }
 
     @ParameterizedTest

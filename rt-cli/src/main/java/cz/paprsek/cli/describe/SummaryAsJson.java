@@ -68,14 +68,8 @@ public final class SummaryAsJson {
     private static void with(Json json, String name, Object value) {
         if (value instanceof Rgb color) {
             json.with(name, vector(color));
-        } else if (value instanceof Vec3 vector) {
-            json.with(name, vector);
-        } else if (value instanceof Boolean flag) {
-            json.with(name, flag);
-        } else if (value instanceof double[] pair) {
-            json.withNumbers(name, pair);
         } else {
-            json.with(name, ((Number) value).doubleValue());
+            json.withValue(name, value);
         }
     }
 
@@ -86,7 +80,7 @@ public final class SummaryAsJson {
         } else {
             json.with("pattern", material.pattern().kind());
         }
-        Described.of(Material.class).forEach(one -> json.with(one.name(), one.number(material)));
+        Described.of(Material.class).forEach(one -> json.withValue(one.name(), one.value(material)));
         return json;
     }
 

@@ -62,9 +62,10 @@ public final class SummaryAsText {
     private static String text(Object value) {
         return value instanceof Rgb color ? text(color)
                 : value instanceof Vec3 vector ? Numbers.text(vector)
-                : value instanceof Boolean flag ? flag.toString()
                 : value instanceof double[] pair ? Numbers.text(pair[0]) + " " + Numbers.text(pair[1])
-                : Numbers.text(((Number) value).doubleValue());
+                : value instanceof Number number ? Numbers.text(number.doubleValue())
+                : value instanceof Enum<?> word ? Described.word(word)
+                : value.toString();
     }
 
     private void objects(SceneSummary summary) {
@@ -122,7 +123,7 @@ public final class SummaryAsText {
     private static String text(Material material) {
         String color = material.pattern() instanceof Pattern.Plain plain ? text(plain.color())
                 : material.pattern().kind();
-        return "color " + color + Described.of(Material.class).stream().map(one -> ", " + one.name() + " " + Numbers.text(one.number(material)))
+        return "color " + color + Described.of(Material.class).stream().map(one -> ", " + one.name() + " " + text(one.value(material)))
                 .collect(Collectors.joining());
     }
 }

@@ -86,7 +86,7 @@ public final class TreeJson {
 
     private static Json of(Material material) {
         Json json = new Json();
-        Described.of(Material.class).forEach(one -> json.with(one.name(), one.number(material)));
+        Described.of(Material.class).forEach(one -> json.withValue(one.name(), one.value(material)));
         return json;
     }
 
