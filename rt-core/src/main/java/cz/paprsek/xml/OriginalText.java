@@ -20,9 +20,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -62,8 +63,7 @@ public final class OriginalText {
 
     /** As {@link #read(Path)}, from a stream, which is not closed; the name is used in messages only. */
     public static OriginalText read(InputStream input, String fileName) throws SceneFileException, IOException {
-        byte[] bytes = new LimitedInput(input, fileName, SceneFiles.LARGEST).readAllBytes();
-        return new OriginalText(fileName, bytes, SceneReader.read(Source.of(bytes), heard -> heard, fileName));
+        return read(Source.of(input), fileName, ReadMonitor.NONE);
     }
 
     /** Says something of what is in a file, with line and column. */
@@ -80,12 +80,21 @@ public final class OriginalText {
 
     static OriginalText read(Path path, ReadMonitor monitor) throws SceneFileException, IOException {
         SceneFiles.checkReadable(path);
-        byte[] bytes;
-        try (InputStream input = new LimitedInput(Files.newInputStream(path), path.toString(), SceneFiles.LARGEST)) {
-            bytes = input.readAllBytes();
+        try (Source source = Source.of(path)) {
+            return read(source, path.toString(), monitor);
         }
-        String file = path.toString();
-        return new OriginalText(file, bytes, SceneReader.read(Source.of(bytes), input -> new WatchedInput(input, bytes.length, monitor), file));
+    }
+
+    private static OriginalText read(Source source, String file, ReadMonitor monitor) throws SceneFileException, IOException {
+        long size = source.size();
+        // One for each reader; the last has heard all.
+        Deque<RecordedInput> recorded = new ArrayDeque<>();
+        Contents contents = SceneReader.read(source, input -> {
+            recorded.clear();
+            recorded.add(new RecordedInput(new WatchedInput(input, size, monitor)));
+            return recorded.getLast();
+        }, file);
+        return new OriginalText(file, recorded.getLast().bytes(), contents);
     }
 
     /** The text of a new file. */

@@ -94,7 +94,7 @@ class BadFilesTest {
                 in("<sphere radius='1e999'/>", "3:1: sphere radius must be a finite number above 0, but is \"1e999\""),
                 in("<sphere radius='NaN'/>", "3:1: sphere radius must be a finite number above 0, but is \"NaN\""),
                 in("<sphere radius='INF'/>", "3:1: sphere radius must be a finite number above 0, but is \"INF\""),
-                in("<sphere radius='12,5'/>", "3:1: sphere radius must be a finite number above 0, but is \"12,5\""),
+                in("<sphere radius='12,5'/>", "3:1: sphere radius must be a finite number above 0, but is \"12,5\"; a point stands before decimals: \"12.5\""),
                 in("<sphere radius='it&apos;s'/>", "3:1: sphere radius must be a finite number above 0, but is \"it's\""),
                 in("<sphere raduis='1'/>", "3:1: <sphere> has no attribute \"raduis\"; did you mean \"radius\"?"),
                 in("<sphere/>", "3:1: <sphere> needs the attribute radius, a finite number above 0"),
@@ -102,7 +102,7 @@ class BadFilesTest {
                 in("<sphere radius='1d'/>", "3:1: sphere radius must be a finite number above 0, but is \"1d\""),
                 in("<sphere radius='' position='1 2 3 4'/>", "3:1: sphere radius must be a finite number above 0, but is \"\"",
                         "3:1: sphere position must be three finite numbers, x y z, but has 4: \"1 2 3 4\""),
-                in("<sphere radius='1' position='1, 2, 3'/>", "3:1: sphere position must be three finite numbers, x y z, but is \"1, 2, 3\""),
+                in("<sphere radius='1' position='1, 2, 3'/>", "3:1: sphere position must be three finite numbers, x y z, but is \"1, 2, 3\"; only blanks stand between numbers: \"1 2 3\""),
                 in("<sphere radius='1' position='1 2 1e999'/>", "3:1: sphere position must be three finite numbers, x y z, but is \"1 2 1e999\""),
                 in("<sphere radius='1' scale='1 2'/>", "3:1: sphere scale must be one finite number or three, none of them 0, but has 2: \"1 2\""),
                 in("<rectangle min='0 0 0' max='1 1'/>", "3:1: rectangle min must be two finite numbers, x y, but has 3: \"0 0 0\""),
@@ -258,7 +258,7 @@ class BadFilesTest {
         assertThat(lines("<?xml version='1.0' encoding='UTF-16'?>\n<scene/>".getBytes(StandardCharsets.UTF_8)))
                 .containsExactly("x:1:40: this is not text in the encoding UTF-16, which the file claims to have; save it as UTF-8");
         assertThat(lines("<?xml version='1.0' encoding='KLINGON'?>\n<scene/>".getBytes(StandardCharsets.UTF_8)))
-                .containsExactly("x:1:1: this is not text in the encoding KLINGON, which the file claims to have; save it as UTF-8");
+                .containsExactly("x:1:1: the encoding \"KLINGON\", which the file claims to have, is not known here; save it as UTF-8");
     }
 
     /** Also where one element starts after the place that an error in another led the reader to. */

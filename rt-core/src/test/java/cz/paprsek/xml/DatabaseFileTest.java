@@ -39,6 +39,7 @@ class DatabaseFileTest {
     @Test
     void whatIsSavedIsReadAgainAndNothingElseIsLeftInTheFolder() throws Exception {
         assertThat(DatabaseFile.open(path).database().scenes()).containsExactly(ONE, TWO);
+        assertThat(WayIn.all(Files.readString(path)).contents()).contains(new SceneFiles.Contents(List.of(ONE, TWO), true));
         assertThat(SceneFiles.readDatabase(path)).isEqualTo(DatabaseFile.open(path).database());
         assertThat(folder.toFile().list()).containsExactly("db.xml");
     }
@@ -123,6 +124,8 @@ class DatabaseFileTest {
         String camera = "<camera position=\"0 1 5\" direction=\"0 0 -1\"/></scene>";
         Files.writeString(path, "<database xmlns=\"urn:paprsek:scene:1\">\n<scene name=\"a\">" + camera + "\n<scene>" + camera + "\n<scene name=\"a\">"
                 + camera + "</database>");
+        assertThat(WayIn.all(Files.readString(path)).problems()).containsExactly("3:1: a scene in a database needs a name, to be found by",
+                "4:1: there is already a scene named \"a\"; give one of them another name");
         assertThatThrownBy(() -> DatabaseFile.open(path)).hasMessage(path + ":3:1: a scene in a database needs a name, to be found by\n"
                 + path + ":4:1: there is already a scene named \"a\"; give one of them another name");
     }

@@ -137,6 +137,8 @@ class EveryWayInTest {
                 Arguments.of(bytes(says16), "this is not text in the encoding UTF-16, which the file claims to have; save it as UTF-8"),
                 Arguments.of(bytes("\uFEFF" + says16), "this is not text in the encoding UTF-16, which the file claims to have; save it as UTF-8"),
                 Arguments.of(bytes(says16.replace("UTF-16", "ISO-10646-UCS-2")), "this is not text in the encoding ISO-10646-UCS-2, which the file claims to have; save it as UTF-8"),
+                Arguments.of(bytes(says16.replace("UTF-16", "IBM037")), "this is not text in the encoding IBM037, which the file claims to have; save it as UTF-8"),
+                Arguments.of(bytes(says16.replace("UTF-16", "UTF-8 ")), "the encoding \"UTF-8 \", which the file claims to have, is not known here; save it as UTF-8"),
                 Arguments.of(("\uFEFF" + says8).getBytes(Charset.forName("UTF-32LE")), "this is text in UTF-32, which cannot be read here; save it as UTF-8"),
                 Arguments.of(PLAIN.getBytes(Charset.forName("windows-1250")), "this is not text in UTF-8, and the file names no other encoding; save it as UTF-8"),
                 Arguments.of(says8.getBytes(Charset.forName("windows-1250")), "this is not text in the encoding UTF-8, which the file claims to have; save it as UTF-8"));
@@ -161,9 +163,39 @@ class EveryWayInTest {
         "<torus r1='2' r2='1'/>, <torus> has no attribute \"r1\"; the word here is \"major-radius\"", "<torus major-radius='2' tube-radius='1'/>, <torus> has no attribute \"tube-radius\"; the word here is \"minor-radius\"",
         "<torus radius='2' minor-radius='1'/>, <torus> has no attribute \"radius\"; the word here is \"major-radius\"",
         "<union><light/></union>, <union> has no element <light>",
+        "<mesh file='a.obj'/>, '<scene> has no element <mesh>; bodies are made of solids, with union, difference and intersection'",
+        "<union><Triangle/></union>, '<union> has no element <Triangle>; bodies are made of solids, with union, difference and intersection'",
+        "<include href='a.xml'/>, <scene> has no element <include>; a file holds all of its scene; copy it into this one",
         "<subtract/>, <scene> has no element <subtract>; the word here is \"difference\"", "<sphere radius='1'><texture/></sphere>, <sphere> has no element <texture>; the word here is \"material\""})
     void wordsOfOtherProgramsAreTranslated(String element, String sentence) throws IOException {
         assertThat(WayIn.all(PLAIN.replace("</scene>", element + "</scene>")).problems().get(0)).contains(": " + sentence);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "radius | 1,5 | a point stands before decimals: \"1.5\"", "radius | 1cm | numbers have no units here: \"1\"", "radius | 2.5f | numbers have no units here: \"2.5\"",
+        "radius | (2) | only blanks stand between numbers: \"2\"", "position | 1,2,3 | only blanks stand between numbers: \"1 2 3\"",
+        "position | 1, 2, 3 | only blanks stand between numbers: \"1 2 3\"", "position | 1;2; 3 | only blanks stand between numbers: \"1 2 3\"",
+        "position | &lt;1,-2,.3&gt; | only blanks stand between numbers: \"1 -2 .3\"", "position | [1 2 3] | only blanks stand between numbers: \"1 2 3\"",
+        "position | 1,5 2 3,25 | a point stands before decimals: \"1.5 2 3.25\"", "rotation | 90° | numbers have no units here", "rotation | 0 90deg 0 | numbers have no units here: \"0 90 0\"",
+        "scale | 2,2,2 | only blanks stand between numbers: \"2 2 2\"", "scale | 1,5 | a point stands before decimals: \"1.5\"",
+        "color | 255,0,0 | only blanks stand between numbers: \"255 0 0\"", "color | rgb(255, 128, 0) | only blanks stand between numbers: \"255 128 0\"",
+        "color | rgb &lt;1, 0.5, 0&gt; | colours go up to 255: \"255 127.5 0\"", "color | 0xFF8000 | write \"#FF8000\"", "color | ff8000 | write \"#ff8000\"",
+        "color | #ff8000ff | write \"#ff8000\", a colour has no transparency of its own", "diffusion | 50% | write \"0.5\"",
+        "width | 1,024 | write \"1024\"", "width | 1'024 | write \"1024\"", "width | 800px | numbers have no units here: \"800\""})
+    void numbersInOtherNotationsAreWrittenAsTheyAreHere(String attribute, String value, String advice) throws IOException {
+        String element = List.of("color", "diffusion").contains(attribute) ? "<material name='m' %s=\"%s\"/>" : attribute.equals("width") ? "" : "<sphere %s=\"%s\"/>";
+        String file = attribute.equals("width") ? PLAIN.replace("'16'", '"' + value + '"') : PLAIN.replace("</scene>", element.formatted(attribute, value) + "</scene>");
+        String shown = value.replace("&lt;", "<").replace("&gt;", ">");
+        assertThat(WayIn.all(file).problems()).anySatisfy(problem -> assertThat(problem).endsWith(", but is \"" + shown + "\"; " + advice));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"position | 1 2 | has 2: \"1 2\"", "radius | -2 | is \"-2\"", "radius | 1e | is \"1e\"", "radius | nan | is \"nan\"", "radius | 1,2,3 | is \"1,2,3\"",
+        "position | a,b,c | is \"a,b,c\"", "position | 1,2 | is \"1,2\"", "scale | 1 2 | has 2: \"1 2\"", "rotation | 1 2 3 4 | has 4: \"1 2 3 4\""})
+    void whatNobodyCanTellGetsNoAdvice(String attribute, String value, String end) throws IOException {
+        assertThat(WayIn.all(PLAIN.replace("</scene>", "<sphere " + attribute + "='" + value + "'/></scene>")).problems())
+                .anySatisfy(problem -> assertThat(problem).endsWith(", but " + end));
     }
 
     @ParameterizedTest

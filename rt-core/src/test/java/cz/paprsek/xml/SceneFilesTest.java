@@ -33,6 +33,7 @@ class SceneFilesTest {
         List<Scene> scenes = SceneFiles.readAll(file);
         String text = SceneFiles.isDatabase(file) ? SceneFiles.formatAll(scenes) : SceneFiles.format(scenes.get(0));
         assertThat(text).isEqualTo(Files.readString(file));
+        assertThat(WayIn.all(text).contents().orElseThrow().scenes()).isEqualTo(scenes);
         assertThat(SceneFiles.readAll(Files.writeString(folder.resolve("again.xml"), text))).isEqualTo(scenes);
     }
 
@@ -41,8 +42,9 @@ class SceneFilesTest {
     void whatIsWrittenReadsBackEqual(long seed) throws Exception {
         Scene scene = RandomScenes.of(seed);
         String text = SceneFiles.format(scene);
-        assertThat(SceneFiles.parse(text)).isEqualTo(scene);
-        assertThat(SceneFiles.format(SceneFiles.parse(text))).isEqualTo(text);
+        Scene read = WayIn.all(text).scene();
+        assertThat(read).isEqualTo(scene);
+        assertThat(SceneFiles.format(read)).isEqualTo(text);
     }
 
     @Test
@@ -50,7 +52,7 @@ class SceneFilesTest {
         List<Scene> scenes = List.of(RandomScenes.of(1), RandomScenes.of(2).withName("two"), RandomScenes.of(3).withName("three"));
         Path file = folder.resolve("database.xml");
         SceneFiles.writeAll(scenes, file);
-        assertThat(SceneFiles.readAll(file)).isEqualTo(scenes);
+        assertThat(WayIn.all(Files.readString(file)).contents()).contains(new SceneFiles.Contents(scenes, true));
         assertThat(folder.toFile().list()).as("no temporary file is left").containsExactly("database.xml");
     }
 
@@ -65,13 +67,13 @@ class SceneFilesTest {
 
     @Test
     void elementsMayComeInAnyOrder() throws Exception {
-        Scene scene = SceneFiles.parse("""
+        Scene scene = WayIn.all("""
                 <scene xmlns="urn:paprsek:scene:1">
                   <sphere radius="1" material="later"/>
                   <material name="later" color="1 2 3"/>
                   <camera position="0 0 5" target="0 0 0"/>
                   <render width="10"/>
-                </scene>""");
+                </scene>""").scene();
         assertThat(scene.objects().get(0).material()).isEqualTo(new MaterialName("later"));
         assertThat(scene.settings()).isEqualTo(RenderSettings.DEFAULT.withSize(10, 600));
     }

@@ -6,6 +6,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles.Contents;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.URI;
 import java.nio.ByteBuffer;
@@ -18,6 +19,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 
 /** The ways in which a scene file can come in. What is in it, or wrong with it, must not depend on the way, so every test of reading tries all. */
@@ -54,20 +56,32 @@ enum WayIn {
 
         @Override
         Contents read(byte[] file) throws SceneFileException, IOException {
-            Path pipe = Places.PIPE.orElseThrow();
-            Thread writer = new Thread(() -> write(file, pipe));
-            writer.start();
-            try {
-                return SceneFiles.contents(pipe, ReadMonitor.NONE);
-            } finally {
-                join(writer);
-            }
+            return throughPipe(new ByteArrayInputStream(file), pipe -> SceneFiles.contents(pipe, ReadMonitor.NONE));
         }
     },
     ARCHIVE {
         @Override
         Contents read(byte[] file) throws SceneFileException, IOException {
             return SceneFiles.contents(Files.write(Places.ENTRY, file), ReadMonitor.NONE);
+        }
+    },
+    WITH_TEXT {
+        @Override
+        Contents read(byte[] file) throws SceneFileException, IOException {
+            OriginalText text = OriginalText.read(new ByteArrayInputStream(file), "x");
+            assertThat(text.bytes()).isEqualTo(file);
+            return text.contents();
+        }
+    },
+    PIPE_WITH_TEXT {
+        @Override
+        boolean takes(byte[] file) {
+            return PIPE.takes(file);
+        }
+
+        @Override
+        Contents read(byte[] file) throws SceneFileException, IOException {
+            return throughPipe(new ByteArrayInputStream(file), pipe -> OriginalText.read(pipe).contents());
         }
     },
     DATABASE_FILE {
@@ -95,6 +109,27 @@ enum WayIn {
     }
 
     abstract Contents read(byte[] file) throws SceneFileException, IOException;
+
+    /** The problems of what has no end, for {@link #ofStreams}. */
+    List<String> problems(Supplier<InputStream> endless) throws IOException {
+        try {
+            switch (this) {
+                case STREAM -> SceneFiles.contents(endless.get(), "x");
+                case WITH_TEXT -> OriginalText.read(endless.get(), "x");
+                case PIPE -> throughPipe(endless.get(), pipe -> SceneFiles.contents(pipe, ReadMonitor.NONE));
+                case PIPE_WITH_TEXT -> throughPipe(endless.get(), pipe -> OriginalText.read(pipe).contents());
+                default -> throw new IllegalArgumentException(this + " has a beginning and an end");
+            }
+            return List.of();
+        } catch (SceneFileException refused) {
+            return refused.problems().stream().map(p -> p.line() + ":" + p.column() + ": " + p.message()).toList();
+        }
+    }
+
+    /** Those that what has no end can come in by. */
+    static List<WayIn> ofStreams() {
+        return Places.PIPE.isPresent() ? List.of(STREAM, WITH_TEXT, PIPE, PIPE_WITH_TEXT) : List.of(STREAM, WITH_TEXT);
+    }
 
     /** Whether such a file can come in this way. */
     boolean takes(byte[] file) {
@@ -132,9 +167,25 @@ enum WayIn {
         return all(file.getBytes(StandardCharsets.UTF_8));
     }
 
-    static void write(byte[] content, Path pipe) {
+    /** How to read a path. */
+    interface Reading {
+        Contents of(Path file) throws SceneFileException, IOException;
+    }
+
+    private static Contents throughPipe(InputStream content, Reading reading) throws SceneFileException, IOException {
+        Path pipe = Places.PIPE.orElseThrow();
+        Thread writer = new Thread(() -> write(content, pipe));
+        writer.start();
+        try {
+            return reading.of(pipe);
+        } finally {
+            join(writer);
+        }
+    }
+
+    private static void write(InputStream content, Path pipe) {
         try (OutputStream output = Files.newOutputStream(pipe)) {
-            output.write(content);
+            content.transferTo(output);
         } catch (IOException hungUp) {
             // The reader had seen enough.
         }

@@ -105,7 +105,7 @@ public record Targets(Optional<String> output, Optional<ImageFormat> format, boo
         }
     }
 
-    private static void check(List<Target> targets) {
+    private void check(List<Target> targets) {
         Map<Path, Path> taken = new HashMap<>();
         targets.forEach(target -> taken.put(absolute(target.scene()), target.scene()));
         for (Target target : targets) {
@@ -114,11 +114,22 @@ public record Targets(Optional<String> output, Optional<ImageFormat> format, boo
                 if (other != null) {
                     throw new WrongUsage(absolute(other).equals(absolute(file))
                             ? "the picture of " + target.scene() + " would overwrite the scene " + other
-                            : other + " and " + target.scene() + " would both be rendered to " + file + "; render them one by one");
+                            : other + " and " + target.scene() + " would both be rendered to " + file + "; " + apart(other, target));
                 }
             });
         }
         targets.forEach(target -> target.file().ifPresent(Targets::prepare));
+    }
+
+    /** How two scenes would get pictures of their own. */
+    private String apart(Path other, Target target) {
+        boolean isElsewhere = !Objects.equals(absolute(other).getParent(), absolute(target.scene()).getParent());
+        if (isElsewhere && !shown().contains(FOLDER)) {
+            String folder = shown().isEmpty() || shown().endsWith("/") ? shown() : shown() + "/";
+            return isPattern() ? "put " + FOLDER + " into the output, which stands for the scene's folder"
+                    : "-o '" + folder + FOLDER + "/" + NAME + "." + target.format().extension() + "' keeps them apart";
+        }
+        return isPattern() && !shown().contains(NAME) ? "put " + NAME + " into the output, which stands for the scene's name" : "render them one by one";
     }
 
     private static void prepare(Path file) {

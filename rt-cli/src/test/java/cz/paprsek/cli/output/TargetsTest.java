@@ -49,7 +49,13 @@ class TargetsTest {
         assertThatThrownBy(() -> shown(Optional.of(folder + "/a.png"), "a.xml", "b.xml"))
                 .isInstanceOf(WrongUsage.class).hasMessageContaining("2 scenes do not fit into");
         assertThatThrownBy(() -> shown(Optional.of(folder + "/"), "x/a.xml", "y/a.xml"))
-                .isInstanceOf(WrongUsage.class).hasMessageContaining("would both be rendered to");
+                .isInstanceOf(WrongUsage.class).hasMessageContaining("would both be rendered to").hasMessageEndingWith("; -o '" + folder + "/{dir}/{name}.png' keeps them apart");
+        assertThatThrownBy(() -> shown(Optional.empty(), "x/a.xml", "y/a.xml")).hasMessageEndingWith(" to a.png; -o '{dir}/{name}.png' keeps them apart");
+        assertThatThrownBy(() -> shown(Optional.of(folder + "/{name}.exr"), "x/a.xml", "y/a.xml"))
+                .hasMessageEndingWith("; put {dir} into the output, which stands for the scene's folder");
+        assertThatThrownBy(() -> shown(Optional.of(folder + "/{dir}.png"), "x/a.xml", "x/b.xml"))
+                .hasMessageEndingWith("; put {name} into the output, which stands for the scene's name");
+        assertThatThrownBy(() -> shown(Optional.empty(), "x/a.xml", "x/a.scene")).hasMessageEndingWith("; render them one by one");
         assertThatThrownBy(() -> shown(Optional.of("-"), "x/a.xml", "y/b.xml")).isInstanceOf(WrongUsage.class);
     }
 

@@ -10,8 +10,10 @@ import cz.paprsek.text.Similar;
 import cz.paprsek.xml.format.ColorWords;
 import cz.paprsek.xml.format.SceneFormat;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.StringTokenizer;
 import java.util.TreeSet;
@@ -132,8 +134,10 @@ final class Complaints {
         if (allowed.isEmpty()) {
             return "<" + parent + "> holds no elements, but here is <" + element + ">";
         }
-        String known = grammar.allElements().contains(element) ? " here" : "";
-        return "<" + parent + "> has no element <" + element + ">" + known + Wording.suggestion(element, allowed.keySet());
+        boolean isKnown = grammar.allElements().contains(element);
+        String suggestion = Wording.suggestion(element, allowed.keySet());
+        return "<" + parent + "> has no element <" + element + ">" + (isKnown ? " here" : "")
+                + (suggestion.isEmpty() && !isKnown ? Wording.insteadOf(element) : suggestion);
     }
 
     private void unknownAttributes(String element, String type, Attributes found, int line, int column) {
@@ -177,22 +181,22 @@ final class Complaints {
         String typeOfValue = grammar.attributes(type).getOrDefault(name, "");
         String expected = grammar.expected(typeOfValue);
         String quoted = "\"" + PlainText.of(value, LONGEST_QUOTE) + "\"";
+        boolean isNumber = !typeOfValue.equals("name");
+        Optional<String> odd = LookAlikes.in(value).filter(anything -> isNumber);
+        Optional<String> other = odd.isEmpty() && isNumber ? OtherNotations.advice(typeOfValue, expected, value) : Optional.empty();
         problems.add(line, column, element + " " + name + " must be " + expected + ", but "
-                + LookAlikes.in(value).filter(anything -> !typeOfValue.equals("name")).map(odd -> "has " + odd + ": " + quoted).orElseGet(() ->
-                        isWrongCount(expected, value) ? "has " + new StringTokenizer(value).countTokens() + ": " + quoted : "is " + quoted)
-                + (typeOfValue.equals("color") ? Similar.suggestion(value.strip(), ColorWords.names()) : ""));
+                + odd.map(character -> "has " + character + ": " + quoted)
+                        .orElseGet(() -> isWrongCount(expected, value) ? "has " + new StringTokenizer(value).countTokens() + ": " + quoted : "is " + quoted)
+                + other.map(advice -> "; " + advice)
+                        .orElseGet(() -> typeOfValue.equals("color") ? Similar.suggestion(value.strip(), ColorWords.names()) : ""));
     }
 
     /** Whether there are numbers, but too few or too many. */
     private static boolean isWrongCount(String expected, String value) {
-        int count = 0;
-        for (StringTokenizer words = new StringTokenizer(value); words.hasMoreTokens(); count++) {
-            if ("+-.0123456789".indexOf(words.nextToken().charAt(0)) < 0) {
-                return false;
-            }
-        }
-        int wanted = expected.startsWith("three ") ? 3 : expected.startsWith("two ") ? 2 : count;
-        return count > 0 && (expected.startsWith("one ") ? count != 1 && count != 3 : count != wanted);
+        List<String> words = Collections.list(new StringTokenizer(value)).stream().map(String::valueOf).toList();
+        int wanted = expected.startsWith("three ") ? 3 : expected.startsWith("two ") ? 2 : words.size();
+        return !words.isEmpty() && words.stream().allMatch(OtherNotations::isNumber)
+                && (expected.startsWith("one ") ? words.size() != 1 && words.size() != 3 : words.size() != wanted);
     }
 
     private static String last(List<String> path) {

@@ -4,6 +4,7 @@ import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.Charset;
+import java.nio.charset.IllegalCharsetNameException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Locale;
@@ -18,6 +19,8 @@ final class Prolog {
     /** How much of a file is looked at; a root that starts later is told to start where this ends. */
     private static final int LONGEST = 1 << 16;
     private static final Pattern ENCODING = Pattern.compile("^<\\?xml[^>]{0,200}?\\sencoding\\s*=\\s*[\"']([^\"'<>]{1,60})[\"']");
+
+    private static final byte[] XML = "<?xml".getBytes(StandardCharsets.US_ASCII);
 
     private final String text;
     /** What the bytes are found to be; empty if they may be anything with a byte for each character of ASCII, or are none. */
@@ -93,8 +96,21 @@ final class Prolog {
     /** Whether the file claims to have more bytes or fewer for each character than were found. */
     boolean isMisdeclared() {
         String claimed = encoding();
-        return found.isEmpty() ? text.startsWith("<?xml") && isWide(claimed)
+        return found.isEmpty() ? text.startsWith("<?xml") && isUnlikeAscii(claimed)
                 : found.equals("UTF-32") || (claimed.isEmpty() ? !isMarked : !isWide(claimed));
+    }
+
+    /** Whether what has been read as ASCII cannot be of that encoding. */
+    private static boolean isUnlikeAscii(String encoding) {
+        return isWide(encoding) || (isKnown(encoding) && !new String(XML, Charset.forName(encoding)).equals("<?xml"));
+    }
+
+    private static boolean isKnown(String encoding) {
+        try {
+            return Charset.isSupported(encoding);
+        } catch (IllegalCharsetNameException e) {
+            return false;
+        }
     }
 
     private static boolean isWide(String encoding) {
@@ -113,6 +129,9 @@ final class Prolog {
         if (!found.isEmpty() && !isWide(claimed)) {
             return "this is text in " + found + ", but " + (claimed.isEmpty() ? "the mark that says so is missing at its start"
                     : "the file claims to be " + claimed) + "; save it as UTF-8";
+        }
+        if (!claimed.isEmpty() && !isKnown(claimed) && !isWide(claimed)) {
+            return "the encoding \"" + claimed + "\", which the file claims to have, is not known here; save it as UTF-8";
         }
         return claimed.isEmpty() ? "this is not text in UTF-8, and the file names no other encoding; save it as UTF-8"
                 : "this is not text in the encoding " + claimed + ", which the file claims to have; save it as UTF-8";

@@ -73,6 +73,13 @@ final class Wording {
             cols = columns
             """;
 
+    /** Elements of others that nothing here stands for; behind them what to do. */
+    private static final String NOT_HERE = """
+            mesh trimesh indexedfaceset triangle triangles polygon polyhedron facet heightfield terrain = bodies are made of solids, with union, difference \
+            and intersection
+            include import use xi:include = a file holds all of its scene; copy it into this one
+            """;
+
     private static final Map<String, List<String>> BY_WORD = byWord();
 
     private Wording() {}
@@ -90,6 +97,13 @@ final class Wording {
             case 1 -> "; the word here is \"" + ours.get(0) + "\"";
             default -> "; the words here are \"" + String.join("\" and \"", ours) + "\"";
         };
+    }
+
+    /** {@code ; …}, what to do about an element that nothing here stands for; or nothing. */
+    static String insteadOf(String element) {
+        String plain = element.toLowerCase(Locale.ROOT);
+        return NOT_HERE.lines().map(line -> line.split(" = ", 2)).filter(sides -> List.of(sides[0].split(" ")).contains(plain))
+                .map(sides -> "; " + sides[1]).findFirst().orElse("");
     }
 
     private static List<String> ours(String word, Collection<String> known) {

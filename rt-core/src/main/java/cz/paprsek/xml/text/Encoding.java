@@ -35,8 +35,13 @@ final class Encoding {
             case 0xfffe, 0x3c00 -> (first & 0xffff) == 0 ? Charset.forName("UTF-32LE") : StandardCharsets.UTF_16LE;
             case 0 -> Charset.forName("UTF-32BE");
             case 0xefbb -> StandardCharsets.UTF_8;
-            default -> declared(new String(Arrays.copyOf(file, Math.min(file.length, BEGINNING)), StandardCharsets.ISO_8859_1));
+            case 0x4c6f -> declared(beginning(file, "IBM037"));
+            default -> declared(beginning(file, "ISO-8859-1"));
         };
+    }
+
+    private static String beginning(byte[] file, String charset) {
+        return new String(file, 0, Math.min(file.length, BEGINNING), Charset.forName(charset));
     }
 
     private static Charset declared(String beginning) {
