@@ -39,6 +39,9 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
     private static final ClassValue<List<Described>> INLINE = new ClassValue<>() {
         @Override
         protected List<Described> computeValue(Class<?> type) {
+            if (!type.isRecord()) {
+                return List.of();
+            }
             return Arrays.stream(componentsOf(type)).flatMap(component -> Stream.concat(
                     of(type).stream().filter(one -> one.component().getName().equals(component.getName())),
                     kindsWithin(component).flatMap(kind -> of(kind).stream())

@@ -8,6 +8,7 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.light.FixedPoints;
 import cz.paprsek.scene.AreaLight;
+import cz.paprsek.scene.CustomLight;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PointLight;
 import cz.paprsek.scene.Scene;
@@ -15,6 +16,7 @@ import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SphereLight;
 import cz.paprsek.scene.SpotLight;
 import cz.paprsek.scene.SunLight;
+import cz.paprsek.text.MadeInCode;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -43,6 +45,9 @@ final class PovLights {
 
     /** What shines as this light, and what is seen of it. */
     static List<String> of(Scene scene, Light light, int number) {
+        if (light instanceof CustomLight) {
+            throw MadeInCode.refusedBy("a scene for POV-Ray", light.kind(), "light");
+        }
         PovLights all = new PovLights(scene, light);
         all.write(FixedPoints.of(light, number));
         return all.lines;

@@ -8,7 +8,7 @@ import cz.paprsek.math.Vec3;
  * What gives light: a record for each kind. An intensity I is light in the unit of pictures: a white surface of diffusion 1 that faces the
  * light, where I arrives, is I bright.
  */
-public sealed interface Light permits PlacedLight, SunLight {
+public sealed interface Light permits PlacedLight, SunLight, CustomLight {
     /** The greatest intensity: no picture of floats holds much more. */
     double BRIGHTEST = 1e12;
 

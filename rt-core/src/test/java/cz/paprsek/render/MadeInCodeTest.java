@@ -13,10 +13,12 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.pov.PovFiles;
 import cz.paprsek.query.Filter;
 import cz.paprsek.query.SceneTables;
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
 import cz.paprsek.render.explain.text.Decoration;
 import cz.paprsek.render.explain.text.TreeText;
+import cz.paprsek.scene.CustomLight;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -35,7 +37,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Shapes and patterns that an embedder makes are rendered, explained and listed like ours; files refuse them with a sentence. */
+/** Shapes, patterns and lights that an embedder makes are rendered, explained and listed like ours; files refuse them with a sentence. */
 class MadeInCodeTest {
     private static final Material GLASS = Material.color(255, 255, 255).withDiffusion(0.1).withTransparency(0.8, 1.5).withHighlight(0.5, 50);
 
@@ -141,11 +143,33 @@ class MadeInCodeTest {
         assertThat(met.color().green()).isEqualTo(met.place().v()).isBetween(0.01, 0.99);
     }
 
+    /** A point light as an embedder would make it, looked for as often as told. */
+    private record Bulb(Vec3 position, int samples) implements CustomLight {
+        @Override
+        public boolean sample(Hit from, double u, double v, Arrival out) {
+            out.towards(from, position.x(), position.y(), position.z());
+            out.light(1, 1, 1);
+            return u >= 0 && u < 1 && v >= 0 && v < 1;
+        }
+    }
+
+    @Test
+    void aLightMadeInCodeLooksAsOursOfTheSameForm() {
+        Scene scene = around(new Block(new Vec3(-0.6, -0.6, -0.6), new Vec3(0.6, 0.6, 0.6)));
+        Vec3 position = new Vec3(3, 6, 9);
+        int[] ours = Renderer.render(scene).toArgb();
+        assertThat(Renderer.render(scene.withLights(List.of(new Bulb(position, 1)))).toArgb()).isEqualTo(ours);
+        assertThat(Renderer.render(scene.withLights(List.of(new Bulb(position, 16)))).toArgb()).as("the mean of what is the same").isEqualTo(ours);
+        assertThatThrownBy(() -> RenderScene.of(scene.withLights(List.of(new Bulb(position, 0))))).isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith("samples of a bulb must be");
+    }
+
     @Test
     void explanationsAndTablesCallThemAsTheyCallThemselves() throws Exception {
-        Scene scene = around(new Crate(0.6));
+        Scene scene = around(new Crate(0.6)).plus(new Bulb(new Vec3(-3, 6, 9), 4));
         var pixel = RenderScene.of(scene).explain(scene.settings().width() / 2 - 3, scene.settings().height() / 2);
         assertThat(String.join("\n", TreeText.lines(pixel, 0.01, Decoration.NONE))).contains("hits           crate #1, from outside");
+        assertThat(Filter.parse("exists(light where kind = \"bulb\")", SceneTables.SCENE).test(scene)).isTrue();
         assertThat(Filter.parse("exists(object where kind = \"crate\")", SceneTables.SCENE).test(scene)).isTrue();
     }
 
@@ -153,6 +177,8 @@ class MadeInCodeTest {
     void filesRefuseThemWithASentence(@TempDir Path folder) throws Exception {
         Scene shape = around(new Crate(0.6));
         Scene pattern = patterned(new Cubes(1));
+        Scene light = Scene.EMPTY.plus(new Bulb(Vec3.ZERO, 1));
+        String aboutLight = "cannot hold the light \"bulb\", which is made in code";
         String aboutShape = "cannot hold the shape \"crate\", which is made in code";
         String aboutPattern = "cannot hold the pattern \"cubes\", which is made in code";
         Path file = folder.resolve("scene.xml");
@@ -161,6 +187,8 @@ class MadeInCodeTest {
         assertThatThrownBy(() -> SceneFiles.writeAll(List.of(shape.withName("a")), file)).hasMessage("a scene file " + aboutShape);
         assertThatThrownBy(() -> PovFiles.write(shape, file)).isInstanceOf(IllegalArgumentException.class).hasMessage("a scene for POV-Ray " + aboutShape);
         assertThatThrownBy(() -> PovFiles.write(pattern, file)).hasMessage("a scene for POV-Ray " + aboutPattern);
+        assertThatThrownBy(() -> SceneFiles.write(light, file)).isInstanceOf(IllegalArgumentException.class).hasMessage("a scene file " + aboutLight);
+        assertThatThrownBy(() -> PovFiles.write(light, file)).isInstanceOf(IllegalArgumentException.class).hasMessage("a scene for POV-Ray " + aboutLight);
         assertThat(file).doesNotExist();
         SceneFiles.write(Scene.EMPTY, file);
         byte[] before = Files.readAllBytes(file);

@@ -1,7 +1,7 @@
 package cz.paprsek.render.integrate;
 
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
-import cz.paprsek.render.light.Arrival;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.light.PointLamp;

@@ -1,6 +1,7 @@
 package cz.paprsek.render.integrate;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.LinearRgb;
@@ -9,7 +10,6 @@ import cz.paprsek.render.explain.Refraction;
 import cz.paprsek.render.explain.SeenLight;
 import cz.paprsek.render.explain.ShadowRay;
 import cz.paprsek.render.explain.TracedRay;
-import cz.paprsek.render.light.Arrival;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;

@@ -2,10 +2,10 @@ package cz.paprsek.render.integrate;
 
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
-import cz.paprsek.render.light.Arrival;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.sample.Sampling;

@@ -1,6 +1,6 @@
 package cz.paprsek.render.integrate;
 
-import cz.paprsek.render.light.Arrival;
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.render.surface.Level;
 
 /**

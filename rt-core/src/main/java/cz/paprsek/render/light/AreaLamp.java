@@ -2,6 +2,7 @@ package cz.paprsek.render.light;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.scene.AreaLight;
 

@@ -1,5 +1,6 @@
 package cz.paprsek.render.light;
 
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.scene.PointLight;
 

@@ -2,6 +2,7 @@ package cz.paprsek.render.light;
 
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Light;
@@ -74,7 +75,7 @@ final class Glow {
     /** The light that is seen of it, from before or behind. */
     void shine(boolean isBehind, Arrival out) {
         double k = isBehind ? 0 : 1;
-        out.set(k * red, k * green, k * blue);
+        out.light(k * red, k * green, k * blue);
     }
 
     /** Numbers the one part of a shape. */

@@ -2,6 +2,7 @@ package cz.paprsek.render.light;
 
 import cz.paprsek.math.Angles;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.SunLight;
@@ -113,7 +114,7 @@ public final class Glows {
     public int sky(double dx, double dy, double dz, Arrival out) {
         for (Sun sun : suns) {
             if (dx * sun.towards.x() + dy * sun.towards.y() + dz * sun.towards.z() >= sun.cosine) {
-                out.set(sun.red, sun.green, sun.blue);
+                out.light(sun.red, sun.green, sun.blue);
                 return sun.lamp;
             }
         }

@@ -1,8 +1,10 @@
 package cz.paprsek.render.light;
 
 import cz.paprsek.material.Rgb;
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.scene.AreaLight;
+import cz.paprsek.scene.CustomLight;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PointLight;
 import cz.paprsek.scene.SphereLight;
@@ -34,6 +36,8 @@ public abstract class Lamp {
             return area.form() instanceof AreaLight.Size size ? new RectangleLamp(area, size) : new DiscLamp(area, (AreaLight.Radius) area.form());
         } else if (light instanceof SphereLight ball) {
             return new BallLamp(ball);
+        } else if (light instanceof CustomLight custom) {
+            return new CustomLamp(custom);
         }
         SunLight sun = (SunLight) light;
         return sun.angle() == 0 ? new SunLamp(sun) : new SunDiscLamp(sun);
@@ -83,7 +87,7 @@ public abstract class Lamp {
     /** Makes its own light, times a factor, what arrives. */
     final boolean arrives(double factor, Arrival out) {
         double k = factor < MOST ? factor : MOST;
-        out.set(k * red, k * green, k * blue);
+        out.light(k * red, k * green, k * blue);
         return k > 0;
     }
 }

@@ -1,5 +1,6 @@
 package cz.paprsek.render.light;
 
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.scene.PointLight;
 
@@ -12,7 +13,7 @@ public final class PointLamp extends LampAtPoint {
     @Override
     public boolean sample(Hit from, double u, double v, Arrival out) {
         out.towards(from, x, y, z);
-        out.set(red(), green(), blue());
+        out.light(red(), green(), blue());
         return true;
     }
 }

@@ -1,5 +1,7 @@
 package cz.paprsek.render.light;
 
+import cz.paprsek.ray.Arrival;
+
 /** Maps of the unit square to other figures, such that equal areas become equal areas. Only arithmetic and square roots: the same everywhere. */
 final class Unit {
     private static final double QUARTER = Math.PI / 4;

@@ -1,11 +1,11 @@
 package cz.paprsek.render.show;
 
 import cz.paprsek.material.Rgb;
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.integrate.Whitted;
-import cz.paprsek.render.light.Arrival;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.sample.Sampling;

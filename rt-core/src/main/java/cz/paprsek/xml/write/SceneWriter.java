@@ -9,6 +9,7 @@ import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.CustomLight;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -55,7 +56,7 @@ public final class SceneWriter {
 
     static String text(Light light) {
         SceneWriter writer = new SceneWriter();
-        writer.leaf((Record) light);
+        writer.light(light);
         return writer.xml.toString();
     }
 
@@ -93,7 +94,7 @@ public final class SceneWriter {
         light("background", scene.background());
         light("ambient", scene.ambient());
         scene.cameras().forEach(this::leaf);
-        scene.lights().forEach(light -> leaf((Record) light));
+        scene.lights().forEach(this::light);
         scene.materials().forEach(this::material);
         scene.objects().forEach(this::object);
         xml.close("scene");
@@ -137,6 +138,13 @@ public final class SceneWriter {
 
     private static String fromTo(double[] numbers) {
         return XmlText.text(numbers[0]) + (numbers[1] == 0 ? "" : ".." + XmlText.text(numbers[1]));
+    }
+
+    private void light(Light light) {
+        if (light instanceof CustomLight) {
+            throw MadeInCode.refusedBy(HERE, light.kind(), "light");
+        }
+        leaf((Record) light);
     }
 
     private void light(String element, Rgb color) {

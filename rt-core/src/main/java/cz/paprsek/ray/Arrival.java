@@ -1,6 +1,4 @@
-package cz.paprsek.render.light;
-
-import cz.paprsek.ray.Hit;
+package cz.paprsek.ray;
 
 /** Scratch of one worker: where a light is looked for from a point, and what arrives of it if nothing stands in the way. */
 public final class Arrival {
@@ -15,8 +13,8 @@ public final class Arrival {
     public double green;
     public double blue;
 
-    /** Turns to a point. */
-    void towards(Hit from, double pointX, double pointY, double pointZ) {
+    /** Turns to a point of the world, where it ends. */
+    public void towards(Hit from, double pointX, double pointY, double pointZ) {
         double lx = pointX - from.px;
         double ly = pointY - from.py;
         double lz = pointZ - from.pz;
@@ -28,7 +26,16 @@ public final class Arrival {
         distance = length;
     }
 
-    void set(double r, double g, double b) {
+    /** Turns in a direction of length 1, without end. */
+    public void along(double directionX, double directionY, double directionZ) {
+        x = directionX;
+        y = directionY;
+        z = directionZ;
+        distance = Double.POSITIVE_INFINITY;
+    }
+
+    /** Sets the light that arrives, linear. */
+    public void light(double r, double g, double b) {
         red = r;
         green = g;
         blue = b;
