@@ -9,6 +9,7 @@ import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.show.DepthRange;
 import cz.paprsek.render.show.ModeTracer;
+import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
 import java.math.BigInteger;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -126,13 +127,11 @@ final class RenderJob implements RenderMonitor {
 
     private Integrator integrator() {
         RenderSettings settings = options.settings();
+        // What is shown of things seen is no light whose spread would tell how many rays it takes; what is shown of rays is.
+        RenderSettings shown = options.mode().scale().isPresent() ? settings : settings.withSamples(settings.samples()).withFilter(PixelFilter.BOX);
         return options.mode() == RenderMode.SHADED
-                ? new Whitted(scene.world(), settings.maxDepth(), grid(settings), this::cancelled)
-                : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), grid(settings), depths, options.numbers(), this::cancelled);
-    }
-
-    private Sampling grid(RenderSettings settings) {
-        return options.fixedSampler() ? Sampling.fixedGrid(settings.samples()) : Sampling.grid(settings.samples());
+                ? new Whitted(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()), this::cancelled)
+                : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), Sampling.of(shown, options.fixedSampler()), depths, options.numbers(), this::cancelled);
     }
 
     private synchronized void add(Integrator.Work work) {

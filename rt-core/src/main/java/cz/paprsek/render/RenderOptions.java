@@ -53,7 +53,7 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
     }
 
     /**
-     * With {@link RenderMode#DEPTH}, {@link RenderMode#RAYS} and {@link RenderMode#NODES}: distances in scene units, 0 where nothing is seen, and
+     * With {@link RenderMode#DEPTH}, {@link RenderMode#RAYS}, {@link RenderMode#NODES} and {@link RenderMode#SAMPLES}: distances in scene units, 0 where nothing is seen, and
      * counts, in all three channels alike.
      */
     public RenderOptions withNumbers() {

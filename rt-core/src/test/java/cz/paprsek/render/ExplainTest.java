@@ -11,16 +11,21 @@ import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.ShadowRay;
 import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class ExplainTest {
@@ -54,6 +59,19 @@ class ExplainTest {
         scene = scene.withSettings(scene.settings().withSamples(3));
         assertThat(RenderScene.of(scene).explain(16, 12).rays()).hasSize(9);
         assertEveryPixelAddsUp(scene);
+    }
+
+    @ParameterizedTest
+    @EnumSource(PixelFilter.class)
+    void soAreAsManyAsAPixelTakesWhateverTheirWeights(PixelFilter filter) {
+        Scene scene = Scenes.random(7, 12);
+        scene = scene.withSettings(scene.settings().withSamples(2, 5).withFilter(filter));
+        RenderScene prepared = RenderScene.of(scene);
+        RenderSettings settings = scene.settings();
+        Set<Integer> counts = IntStream.range(0, 25).mapToObj(y -> prepared.explain(settings, 16, y).rays().size()).collect(Collectors.toSet());
+        assertThat(counts).contains(4).hasSizeGreaterThan(1).isSubsetOf(4, 8, 16, 25);
+        assertEveryPixelAddsUp(scene);
+        assertEveryPixelAddsUp(scene.withSettings(settings.withSamples(3)));
     }
 
     private static void assertEveryPixelAddsUp(Scene scene) {

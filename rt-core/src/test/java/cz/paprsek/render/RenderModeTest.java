@@ -103,10 +103,27 @@ class RenderModeTest {
         assertThat(render(two, RenderMode.SHADOWS).red(MIDDLE_X - 7, MIDDLE_Y)).as("in the shadow of the ball").isEqualTo(0);
     }
 
+    @Test
+    void samplesSayHowManyRaysFromTheEyeAPixelTook() {
+        Scene random = Scenes.random(11, 30);
+        Scene scene = random.withSettings(random.settings().withSamples(2, 4));
+        Image counts = numbers(scene, RenderMode.SAMPLES);
+        long sum = 0;
+        for (int y = 0; y < counts.height(); y++) {
+            for (int x = 0; x < counts.width(); x++) {
+                assertThat(counts.red(x, y)).isIn(4f, 8f, 16f);
+                sum += (long) counts.red(x, y);
+            }
+        }
+        assertThat(sum).isEqualTo(Renderer.render(RenderScene.of(scene), RenderOptions.of(scene), RenderMonitor.NONE).stats().primary());
+        assertThat(numbers(random, RenderMode.SAMPLES).red(3, 3)).isEqualTo(1);
+    }
+
     @ParameterizedTest
     @EnumSource(RenderMode.class)
     void everyModeGivesTheSameBytesForAnyThreadsAndRegion(RenderMode mode) {
-        Scene scene = Scenes.random(11, 30);
+        Scene random = Scenes.random(11, 30);
+        Scene scene = mode == RenderMode.SAMPLES ? random.withSettings(random.settings().withSamples(2, 8)) : random;
         RenderScene prepared = RenderScene.of(scene);
         RenderOptions options = RenderOptions.of(scene).withMode(mode);
         Image one = Renderer.render(prepared, options.withThreads(1), RenderMonitor.NONE).image();

@@ -12,6 +12,7 @@ import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.PartTable;
+import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.placed.Ray;
@@ -45,8 +46,9 @@ class RendererTest {
     @Test
     void aRegionIsThatPartOfThePictureToTheBit() {
         RenderScene scene = RenderScene.of(SCENE);
-        for (int samples = 1; samples <= 3; samples++) {
-            RenderOptions options = RenderOptions.of(SCENE.settings().withSamples(samples));
+        for (RenderSettings settings : List.of(SCENE.settings(), SCENE.settings().withSamples(2), SCENE.settings().withSamples(3),
+                SCENE.settings().withSamples(2, 4), SCENE.settings().withSamples(3, 4).withFilter(PixelFilter.MITCHELL))) {
+            RenderOptions options = RenderOptions.of(settings);
             Image whole = Renderer.render(scene, options, RenderMonitor.NONE).image();
             Image part = Renderer.render(scene, options.withRegion(new Tile(13, 21, 37, 29)), RenderMonitor.NONE).image();
             Image crop = new Image(37, 29);
@@ -160,6 +162,14 @@ class RendererTest {
             }
             Collections.shuffle(order, new Random(seed));
         }
+    }
+
+    @Test
+    void anAdaptivePictureIsTheSameForAnyThreads() {
+        Scene scene = SCENE.withSettings(SCENE.settings().withSamples(2, 5).withFilter(PixelFilter.GAUSS));
+        Image one = Renderer.render(RenderScene.of(scene), RenderOptions.of(scene).withThreads(1), RenderMonitor.NONE).image();
+        Image three = Renderer.render(RenderScene.of(scene), RenderOptions.of(scene).withThreads(3), RenderMonitor.NONE).image();
+        assertThat(Scenes.difference(one, three, 0)).isZero();
     }
 
     @Test

@@ -4,24 +4,39 @@ import cz.paprsek.math.Require;
 import java.util.List;
 
 /**
- * One pixel of a picture: its light is the average of that of its rays.
+ * One pixel of a picture: its light is that of its rays, each times its weight.
  *
  * @param column from 0 at the left
  * @param row from 0 at the top
- * @param rays the rays from the eye, row by row; one, or a regular grid
+ * @param rays the rays from the eye; one, a regular grid row by row, or random ones
+ * @param weights of each ray: all the same, or one for those that the pixel's filter adds and one for those that it takes away
  */
-public record Pixel(int column, int row, List<TracedRay> rays) {
+public record Pixel(int column, int row, List<TracedRay> rays, List<Double> weights) {
     public Pixel {
         rays = List.copyOf(rays);
+        weights = List.copyOf(weights);
         Require.that(!rays.isEmpty(), "a pixel needs at least one ray");
+        Require.that(weights.size() == rays.size() && weights.stream().distinct().count() <= 2, "a pixel's rays need a weight each, of two at most");
     }
 
-    /** The pixel's light; rounded to floats, exactly that of the picture. */
+    /** Whether its filter takes the light of some rays away. */
+    public boolean isSharpened() {
+        return weights.stream().distinct().count() > 1;
+    }
+
+    /** The pixel's light; rounded to floats, exactly that of the picture. Rays of one weight are summed first; less than no light is none. */
     public LinearRgb light() {
+        LinearRgb all = weights.stream().distinct().map(this::light).reduce(LinearRgb::plus).orElseThrow();
+        return isSharpened() ? new LinearRgb(Math.max(0, all.red()), Math.max(0, all.green()), Math.max(0, all.blue())) : all;
+    }
+
+    private LinearRgb light(double weight) {
         LinearRgb sum = LinearRgb.BLACK;
-        for (TracedRay ray : rays) {
-            sum = sum.plus(ray.light());
+        for (int i = 0; i < rays.size(); i++) {
+            if (weights.get(i) == weight) {
+                sum = sum.plus(rays.get(i).light());
+            }
         }
-        return sum.times(1.0 / rays.size());
+        return sum.times(weight);
     }
 }

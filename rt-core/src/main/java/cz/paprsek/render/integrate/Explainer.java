@@ -5,9 +5,12 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.sample.PixelSums;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.RenderSettings;
+import java.util.List;
+import java.util.stream.IntStream;
 
 /** Traces single pixels and rays as a picture would, with everything written down. */
 public final class Explainer {
@@ -16,9 +19,10 @@ public final class Explainer {
     public static Pixel pixel(World scene, RenderSettings settings, int column, int row) {
         Require.that(column >= 0 && column < settings.width() && row >= 0 && row < settings.height(),
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
-        Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.grid(settings.samples()));
-        recorder.trace(eye(scene, settings), column, row, 1, 1);
-        return new Pixel(column, row, recorder.trees());
+        Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.of(settings, false));
+        PixelSums sums = recorder.pixel(eye(scene, settings), column, row);
+        List<Double> weights = IntStream.range(0, sums.count()).mapToObj(i -> sums.isNegative(i) ? sums.negativeWeight : sums.weight).toList();
+        return new Pixel(column, row, recorder.trees(), weights);
     }
 
     public static TracedRay point(World scene, RenderSettings settings, double x, double y) {

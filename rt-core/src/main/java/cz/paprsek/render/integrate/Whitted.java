@@ -7,6 +7,8 @@ import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.light.Glows;
+import cz.paprsek.render.sample.PixelSums;
+import cz.paprsek.render.sample.Place;
 import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Bodies;
@@ -53,7 +55,10 @@ public class Whitted extends Witness implements Integrator {
     private final Arrival seen = new Arrival();
     private final Bundle bundle = new Bundle();
     private final Entries entries = new Entries(MOST_ENTRIES);
+    private final Place place = new Place();
+    private final PixelSums sums;
     private Level[] block = {};
+    private Level[] further = {};
 
     public long primary;
     public long reflected;
@@ -72,6 +77,7 @@ public class Whitted extends Witness implements Integrator {
         this.surroundings = new Surroundings(scene);
         this.sampling = sampling;
         this.sampler = sampling.newSampler();
+        this.sums = sampling.newSums();
         this.lighting = new Lighting(scene, maxDepth, finder, contacts, spans, sampler, this);
         this.levels = new Level[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
@@ -86,22 +92,55 @@ public class Whitted extends Witness implements Integrator {
         return new double[] {color.linearRed(), color.linearGreen(), color.linearBlue()};
     }
 
-    /** Renders a block of pixels, each the average of its rays. */
+    /** Renders a block of pixels. */
     @Override
     public void block(Eye eye, int x, int y, int width, int height, Film film) {
         Level[] rays = trace(eye, x, y, width, height);
-        int perPixel = sampling.rays();
-        double share = 1.0 / perPixel;
-        for (int i = 0; i < width * height; i++) {
-            double red = 0;
-            double green = 0;
-            double blue = 0;
-            for (int j = i * perPixel; j < (i + 1) * perPixel; j++) {
-                red += rays[j].red;
-                green += rays[j].green;
-                blue += rays[j].blue;
+        for (int i = 0; i < width * height && !cancelled; i++) {
+            sums.clear();
+            add(rays, i * sampling.rays(), sampling.rays());
+            complete(eye, x + i % width, y + i / width);
+            sums.mean();
+            film.set(x + i % width, y + i / width, sums.red, sums.green, sums.blue);
+        }
+    }
+
+    /** Traces all rays of a pixel, and says what they come to. */
+    public final PixelSums pixel(Eye eye, int x, int y) {
+        sums.clear();
+        add(trace(eye, x, y, 1, 1), 0, sampling.rays());
+        complete(eye, x, y);
+        sums.mean();
+        return sums;
+    }
+
+    /** Traces all rays of a pixel one by one, as if there were no others; how many, is told. */
+    protected final int eachAlone(Eye eye, int x, int y) {
+        sums.clear();
+        for (int more = sampling.rays(); more > 0 && !cancelled; more = sampling.further(sums)) {
+            for (int i = 0; i < more; i++) {
+                traceAlone(eye, x, y, sums.count());
+                add(levels, 0, 1);
+                tracedAlone();
             }
-            film.set(x + i % width, y + i / width, red * share, green * share, blue * share);
+        }
+        return sums.count();
+    }
+
+    /** One of a pixel's rays has been traced by itself; the light it brought is in {@link #alone}. */
+    protected void tracedAlone() {}
+
+    private void complete(Eye eye, int x, int y) {
+        for (int more = sampling.further(sums); more > 0 && !cancelled; more = sampling.further(sums)) {
+            further = levels(further, more);
+            trace(eye, x, y, 1, 1, sums.count(), more, further);
+            add(further, 0, more);
+        }
+    }
+
+    private void add(Level[] rays, int from, int count) {
+        for (int i = from; i < from + count; i++) {
+            sums.add(rays[i].red, rays[i].green, rays[i].blue, rays[i].isNegative);
         }
     }
 
@@ -116,16 +155,20 @@ public class Whitted extends Witness implements Integrator {
     }
 
     /**
-     * Traces the rays through a block of pixels, a grid of samples × samples in each; the light they bring is in the levels returned, pixel
-     * by pixel. What they can meet, and what can stand between their hits and each light, is found once for all; the light is the same
-     * as for each ray alone.
+     * Traces the rays that every pixel of a block gets; the light they bring is in the levels returned, pixel by pixel. What they can meet, and
+     * what can stand between their hits and each light, is found once for all; the light is the same as for each ray alone.
      */
     public final Level[] trace(Eye eye, int x, int y, int width, int height) {
-        int perPixel = sampling.rays();
+        block = levels(block, width * height * sampling.rays());
+        trace(eye, x, y, width, height, 0, sampling.rays(), block);
+        return block;
+    }
+
+    private void trace(Eye eye, int x, int y, int width, int height, int sample, int perPixel, Level[] first) {
         int rays = width * height * perPixel;
-        Level[] first = levels(rays);
+        int reach = sampling.reach();
         Entries among = bodies.whole();
-        if (eye.bundle(bundle, x, y, width, height)) {
+        if (eye.bundle(bundle, x - reach, y - reach, width + 2 * reach, height + 2 * reach)) {
             bodies.enter(bundle, entries);
             among = entries;
         }
@@ -134,7 +177,7 @@ public class Whitted extends Witness implements Integrator {
         for (int row = y; row < y + height; row++) {
             for (int column = x; column < x + width; column++) {
                 for (int k = 0; k < perPixel; k++) {
-                    if (start(first[i], eye, column, row, k)) {
+                    if (start(first[i], eye, column, row, sample + k)) {
                         find(first[i], among);
                     }
                     i++;
@@ -146,17 +189,18 @@ public class Whitted extends Witness implements Integrator {
         for (i = 0; i < rays; i++) {
             if (lighting.isRandom()) {
                 int pixel = i / perPixel;
-                sampler.start(x + pixel % width, y + pixel / width, i % perPixel);
+                sampler.start(x + pixel % width, y + pixel / width, sample + i % perPixel);
             }
             shade(first[i], 0);
         }
-        return first;
     }
 
     /** Starts a sample's ray from the eye, in what is around there; false if it is blind. */
     private boolean start(Level level, Eye eye, int column, int row, int sample) {
-        double x = column + sampling.across(sample);
-        double y = row + sampling.down(sample);
+        sampling.place(sampler, column, row, sample, place);
+        level.isNegative = place.isNegative;
+        double x = column + place.x;
+        double y = row + place.y;
         boolean sees;
         if (eye.hasAperture()) {
             sampler.start(column, row, sample);
@@ -172,15 +216,17 @@ public class Whitted extends Witness implements Integrator {
         return sees;
     }
 
-    private Level[] levels(int size) {
-        if (block.length < size) {
-            block = new Level[size];
-            for (int i = 0; i < size; i++) {
-                block[i] = new Level(spans);
-                block[i].path = Sampler.EYE;
-            }
+    /** The same, or more if there are too few. */
+    private Level[] levels(Level[] made, int size) {
+        if (made.length >= size) {
+            return made;
         }
-        return block;
+        Level[] levels = new Level[size];
+        for (int i = 0; i < size; i++) {
+            levels[i] = new Level(spans);
+            levels[i].path = Sampler.EYE;
+        }
+        return levels;
     }
 
     /** The level of a ray that is traced by itself: to be started by {@link #startAlone}, then traced by {@link #traceAlone()}. */

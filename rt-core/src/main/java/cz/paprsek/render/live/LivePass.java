@@ -3,6 +3,7 @@ package cz.paprsek.render.live;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
 import java.util.Objects;
 
@@ -24,7 +25,7 @@ public record LivePass(RenderScene scene, RenderSettings settings, int step, boo
     /** What to render for this pass. */
     RenderOptions options(int threads) {
         RenderSettings own = isLast ? settings
-                : settings.withSamples(1).withSize(shrunk(settings.width()), shrunk(settings.height()));
+                : settings.withSamples(1).withFilter(PixelFilter.BOX).withSize(shrunk(settings.width()), shrunk(settings.height()));
         return RenderOptions.of(own).withThreads(threads);
     }
 
@@ -40,7 +41,7 @@ public record LivePass(RenderScene scene, RenderSettings settings, int step, boo
 
     /** The pass of the given step, a power of two; the last one if there is nothing to add to it. */
     static LivePass at(RenderScene scene, RenderSettings settings, int step) {
-        return new LivePass(scene, settings, step, step == 1 && settings.samples() == 1);
+        return new LivePass(scene, settings, step, step == 1 && settings.mostRays() == 1);
     }
 
     private int shrunk(int pixels) {

@@ -11,6 +11,7 @@ import java.util.List;
  */
 public record HeatScale(int largest) {
     public static final HeatScale RAYS = new HeatScale(1024);
+    public static final HeatScale SAMPLES = new HeatScale(256);
     public static final HeatScale NODES = new HeatScale(16_384);
 
     private static final List<Rgb> COLORS = List.of(new Rgb(8, 8, 40), new Rgb(58, 20, 130), new Rgb(165, 35, 125), new Rgb(235, 85, 60),

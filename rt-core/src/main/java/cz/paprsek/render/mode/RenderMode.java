@@ -28,7 +28,9 @@ public enum RenderMode {
      * How a picture lies on what is seen: ten by ten cells, each with the tenths of its u and v as two digits, redder to the right and
      * greener upwards.
      */
-    UV("how a picture lies on what is seen: numbered cells, u and v in tenths");
+    UV("how a picture lies on what is seen: numbered cells, u and v in tenths"),
+    /** How many rays from the eye a pixel took, on a {@linkplain HeatScale#SAMPLES scale} of colours. */
+    SAMPLES("how many rays from the eye a pixel took");
 
     private final String meaning;
 
@@ -43,7 +45,12 @@ public enum RenderMode {
 
     /** The scale of a heat map; empty if the picture is none. */
     public Optional<HeatScale> scale() {
-        return this == RAYS ? Optional.of(HeatScale.RAYS) : this == NODES ? Optional.of(HeatScale.NODES) : Optional.empty();
+        return switch (this) {
+            case RAYS -> Optional.of(HeatScale.RAYS);
+            case NODES -> Optional.of(HeatScale.NODES);
+            case SAMPLES -> Optional.of(HeatScale.SAMPLES);
+            default -> Optional.empty();
+        };
     }
 
     /** Whether what is shown is a number, one for each pixel. */

@@ -1,67 +1,61 @@
 package cz.paprsek.render.sample;
 
-/** Where in a pixel its rays go through: one class for each pattern. Immutable. */
+import cz.paprsek.scene.RenderSettings;
+
+/** Where in a pixel its rays go through, and how many there are: one class for each pattern. Immutable; each worker has scratch of its own. */
 public abstract class Sampling {
     private final boolean fixed;
+    private final RenderSettings settings;
+    private final Strewing strewing;
 
-    Sampling(boolean fixed) {
+    Sampling(RenderSettings settings, boolean fixed) {
         this.fixed = fixed;
+        this.settings = settings;
+        this.strewing = Strewing.of(settings.filter());
+    }
+
+    /**
+     * What a picture is rendered with.
+     *
+     * @param fixed whether what is random is the same in every pixel
+     */
+    public static Sampling of(RenderSettings settings, boolean fixed) {
+        return settings.isAdaptive() ? new Adaptive(settings, fixed) : new Grid(settings, fixed);
     }
 
     /** A regular grid of so many rays along each side of a pixel. */
     public static Sampling grid(int perSide) {
-        return new Grid(perSide, false);
+        return of(RenderSettings.DEFAULT.withSamples(perSide), false);
     }
-
-    /** The same grid, with what is random the same in every pixel. */
-    public static Sampling fixedGrid(int perSide) {
-        return new Grid(perSide, true);
-    }
-
-    /** How many rays a pixel gets. */
-    public abstract int rays();
-
-    /** Where the i-th of them goes through, in pixels from the left edge of its own, 0–1. */
-    public abstract double across(int i);
-
-    /** Likewise from the top. */
-    public abstract double down(int i);
 
     /** The worker's scratch that says what is random in the pixels. */
     public final Sampler newSampler() {
-        return fixed ? Sampler.fixed(rays()) : Sampler.scrambled(rays());
+        return fixed ? Sampler.fixed(settings.mostRays()) : Sampler.scrambled(settings.mostRays());
     }
 
-    /** A regular grid, row by row: a picture of n × n samples is the average of a picture n times the size. */
-    private static final class Grid extends Sampling {
-        private final double[] across;
-        private final double[] down;
+    /** The worker's scratch that holds the samples of a pixel. */
+    public final PixelSums newSums() {
+        return new PixelSums(settings.mostRays(), strewing.mass() * strewing.mass(),
+                new Target(settings.error(), settings.confidence(), Adaptive.looks(settings)));
+    }
 
-        Grid(int perSide, boolean fixed) {
-            super(fixed);
-            across = new double[perSide * perSide];
-            down = new double[perSide * perSide];
-            for (int row = 0; row < perSide; row++) {
-                for (int column = 0; column < perSide; column++) {
-                    across[row * perSide + column] = (column + 0.5) / perSide;
-                    down[row * perSide + column] = (row + 0.5) / perSide;
-                }
-            }
-        }
+    /** How many pixels beyond its own a pixel's rays may reach, to each side. */
+    public final int reach() {
+        return strewing.reach();
+    }
 
-        @Override
-        public int rays() {
-            return across.length;
-        }
+    /** How many rays every pixel gets. */
+    public abstract int rays();
 
-        @Override
-        public double across(int i) {
-            return across[i];
-        }
+    /** How many rays a pixel is to get beyond those whose light is there; 0 if these are enough. */
+    public abstract int further(PixelSums own);
 
-        @Override
-        public double down(int i) {
-            return down[i];
-        }
+    /** Says where a sample's ray goes through. */
+    public abstract void place(Sampler sampler, int x, int y, int sample, Place out);
+
+    final void place(double u, double v, Place out) {
+        out.x = strewing.place(u);
+        out.y = strewing.place(v);
+        out.isNegative = strewing.isNegative(out.x) != strewing.isNegative(out.y);
     }
 }

@@ -17,7 +17,6 @@ import java.util.function.BooleanSupplier;
 /** The tracer that renders pictures, watched for what a mode other than shaded shows of each pixel. */
 public final class ModeTracer extends Whitted {
     private final RenderMode mode;
-    private final int samples;
     private final World scene;
     private final DepthRange range;
     private final boolean numbers;
@@ -31,7 +30,6 @@ public final class ModeTracer extends Whitted {
     public ModeTracer(World scene, RenderMode mode, int maxDepth, Sampling sampling, DepthRange range, boolean numbers, BooleanSupplier stop) {
         super(scene, mode.scale().isPresent() ? maxDepth : 1, sampling, stop);
         this.mode = mode;
-        this.samples = sampling.rays();
         this.scene = scene;
         this.range = range;
         this.numbers = numbers;
@@ -45,29 +43,23 @@ public final class ModeTracer extends Whitted {
     @Override
     public void block(Eye eye, int x, int y, int width, int height, Film film) {
         for (int i = 0; i < width * height && !cancelled; i++) {
-            Level shown = pixel(eye, x + i % width, y + i / width);
+            Level shown = shown(eye, x + i % width, y + i / width);
             film.set(x + i % width, y + i / width, shown.red, shown.green, shown.blue);
         }
     }
 
-    /** Renders a pixel by its rays; the colour is in the level returned. */
-    private Level pixel(Eye eye, int x, int y) {
+    /** Renders a pixel; the colour is in the level returned. */
+    private Level shown(Eye eye, int x, int y) {
         red = 0;
         green = 0;
         blue = 0;
         seen = 0;
         long rays = rays();
         long nodes = nodeVisits();
-        for (int i = 0; i < samples; i++) {
-            Arrays.fill(arrived, 0);
-            traceAlone(eye, x, y, i);
-            if (mode == RenderMode.SHADOWS) {
-                add(share(0), share(1), share(2));
-            }
-        }
+        int samples = eachAlone(eye, x, y);
         Level result = alone();
         if (mode.scale().isPresent()) {
-            long count = mode == RenderMode.RAYS ? rays() - rays : nodeVisits() - nodes;
+            long count = mode == RenderMode.SAMPLES ? samples : mode == RenderMode.RAYS ? rays() - rays : nodeVisits() - nodes;
             Rgb heat = mode.scale().get().color(count);
             result.light(numbers ? count : heat.linearRed(), numbers ? count : heat.linearGreen(), numbers ? count : heat.linearBlue());
         } else if (numbers && mode == RenderMode.DEPTH) {
@@ -79,6 +71,14 @@ public final class ModeTracer extends Whitted {
             result.light(k * red, k * green, k * blue);
         }
         return result;
+    }
+
+    @Override
+    protected void tracedAlone() {
+        if (mode == RenderMode.SHADOWS) {
+            add(share(0), share(1), share(2));
+            Arrays.fill(arrived, 0);
+        }
     }
 
     private double share(int channel) {
@@ -103,7 +103,7 @@ public final class ModeTracer extends Whitted {
                 add(shown, shown, shown);
             }
             case OBJECTS -> add(ObjectColors.of(object));
-            case SHADED, RAYS, NODES, SHADOWS -> {
+            case SHADED, RAYS, NODES, SAMPLES, SHADOWS -> {
                 // What these show is known when the pixel is done.
             }
         }

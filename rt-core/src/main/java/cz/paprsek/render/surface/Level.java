@@ -13,6 +13,8 @@ public final class Level {
     public boolean beyond;
     /** How the ray came about, in the sampler's terms: what is random at its end depends on that, too. */
     public int path;
+    /** Of a ray from the eye, whether the pixel's filter takes away what it brings. */
+    public boolean isNegative;
     /** The colour of the surface at the hit, linear. */
     public double colorRed;
     public double colorGreen;

@@ -25,6 +25,7 @@ public final class TreeJson {
     @SuppressWarnings("exports") // Told as it is by its toString; what it is made of is for our own programs.
     public static Json of(Pixel pixel) {
         return color(new Json().with("column", pixel.column()).with("row", pixel.row()), "light", pixel.light())
+                .withNumbers("weights", pixel.weights().stream().mapToDouble(Double::doubleValue).toArray())
                 .with("rays", pixel.rays().stream().map(TreeJson::of).toList());
     }
 

@@ -100,10 +100,23 @@ public final class TreeText {
     private void total(Pixel pixel) {
         LinearRgb light = pixel.light();
         int rays = pixel.rays().size();
+        if (rays > 1) {
+            samples(pixel);
+        }
         String patch = decoration.patch(light);
-        lines.add(words.of("pixel", pixel.column(), pixel.row()) + ": " + (rays > 1 ? words.of("the-average", rays) : words.of("the-light"))
+        lines.add(words.of("pixel", pixel.column(), pixel.row()) + ": " + (rays > 1 ? words.of(pixel.isSharpened() ? "the-weighted" : "the-average", rays) : words.of("the-light"))
                 + " = " + Figures.of(light) + words.of("srgb", srgb(light.shown().red()) + " " + srgb(light.shown().green()) + " "
                 + srgb(light.shown().blue())) + (patch.isEmpty() ? "" : "  " + patch));
+    }
+
+    /** The light of each ray and how much of it the pixel gets, a line each. */
+    private void samples(Pixel pixel) {
+        for (int i = 0; i < pixel.rays().size(); i++) {
+            LinearRgb light = pixel.rays().get(i).light();
+            String patch = decoration.patch(light);
+            lines.add(padded(words.of("ray-of", i + 1, pixel.rays().size()), nameWidth) + " " + Figures.of(light) + " · " + Figures.of(pixel.weights().get(i))
+                    + (patch.isEmpty() ? "" : "  " + patch));
+        }
     }
 
     private static String srgb(double channel) {
