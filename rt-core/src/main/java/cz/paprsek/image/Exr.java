@@ -1,5 +1,6 @@
 package cz.paprsek.image;
 
+import cz.paprsek.image.ImageOptions.Origin;
 import cz.paprsek.image.StoredImage.Precision;
 import cz.paprsek.image.exr.ExrChannel;
 import cz.paprsek.image.exr.ExrReader;

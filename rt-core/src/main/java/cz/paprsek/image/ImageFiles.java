@@ -1,5 +1,6 @@
 package cz.paprsek.image;
 
+import cz.paprsek.image.ImageOptions.Origin;
 import cz.paprsek.image.exr.ExrReader;
 import cz.paprsek.image.png.PngReader;
 import cz.paprsek.io.AtomicFile;

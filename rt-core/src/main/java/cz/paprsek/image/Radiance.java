@@ -1,5 +1,6 @@
 package cz.paprsek.image;
 
+import cz.paprsek.image.ImageOptions.Origin;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;

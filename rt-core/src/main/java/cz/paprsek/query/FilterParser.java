@@ -124,7 +124,7 @@ final class FilterParser<R> {
     }
 
     private Predicate<R> like(Term<R> left) throws FilterException {
-        if (left.type() != Type.TEXT) {
+        if (left.type() != Column.Type.TEXT) {
             throw new FilterException(left.token().position(), left.name() + " is " + left.type().words() + "; only text can be like something");
         }
         if (tokens.peek().kind() != Kind.TEXT) {
@@ -147,7 +147,7 @@ final class FilterParser<R> {
     /** What is compared with another term. */
     private Term<R> term(Term<R> other) throws FilterException {
         Token token = tokens.peek();
-        if (other.type() == Type.TEXT && !other.isFixed() && token.kind() == Kind.WORD && !tokens.second().is("(")
+        if (other.type() == Column.Type.TEXT && !other.isFixed() && token.kind() == Kind.WORD && !tokens.second().is("(")
                 && RESERVED.stream().noneMatch(token::is) && table.column(token.text()).isEmpty()) {
             throw new FilterException(token.position(), other.name() + " is text, and texts need quotes: \"" + token.text() + "\"");
         }
@@ -158,7 +158,7 @@ final class FilterParser<R> {
         Token token = tokens.peek();
         if (token.is("count") && tokens.second().is("(")) {
             Related<R> related = related();
-            return new Term<>(token, "count", Type.NUMBER, false,
+            return new Term<>(token, "count", Column.Type.NUMBER, false,
                     (row, test) -> test.test(new Value.Scalar(related.count(row, Long.MAX_VALUE))));
         }
         if (token.kind() == Kind.SYMBOL || token.kind() == Kind.END || (token.kind() == Kind.WORD && RESERVED.stream().anyMatch(token::is))) {
@@ -166,8 +166,8 @@ final class FilterParser<R> {
         }
         tokens.next();
         return switch (token.kind()) {
-            case NUMBER -> Term.fixed(token, Type.NUMBER, new Value.Scalar(Lexer.number(token)));
-            case TEXT -> Term.fixed(token, Type.TEXT, new Value.Text(token.text()));
+            case NUMBER -> Term.fixed(token, Column.Type.NUMBER, new Value.Scalar(Lexer.number(token)));
+            case TEXT -> Term.fixed(token, Column.Type.TEXT, new Value.Text(token.text()));
             default -> Term.of(token, table.column(token.text()).orElseThrow(() -> noColumn(token)));
         };
     }

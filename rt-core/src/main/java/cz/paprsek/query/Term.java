@@ -10,9 +10,9 @@ import java.util.function.Predicate;
  * @param name how to call it in a message
  * @param isFixed whether it is the same for every row
  */
-record Term<R>(Token token, String name, Type type, boolean isFixed, Column.Values<R> values) {
+record Term<R>(Token token, String name, Column.Type type, boolean isFixed, Column.Values<R> values) {
 
-    static <R> Term<R> fixed(Token token, Type type, Value value) {
+    static <R> Term<R> fixed(Token token, Column.Type type, Value value) {
         return new Term<>(token, token.shown(), type, true, (row, test) -> test.test(value));
     }
 
@@ -34,15 +34,15 @@ record Term<R>(Token token, String name, Type type, boolean isFixed, Column.Valu
         if (type == other.type) {
             return this;
         }
-        if (areParts && isFixed && type == Type.TEXT) {
+        if (areParts && isFixed && type == Column.Type.TEXT) {
             return fixed(token, other.type, new Value.Triple(triple(other)));
         }
         throw new FilterException(token.position(), mismatch(other));
     }
 
     private String mismatch(Term<R> other) {
-        String advice = other.type == Type.NUMBER && isFixed ? "; write a number without quotes"
-                : other.type == Type.TEXT && isFixed ? "; put text in quotes"
+        String advice = other.type == Column.Type.NUMBER && isFixed ? "; write a number without quotes"
+                : other.type == Column.Type.TEXT && isFixed ? "; put text in quotes"
                 : !other.type.parts().isEmpty() ? "; write three numbers in quotes, or compare " + other.name + "." + other.type.parts().get(0) : "";
         return other.name + " is " + other.type.words() + " and cannot be compared with " + name + ", which is " + type.words() + advice;
     }
@@ -50,7 +50,7 @@ record Term<R>(Token token, String name, Type type, boolean isFixed, Column.Valu
     private Vec3 triple(Term<R> other) throws FilterException {
         String[] words = token.text().trim().split("[\\s,]+", -1);
         if (words.length != 3) {
-            String example = other.type == Type.COLOR ? "255 128 0" : "0 1 0";
+            String example = other.type == Column.Type.COLOR ? "255 128 0" : "0 1 0";
             throw new FilterException(token.position(),
                     other.name + " is " + other.type.words() + ", so expected three numbers such as \"" + example + "\", but found " + token.shown());
         }

@@ -3,6 +3,7 @@ package cz.paprsek.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.offset;
 
+import cz.paprsek.image.ImageOptions.Origin;
 import cz.paprsek.material.Rgb;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;

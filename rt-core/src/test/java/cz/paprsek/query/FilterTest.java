@@ -111,7 +111,7 @@ class FilterTest {
 
     @Test
     void columnsOfOneNameAreOfOneType() {
-        Map<String, Type> types = new LinkedHashMap<>();
+        Map<String, Column.Type> types = new LinkedHashMap<>();
         for (Relation<Scene, ?> relation : SceneTables.all()) {
             relation.table().columns().forEach(column ->
                     assertThat(types.merge(column.name(), column.type(), (a, b) -> a)).as(column.name()).isEqualTo(column.type()));
@@ -139,6 +139,6 @@ class FilterTest {
     @Test
     void aTableThatDoesNotExistIsNamedWithItsNeighbour() {
         assertThatThrownBy(() -> SceneTables.named("tours")).hasMessageContaining("there is no table \"tours\"; did you mean \"torus\"?");
-        assertThat(Arrays.stream(Type.values()).map(Type::words)).doesNotHaveDuplicates();
+        assertThat(Arrays.stream(Column.Type.values()).map(Column.Type::words)).doesNotHaveDuplicates();
     }
 }

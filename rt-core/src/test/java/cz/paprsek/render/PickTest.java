@@ -3,6 +3,7 @@ package cz.paprsek.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.RenderScene.Pick;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;

@@ -3,7 +3,6 @@ package cz.paprsek.cli.db;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.io.PlainText;
 import cz.paprsek.query.Column;
-import cz.paprsek.query.Type;
 import cz.paprsek.query.Value;
 import cz.paprsek.query.text.TableText;
 import cz.paprsek.text.Numbers;
@@ -54,7 +53,7 @@ record Listing<R>(List<Column<R>> columns, List<R> rows, int widest) {
     }
 
     private static boolean isRight(Column<?> column) {
-        return column.type() == Type.NUMBER;
+        return column.type() == Column.Type.NUMBER;
     }
 
     private String cell(Column<R> column, R row) {

@@ -1,7 +1,11 @@
 package cz.paprsek.render.explain;
 
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.ScenePath;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * What one light adds at one point, and the shadow rays that went to look for it: of several, the mean of what they bring.
@@ -32,5 +36,65 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
     /** Its name in quotes; its number, from 1, if it has none. */
     public String label() {
         return name.isEmpty() ? "#" + (light + 1) : "\"" + name + "\"";
+    }
+
+    /**
+     * A ray that went to look for a light, and what the light brings along it: V·I·(kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ).
+     *
+     * @param target the point of the light, world space; empty for a sun
+     * @param intensity I, what arrives from there if nothing is in the way; black if the light does not shine this way
+     * @param direction L, from the point to the light, of length 1
+     * @param distance to the light; infinite for a sun
+     * @param facing N·L
+     * @param alignment R·L
+     * @param visibility V, the share of the light that arrives; 0 also if the surface is turned away
+     * @param obstacles what stands between, the nearest to the point first, up to the first opaque one
+     * @param diffuse kD·max(0, N·L); 0 in shadow
+     * @param highlight kS·max(0, R·L)ⁿ; 0 in shadow
+     * @param added what it brings
+     */
+    public record ShadowRay(
+            Optional<Vec3> target,
+            LinearRgb intensity,
+            Vec3 direction,
+            double distance,
+            double facing,
+            double alignment,
+            double visibility,
+            List<Obstacle> obstacles,
+            double diffuse,
+            double highlight,
+            LinearRgb added) {
+
+        public ShadowRay {
+            Objects.requireNonNull(target, "target");
+            Objects.requireNonNull(intensity, "intensity");
+            Objects.requireNonNull(direction, "direction");
+            Objects.requireNonNull(added, "added");
+            obstacles = List.copyOf(obstacles);
+        }
+
+        /** The same with what the light brings. */
+        public ShadowRay lit(double diffuseShare, double highlightShare, LinearRgb term) {
+            return new ShadowRay(target, intensity, direction, distance, facing, alignment, visibility, obstacles, diffuseShare, highlightShare, term);
+        }
+
+        /** Whether the surface faces the light, and that shines this way; if not, nobody looked what stands between. */
+        public boolean isSent() {
+            return facing > 0 && !intensity.equals(LinearRgb.BLACK);
+        }
+
+        /**
+         * A surface between a point and a light.
+         *
+         * @param surface that of an object or operand, or of another light
+         * @param distance from the point
+         * @param transparency kT, the share of the light it lets through
+         */
+        public record Obstacle(InScene<? extends ScenePath> surface, double distance, double transparency) {
+            public Obstacle {
+                Objects.requireNonNull(surface, "surface");
+            }
+        }
     }
 }

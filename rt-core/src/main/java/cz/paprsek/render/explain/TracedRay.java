@@ -1,6 +1,8 @@
 package cz.paprsek.render.explain;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -39,5 +41,41 @@ public record TracedRay(
     /** The rays it gives rise to: the mirrored one first. */
     public List<TracedRay> children() {
         return encounter.map(met -> Stream.concat(met.reflected().stream(), met.refracted().stream()).toList()).orElse(List.of());
+    }
+
+    /**
+     * What a ray travels through.
+     *
+     * @param solid the object entered last; empty outside of all
+     * @param refractiveIndex relative to the vacuum
+     */
+    public record Medium(Optional<InScene<BodyAt>> solid, double refractiveIndex) {
+        public Medium {
+            Objects.requireNonNull(solid, "solid");
+        }
+
+        /** Whether it is the inside of the object that a surface belongs to. */
+        public boolean isInside(InScene<BodyAt> surface) {
+            Objects.requireNonNull(surface, "surface");
+            return solid.isPresent() && solid.get().part().equals(surface.part().object());
+        }
+    }
+
+    /**
+     * A light that a ray has met: its body, or the disc of a sun. The ray ends there, and brings the light's own radiance.
+     *
+     * @param light its number in the scene, from 0
+     * @param name its name; empty for none
+     * @param distance from the ray's origin; infinite for a sun
+     */
+    public record SeenLight(int light, String name, double distance) {
+        public SeenLight {
+            Objects.requireNonNull(name, "name");
+        }
+
+        /** Its name in quotes; its number, from 1, if it has none. */
+        public String label() {
+            return name.isEmpty() ? "#" + (light + 1) : "\"" + name + "\"";
+        }
     }
 }

@@ -1,7 +1,7 @@
 package cz.paprsek.render.integrate;
 
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.explain.ShadowRay.Obstacle;
+import cz.paprsek.render.explain.LightTerm.ShadowRay.Obstacle;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Contacts;
@@ -9,8 +9,8 @@ import cz.paprsek.render.surface.Media;
 import cz.paprsek.render.surface.PartTable;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.InScene;
-import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import java.util.ArrayList;

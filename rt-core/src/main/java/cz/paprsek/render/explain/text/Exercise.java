@@ -2,7 +2,7 @@ package cz.paprsek.render.explain.text;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Encounter;
-import cz.paprsek.render.explain.SeenLight;
+import cz.paprsek.render.explain.TracedRay.SeenLight;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.text.Step.Topic;
 import cz.paprsek.words.Words;

@@ -5,7 +5,6 @@ import cz.paprsek.query.Filter;
 import cz.paprsek.query.FilterException;
 import cz.paprsek.query.Relation;
 import cz.paprsek.query.Table;
-import cz.paprsek.query.Type;
 import cz.paprsek.query.Value;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
@@ -151,7 +150,7 @@ public final class LibraryRows<R> implements AutoCloseable {
             return Filter.parse(typed, table());
         }
         List<String> words = Arrays.asList(typed.strip().toLowerCase(Locale.ROOT).split("\\s+", -1));
-        List<Column<R>> texts = table().columns().stream().filter(column -> column.type() == Type.TEXT).toList();
+        List<Column<R>> texts = table().columns().stream().filter(column -> column.type() == Column.Type.TEXT).toList();
         return row -> {
             String all = String.join("\n", texts.stream().map(column -> column.cell(row).text().toLowerCase(Locale.ROOT)).toList());
             return words.stream().allMatch(all::contains);

@@ -7,7 +7,6 @@ import cz.paprsek.query.Column;
 import cz.paprsek.query.Relation;
 import cz.paprsek.query.SceneTables;
 import cz.paprsek.query.Table;
-import cz.paprsek.query.Type;
 import cz.paprsek.query.Value;
 import cz.paprsek.query.text.TableText;
 import cz.paprsek.scene.Scene;
@@ -113,7 +112,7 @@ final class TablePane extends BorderPane implements AutoCloseable {
 
     private static <R> TableColumn<R, Value> column(Column<R> column) {
         TableColumn<R, Value> made = new TableColumn<>(column.name());
-        boolean isNumber = column.type() == Type.NUMBER;
+        boolean isNumber = column.type() == Column.Type.NUMBER;
         made.setPrefWidth(isNumber ? 90 : column.name().equals("description") ? 400 : 140);
         made.setCellValueFactory(row -> new ReadOnlyObjectWrapper<>(column.cell(row.getValue())));
         made.setCellFactory(view -> new TableCell<>() {
