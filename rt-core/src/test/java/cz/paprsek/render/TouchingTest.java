@@ -25,6 +25,7 @@ import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Torus;
 import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -64,6 +65,16 @@ class TouchingTest {
             ray = ray.encounter().orElseThrow().refracted().get();
         }
         assertThat(ray.encounter().orElseThrow().place().cosine()).isCloseTo(Math.sqrt(0.5), org.assertj.core.api.Assertions.within(1e-9));
+    }
+
+    /** So little of a ring ten thousand times as large as it is thick is a straight rod: evenly lit, without spots. */
+    @Test
+    void aStretchOfAVastRingIsARod() throws Exception {
+        Scene ring = read("t1e4");
+        Scene rod = ring.withObjects(List.of(SceneObject.of(new Cylinder(1, 40)).rotated(0, 0, 90).at(20, 0, 0)));
+        assertThat(AnySizeAndPlaceTest.apart(Renderer.render(ring), Renderer.render(rod))).isLessThanOrEqualTo(0.001);
+        int[] middle = Arrays.copyOfRange(Renderer.render(ring).toArgb(), 60 * 12, 60 * 28);
+        assertThat(Arrays.stream(middle)).as("none is black").allMatch(argb -> (argb & 255) > 30);
     }
 
     /** Shapes, the point to look at, and how large a stretch about it. */

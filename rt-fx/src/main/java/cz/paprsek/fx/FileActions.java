@@ -121,8 +121,8 @@ final class FileActions {
         if (fault instanceof SceneFileException wrong) {
             notices.say("");
             notices.problems(texts.get().of("file.problems", file.getFileName(), wrong.problems().size()), wrong.problems());
-        } else if (fault instanceof IOException) {
-            notices.say(Failures.sentence(fault));
+        } else if (fault instanceof IOException unreadable) {
+            notices.say(Failures.sentence(file.toString(), unreadable));
         } else {
             dialogs.fault(fault, this::saveAs);
         }
@@ -172,7 +172,7 @@ final class FileActions {
                 return false;
             }
         } catch (IOException unreadable) {
-            notices.say(Failures.sentence(unreadable));
+            notices.say(Failures.sentence(chosen.get().toString(), unreadable));
             return false;
         }
         return save(SceneSource.file(chosen.get()));
