@@ -27,6 +27,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 
 /**
@@ -172,12 +173,12 @@ public final class OriginalText {
     }
 
     /**
-     * A file of its own for a scene, which keeps the text that it has here.
+     * A file of its own for a scene, which keeps the text that it has here, or that a scene of that name has.
      *
      * @throws IllegalArgumentException as {@link SceneFiles#format}
      */
     public OriginalText alone(Scene scene) {
-        Optional<Excerpt> excerpt = excerpt(scene);
+        Optional<Excerpt> excerpt = excerpt(scene).or(() -> excerpt(scene, there -> there.name().equals(scene.name())));
         if (excerpt.isPresent()) {
             FileText text = text().orElseThrow();
             String alone = "<?xml version=\"" + text.version() + "\" encoding=\"UTF-8\"?>" + text.lineBreak() + excerpt.get().alone(text.lineBreak());
@@ -196,9 +197,13 @@ public final class OriginalText {
 
     /** The text of the scene that this is here, or was before it got another name or other tags. */
     private Optional<Excerpt> excerpt(Scene wanted) {
+        return excerpt(wanted, there -> there.withName(wanted.name()).withTags(wanted.tags()).equals(wanted));
+    }
+
+    /** The text of the scene that this was here, with what has become of it. */
+    private Optional<Excerpt> excerpt(Scene wanted, Predicate<Scene> was) {
         List<Scene> scenes = contents.scenes();
-        OptionalInt found = IntStream.range(0, scenes.size())
-                .filter(i -> scenes.get(i).withName(wanted.name()).withTags(wanted.tags()).equals(wanted)).findFirst();
+        OptionalInt found = IntStream.range(0, scenes.size()).filter(i -> was.test(scenes.get(i))).findFirst();
         if (found.isEmpty()) {
             return Optional.empty();
         }

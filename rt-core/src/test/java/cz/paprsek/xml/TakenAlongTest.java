@@ -78,6 +78,15 @@ class TakenAlongTest {
     }
 
     @Test
+    void whatHasChangedSinceKeepsTheRestOfItsText() throws Exception {
+        OriginalText theirs = text(EMPTY.replace("</", IN_DATABASE + "</"));
+        Scene scene = theirs.contents().scenes().get(0);
+        SceneFile alone = SceneFile.create(folder.resolve("alone.xml"), scene.withDescription("new"), theirs);
+        assertThat(alone.path()).hasContent(EXAM.replace("scene:1\"", "scene:1\" name=\"exam\"").replace("one\n  two", "new"));
+        assertThat(alone.save(scene).path()).hasContent(EXAM.replace("scene:1\"", "scene:1\" name=\"exam\""));
+    }
+
+    @Test
     void prefixesAndNamespacesAreThoseOfTheFileItIsIn() throws Exception {
         String prefixed = EXAM.replaceAll("<(/?)(?=[a-z])", "<$1p:").replace("xmlns=", "xmlns:xsi='http://www.w3.org/2001/XMLSchema-instance' xmlns:p=")
                 .replace("<p:sphere", "<p:sphere xsi:schemaLocation='a b'");
@@ -145,7 +154,7 @@ class TakenAlongTest {
             String database = RandomLayout.of(SceneFiles.formatAll(List.of(Scene.EMPTY.withName("mine"))), seed + 1);
             Path file = Files.writeString(folder.resolve("db.xml"), database);
             DatabaseFile.update(file, mine -> mine.plus(from.contents().scenes()), from);
-            assertThat(DatabaseFile.open(file).database().scenes().subList(1, 4)).isEqualTo(scenes);
+            assertThat(DatabaseFile.open(file).database().scenes().subList(1, 4)).as("seed %d", seed).isEqualTo(from.contents().scenes());
             assertThat(scene(Files.readString(file), "scene 1")).as("seed %d", seed).isEqualTo(scene(theirs, "scene 1"));
         }
     }

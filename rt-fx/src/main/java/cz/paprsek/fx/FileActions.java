@@ -124,6 +124,7 @@ final class FileActions {
         } else if (fault instanceof IOException unreadable) {
             notices.say(Failures.sentence(file.toString(), unreadable));
         } else {
+            notices.say("");
             dialogs.fault(fault, this::saveAs);
         }
     }

@@ -19,7 +19,7 @@ public final class Places {
      */
     public record Step(String group, int number) {
         boolean goesTo(String element) {
-            return group.equals("light") ? element.endsWith("light") : Form.group(element).equals(group);
+            return Form.group(element).equals(group);
         }
     }
 

@@ -4,6 +4,7 @@ import cz.paprsek.math.Require;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.xml.DatabaseFile;
+import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.SceneFile;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -53,7 +54,8 @@ public record SceneSource(Path file, Optional<String> inDatabase) {
             SceneFile opened = SceneFiles.open(file);
             return new Kept(this, opened.scene(), KeptText.of(opened));
         }
-        return SceneFiles.readDatabase(file).find(inDatabase.get()).map(scene -> new Kept(this, scene, KeptText.NONE))
+        DatabaseFile database = DatabaseFile.open(file);
+        return database.database().find(inDatabase.get()).map(scene -> new Kept(this, scene, KeptText.of(database)))
                 .orElseThrow(() -> new IOException(file + ": there is no scene named \"" + inDatabase.get() + "\" any more"));
     }
 
@@ -68,7 +70,7 @@ public record SceneSource(Path file, Optional<String> inDatabase) {
      */
     public Kept write(Scene scene, Optional<Scene> known, KeptText text) throws IOException, SceneFileException {
         if (inDatabase.isEmpty()) {
-            return new Kept(this, scene, KeptText.of(writeFile(scene, known, text.file())));
+            return new Kept(this, scene, KeptText.of(writeFile(scene, known, text)));
         }
         Scene named = scene.name().isEmpty() ? scene.withName(inDatabase.get()) : scene;
         UnaryOperator<SceneDatabase> change = database -> {
@@ -78,16 +80,17 @@ public record SceneSource(Path file, Optional<String> inDatabase) {
             return there.isPresent() ? database.replace(inDatabase.get(), named) : database.plus(named);
         };
         Optional<DatabaseFile> before = text.database().filter(database -> database.path().equals(file));
-        DatabaseFile written = before.isPresent() ? before.get().update(change) : DatabaseFile.update(file, change);
+        OriginalText[] from = text.file().map(SceneFile::text).stream().toArray(OriginalText[]::new);
+        DatabaseFile written = before.isPresent() ? before.get().update(change, from) : DatabaseFile.update(file, change, from);
         return new Kept(inDatabase(file, named.name()), named, KeptText.of(written));
     }
 
-    private SceneFile writeFile(Scene scene, Optional<Scene> known, Optional<SceneFile> text) throws IOException, SceneFileException {
-        if (text.isEmpty()) {
-            return SceneFile.create(file, scene);
+    private SceneFile writeFile(Scene scene, Optional<Scene> known, KeptText text) throws IOException, SceneFileException {
+        if (text.file().isPresent()) {
+            SceneFile before = text.file().get();
+            return known.isPresent() && before.path().equals(file) ? before.save(scene) : before.saveAs(scene, file);
         }
-        boolean isThere = known.isPresent() && text.get().path().equals(file);
-        return isThere ? text.get().save(scene) : text.get().saveAs(scene, file);
+        return text.database().isPresent() ? SceneFile.create(file, scene, text.database().get().text()) : SceneFile.create(file, scene);
     }
 
     /** For titles: "lens.xml", or "database.xml · lens". */

@@ -48,6 +48,41 @@ class DocumentTest {
     }
 
     @Test
+    void sceneTakesItsTextFromADatabaseToAFileAndBack() throws IOException, SceneFileException {
+        Path database = folder.resolve("d.xml");
+        Files.writeString(database, """
+                <database xmlns='urn:paprsek:scene:1'>
+                  <!-- exam -->
+                  <scene name='a'> <!-- one -->
+                    <camera direction='0 0 -1' position='0 0 5.0'/>
+                  </scene>
+                </database>
+                """);
+        SceneSource.Kept kept = SceneSource.of(database).read();
+        SceneSource own = SceneSource.file(folder.resolve("own.xml"));
+        SceneSource.Kept moved = own.write(kept.scene().withDescription("new"), Optional.empty(), kept.text());
+        String text = """
+                <?xml version="1.0" encoding="UTF-8"?>
+                <!-- exam -->
+                <scene xmlns="urn:paprsek:scene:1" name='a'> <!-- one -->
+                  <description>new</description>
+                  <camera direction='0 0 -1' position='0 0 5.0'/>
+                </scene>
+                """;
+        assertThat(own.file()).hasContent(text);
+        SceneSource.inDatabase(database, "b").write(moved.scene().withName("b"), Optional.empty(), moved.text());
+        assertThat(Files.readString(database)).endsWith("""
+                  </scene>
+                  <!-- exam -->
+                  <scene name='b'> <!-- one -->
+                    <description>new</description>
+                    <camera direction='0 0 -1' position='0 0 5.0'/>
+                  </scene>
+                </database>
+                """);
+    }
+
+    @Test
     void emptyDatabaseAndVanishedSceneAreToldInASentence() throws IOException {
         Path file = folder.resolve("d.xml");
         SceneFiles.writeAll(List.of(), file);
