@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Stop;
@@ -16,6 +17,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -42,6 +44,9 @@ final class ConvertCommand implements Callable<Integer> {
     @Parameters(index = "1", paramLabel = "FILE", description = "The file to write, ending in .pov or .xml.")
     private Path target;
 
+    @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
+    private Optional<String> camera;
+
     @Option(names = {"-q", "--quiet"}, description = "Prints errors only, no warnings.")
     private boolean quiet;
 
@@ -66,7 +71,7 @@ final class ConvertCommand implements Callable<Integer> {
         if (reading.scenes().size() != 1) {
             throw new WrongUsage(scene + " is a database of " + reading.scenes().size() + " scenes; give a file of one");
         }
-        return write(reading.scenes().get(0), ending.equals("pov"));
+        return write(Cameras.through(reading.scenes().get(0), camera), ending.equals("pov"));
     }
 
     private int write(Scene content, boolean isPov) {

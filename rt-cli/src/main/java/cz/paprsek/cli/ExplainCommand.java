@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.PixelPlace;
 import cz.paprsek.cli.input.RayWishes;
@@ -67,6 +68,9 @@ final class ExplainCommand implements Callable<Integer> {
     @Option(names = "--scene", paramLabel = "NAME", description = "Which scene of a database.")
     private Optional<String> name;
 
+    @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
+    private Optional<String> camera;
+
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height of the picture in pixels. Default: the scene's.")
     private Optional<Size> size;
 
@@ -103,7 +107,7 @@ final class ExplainCommand implements Callable<Integer> {
     public Integer call() {
         Wishes wishes = new Wishes(size, maxDepth, new RayWishes(), Optional.empty(), Optional.empty());
         try {
-            Scene scene = scene();
+            Scene scene = seen(scene());
             Pixel pixel = pixel(scene, wishes);
             show(pixel, scene.settings());
             if (svg.isPresent() && !draw(TreeDrawing.svg(scene, pixel.rays().get(0), all ? 0 : SMALLEST_SHARE, Words.ENGLISH), svg.get())) {
@@ -130,6 +134,14 @@ final class ExplainCommand implements Callable<Integer> {
         Optional<Scene> named = scenes.stream().filter(scene -> scene.name().equals(name.get())).findFirst();
         return named.orElseThrow(() -> new WrongUsage(file + ": there is no scene named \"" + name.get() + "\""
                 + Similar.suggestion(name.get(), scenes.stream().map(Scene::name).toList())));
+    }
+
+    private Scene seen(Scene scene) {
+        try {
+            return Cameras.through(scene, camera);
+        } catch (WrongUsage none) {
+            throw new WrongUsage(file + ": " + none.getMessage());
+        }
     }
 
     private Pixel pixel(Scene scene, Wishes wishes) {

@@ -1,6 +1,7 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.cli.db.DbAction;
+import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.Formats;
 import cz.paprsek.cli.input.Modes;
@@ -101,6 +102,9 @@ final class RenderCommand implements Callable<Integer> {
                 + "are numbers: counts, and distances in scene units, 0 where nothing is seen."})
     private RenderMode mode;
 
+    @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
+    private Optional<String> camera;
+
     @Option(names = "--light", paramLabel = "LIGHT", description = "Lights only this light: its name, or its number from 1.")
     private Optional<String> light;
 
@@ -155,7 +159,7 @@ final class RenderCommand implements Callable<Integer> {
         Writing writing = new Writing(bits, exposure, tone);
         writing.check(targets);
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
-        View view = new View(mode, light, !noLegend);
+        View view = new View(mode, camera, light, !noLegend);
         return new RenderBatch(terminal, stop, wishes, view, writing, resume, progress, Report.of(terminal, json, quiet)).run(targets);
     }
 

@@ -23,8 +23,9 @@ final class PovCamera {
         } else if (camera.lens() instanceof Lens.Fisheye fisheye) {
             return "fisheye " + frame(camera.position(), camera.forward(), camera.right(), camera.trueUp()) + " angle " + Numbers.text(fisheye.angle());
         }
+        // It turns the direction about up and right, the other way round than in our hand.
         return "spherical location " + vector(camera.position()) + " direction " + vector(camera.forward())
-                + " up " + vector(camera.trueUp()) + " right " + vector(camera.right()) + " angle 360 180";
+                + " up " + vector(camera.trueUp().negated()) + " right " + vector(camera.right().negated()) + " angle 360 180";
     }
 
     /** The lengths of {@code up} and {@code right} are the size of the picture at distance 1; POV-Ray's {@code angle} would be horizontal. */

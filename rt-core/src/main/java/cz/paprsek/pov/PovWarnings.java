@@ -8,6 +8,7 @@ import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.render.light.FixedPoints;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.Scene;
@@ -76,6 +77,9 @@ final class PovWarnings {
                     + " times as wide and high, and average");
         }
         checkLights();
+        if (scene.camera().lens() instanceof Lens.Perspective lens && lens.aperture() > 0) {
+            sentences.add("POV-Ray has other points of a lens than we; it is given the middle of it, and all is sharp");
+        }
         checkSize();
         checkOverlap();
         for (int i = 0; i < scene.objects().size(); i++) {

@@ -1,5 +1,6 @@
 package cz.paprsek.cli.bench;
 
+import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneReading;
@@ -57,6 +58,9 @@ public final class CrossCheckCommand implements Callable<Integer> {
     @Option(names = "--at-most", paramLabel = "SHARE", defaultValue = "0.001", description =
             "Which share of pixels may differ by more, for the sake of outlines. Default: 0.1%%.")
     private Share atMost;
+
+    @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
+    private Optional<String> camera;
 
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height in pixels. Default: the scene's. Needs povray.")
     private Optional<Size> size;
@@ -122,7 +126,8 @@ public final class CrossCheckCommand implements Callable<Integer> {
     private int check(Path file, Scene scene, Optional<PovRay> live) throws InterruptedException {
         String name = Objects.requireNonNullElse(file.getFileName(), file).toString();
         try {
-            Scene sized = size.map(s -> scene.withSettings(scene.settings().withSize(s.width(), s.height()))).orElse(scene);
+            Scene seen = Cameras.through(scene, camera);
+            Scene sized = size.map(s -> seen.withSettings(seen.settings().withSize(s.width(), s.height()))).orElse(seen);
             CrossCheck check = CrossCheck.of(file, sized, live, record, tolerance);
             ImageComparison found = check.comparison();
             boolean isSame = found.shareBeyond() <= atMost.value();

@@ -6,6 +6,7 @@ import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.Scene;
@@ -32,6 +33,8 @@ import java.util.Set;
 public final class SceneWarnings {
     /** Sums of decimals such as 0.1 + 0.7 + 0.2 may come out a little above 1. */
     private static final double SLACK = 1e-9;
+    /** Along each side of a pixel. */
+    private static final int FEWEST_FOR_LENS = 3;
 
     private final Scene scene;
     private final List<SceneWarning> warnings = new ArrayList<>();
@@ -47,6 +50,7 @@ public final class SceneWarnings {
         List<BodyAt> parts = ScenePath.bodies(scene).toList();
         check.light();
         check.suns();
+        check.lenses();
         check.materials(parts);
         parts.forEach(check::operands);
         for (int i = 0; i < scene.objects().size(); i++) {
@@ -78,6 +82,15 @@ public final class SceneWarnings {
             if (scene.lights().get(i) instanceof SunLight sun && sun.visible() && sun.angle() == 0) {
                 add("sun-without-disc", name(i), ScenePath.light(i), name(i) + " is visible but has no disc to be seen; give it an angle");
             }
+        }
+    }
+
+    /** One random point of a lens shows no blur, but grain. */
+    private void lenses() {
+        boolean isOpen = scene.cameras().stream().anyMatch(camera -> camera.lens() instanceof Lens.Perspective lens && lens.aperture() > 0);
+        int most = Math.max(scene.settings().samples(), scene.settings().mostSamples());
+        if (isOpen && most < FEWEST_FOR_LENS) {
+            add("lens-samples", "a camera's lens has an aperture, but a pixel has " + (most == 1 ? "one ray" : most * most + " rays") + "; blur will be grain: give <render> samples=\"4\" or more");
         }
     }
 

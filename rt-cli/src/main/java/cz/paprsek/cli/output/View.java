@@ -1,5 +1,6 @@
 package cz.paprsek.cli.output;
 
+import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.drawing.Legend;
 import cz.paprsek.image.Image;
@@ -17,14 +18,16 @@ import java.util.stream.IntStream;
 /**
  * What a picture is to show, if not just the scene as it is.
  *
+ * @param camera the one that sees it: its name, or its number from 1
  * @param light the only light to be lit: its name, or its number from 1
  * @param legend whether a heat map gets its scale below it
  */
-public record View(RenderMode mode, Optional<String> light, boolean legend) {
+public record View(RenderMode mode, Optional<String> camera, Optional<String> light, boolean legend) {
 
-    /** @throws WrongUsage if the scene has no such light */
+    /** @throws WrongUsage if the scene has no such camera or light */
     Scene of(Scene scene) {
-        return light.isEmpty() ? scene : scene.withLights(List.of(chosen(scene, light.get())));
+        Scene seen = Cameras.through(scene, camera);
+        return light.isEmpty() ? seen : seen.withLights(List.of(chosen(seen, light.get())));
     }
 
     /** Programs read depths and counts as they are, eyes see them as brightness and colours. */

@@ -8,6 +8,7 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -58,7 +59,7 @@ final class CrossCheckScenes {
         }
         Vec3 eye = new Vec3(between(-4, 4), between(0, 5), between(8, 11));
         Scene scene = Scene.EMPTY.withSettings(new RenderSettings(64, 48, 6, 1))
-                .withCamera(Camera.lookingAt(eye, new Vec3(between(-1, 1), 1.5, 0)).withFovy(between(25, 50)).withUp(new Vec3(between(-0.3, 0.3), 1, 0)))
+                .withCamera(Camera.lookingAt(eye, new Vec3(between(-1, 1), 1.5, 0)).withLens(lens()).withUp(new Vec3(between(-0.3, 0.3), 1, 0)))
                 .withBackground(color()).withAmbient(Rgb.ofLinear(between(0, 0.1), between(0, 0.1), between(0, 0.1)))
                 .withObjects(objects);
         for (int i = 1 + random.nextInt(3); i > 0; i--) {
@@ -81,6 +82,15 @@ final class CrossCheckScenes {
             case 5 -> AreaLight.disc(place, between(0.3, 1)).withRotation(new Vec3(between(70, 110), between(-30, 30), between(-30, 30)))
                     .withReferenceDistance(between(6, 9)).withSamples(1 + random.nextInt(16)).withVisible(random.nextBoolean());
             default -> Light.at(place.x(), place.y(), place.z());
+        };
+    }
+
+    private Lens lens() {
+        return switch (random.nextInt(6)) {
+            case 0 -> new Lens.Orthographic(between(6, 11));
+            case 1 -> new Lens.Spherical();
+            case 2 -> new Lens.Fisheye(between(60, 360));
+            default -> Lens.Perspective.DEFAULT.withFovy(between(25, 50));
         };
     }
 

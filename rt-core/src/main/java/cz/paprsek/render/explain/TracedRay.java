@@ -2,6 +2,7 @@ package cz.paprsek.render.explain;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.InScene;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.List;
 import java.util.Objects;
@@ -19,11 +20,12 @@ import java.util.stream.Stream;
  * @param medium what it travels through
  * @param encounter what object it hits; empty if it sees a light or the background
  * @param seen what light it sees as it is, at which it ends
+ * @param sight how the camera's lens made it; empty for rays that are not from the eye, and through pinholes
  * @param light what it brings back, the exact sum of the encounter's {@linkplain Encounter#terms terms}
  */
 public record TracedRay(
         Kind kind, int level, double weight, Vec3 origin, Vec3 direction, Medium medium, Optional<Encounter> encounter,
-        Optional<SeenLight> seen, LinearRgb light) {
+        Optional<SeenLight> seen, Optional<Sight> sight, LinearRgb light) {
     public TracedRay {
         Objects.requireNonNull(kind, "kind");
         Objects.requireNonNull(origin, "origin");
@@ -31,6 +33,7 @@ public record TracedRay(
         Objects.requireNonNull(medium, "medium");
         Objects.requireNonNull(encounter, "encounter");
         Objects.requireNonNull(seen, "seen");
+        Objects.requireNonNull(sight, "sight");
         Objects.requireNonNull(light, "light");
     }
 
@@ -76,6 +79,24 @@ public record TracedRay(
         /** Its name in quotes; its number, from 1, if it has none. */
         public String label() {
             return name.isEmpty() ? "#" + (light + 1) : "\"" + name + "\"";
+        }
+    }
+
+    /**
+     * How a lens, other than a pinhole, makes a ray from the eye. What the two numbers are depends on it: of a thin lens and an orthographic camera
+     * how far the ray starts from the camera's position, to the right and upwards, in scene units; of a spherical one longitude and latitude from
+     * the view, in degrees; of a fisheye where on its circle of radius 1 the ray belongs.
+     *
+     * @param lens of the camera
+     * @param across to the right
+     * @param upwards towards the top of the picture
+     * @param focus where all rays of this point of the picture meet, world space; of a thin lens only
+     * @param isBlind whether the picture shows nothing there
+     */
+    public record Sight(Lens lens, double across, double upwards, Optional<Vec3> focus, boolean isBlind) {
+        public Sight {
+            Objects.requireNonNull(lens, "lens");
+            Objects.requireNonNull(focus, "focus");
         }
     }
 }

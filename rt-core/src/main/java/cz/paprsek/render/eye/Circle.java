@@ -49,12 +49,27 @@ final class Circle extends Curved {
     @Override
     public boolean project(Vec3 world, double[] xy) {
         Vec3 v = world.minus(position);
+        double radius = radius(v);
+        double share = radius / Math.max(aside(v), Double.MIN_NORMAL);
+        // Straight behind is everywhere on the rim.
+        return radius <= 1 && !v.equals(Vec3.ZERO) && at(share * v.dot(right) / (2 * aspect), share * v.dot(up) / 2, xy);
+    }
+
+    @Override
+    public double[] tell(Ray ray) {
+        Vec3 d = new Vec3(ray.dx, ray.dy, ray.dz);
+        double share = radius(d) / Math.max(aside(d), Double.MIN_NORMAL);
+        return new double[] {share * d.dot(right), share * d.dot(up)};
+    }
+
+    /** Where on the circle, from its middle, a direction of any length belongs: 1 is its rim. */
+    private double radius(Vec3 v) {
+        return 2 * StrictMath.toDegrees(StrictMath.atan2(aside(v), v.dot(forward))) / angle;
+    }
+
+    private double aside(Vec3 v) {
         double across = v.dot(right);
         double upwards = v.dot(up);
-        double aside = Math.sqrt(across * across + upwards * upwards);
-        double radius = 2 * StrictMath.toDegrees(StrictMath.atan2(aside, v.dot(forward))) / angle;
-        double share = aside == 0 ? 0 : radius / aside;
-        // Straight behind is everywhere on the rim.
-        return radius <= 1 && !v.equals(Vec3.ZERO) && at(share * across / (2 * aspect), share * upwards / 2, xy);
+        return Math.sqrt(across * across + upwards * upwards);
     }
 }

@@ -14,6 +14,7 @@ import cz.paprsek.tree.Bundle;
 public abstract class Eye {
     /** The middle of a lens, in both directions. */
     private static final double MIDDLE = 0.5;
+    private static final double[] NOTHING = {};
 
     final Vec3 position;
     final Vec3 forward;
@@ -91,6 +92,14 @@ public abstract class Eye {
         return point;
     }
 
+    /**
+     * What there is to say of a ray that this eye has started, in two numbers; none of a pinhole. How far it starts from the eye's position, to
+     * the right and upwards; longitude and latitude in degrees; or where on the circle it belongs.
+     */
+    public double[] tell(Ray ray) {
+        return NOTHING;
+    }
+
     /** How far in front of the eye a point lies, along the view. */
     public final double depth(Vec3 world) {
         return world.minus(position).dot(forward);
@@ -99,6 +108,12 @@ public abstract class Eye {
     /** Starts the ray through a point of the picture and the middle of the lens. */
     public final boolean start(Ray ray, double x, double y) {
         return start(ray, x, y, MIDDLE, MIDDLE);
+    }
+
+    /** How far from the eye's position a ray starts. */
+    final double[] aside(Ray ray) {
+        Vec3 aside = new Vec3(ray.ox, ray.oy, ray.oz).minus(position);
+        return new double[] {aside.dot(right), aside.dot(up)};
     }
 
     /** Starts a ray from the eye's position. */

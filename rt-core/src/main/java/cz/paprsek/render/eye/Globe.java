@@ -31,10 +31,22 @@ final class Globe extends Curved {
     @Override
     public boolean project(Vec3 world, double[] xy) {
         Vec3 v = world.minus(position);
+        return !v.equals(Vec3.ZERO) && at(longitude(v) / (2 * Math.PI), latitude(v) / Math.PI, xy);
+    }
+
+    @Override
+    public double[] tell(Ray ray) {
+        Vec3 d = new Vec3(ray.dx, ray.dy, ray.dz);
+        return new double[] {StrictMath.toDegrees(longitude(d)), StrictMath.toDegrees(latitude(d))};
+    }
+
+    private double longitude(Vec3 v) {
+        return StrictMath.atan2(v.dot(right), v.dot(forward));
+    }
+
+    private double latitude(Vec3 v) {
         double ahead = v.dot(forward);
         double across = v.dot(right);
-        double longitude = StrictMath.atan2(across, ahead);
-        double latitude = StrictMath.atan2(v.dot(up), Math.sqrt(ahead * ahead + across * across));
-        return !v.equals(Vec3.ZERO) && at(longitude / (2 * Math.PI), latitude / Math.PI, xy);
+        return StrictMath.atan2(v.dot(up), Math.sqrt(ahead * ahead + across * across));
     }
 }

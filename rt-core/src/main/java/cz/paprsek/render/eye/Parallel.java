@@ -43,6 +43,11 @@ final class Parallel extends Eye {
     }
 
     @Override
+    public double[] tell(Ray ray) {
+        return aside(ray);
+    }
+
+    @Override
     public Bounds origins() {
         return plane;
     }

@@ -73,6 +73,11 @@ final class ThinLens extends Pinhole {
     }
 
     @Override
+    public double[] tell(Ray ray) {
+        return aside(ray);
+    }
+
+    @Override
     public Bounds origins() {
         return lens;
     }

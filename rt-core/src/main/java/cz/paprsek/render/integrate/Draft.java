@@ -71,6 +71,6 @@ public final class Draft {
     public TracedRay finished(LinearRgb light, int maxDepth) {
         boolean cutOff = ray.level() == maxDepth && (material.reflection() > 0 || material.transparency() > 0);
         Encounter encounter = new Encounter(place, material, color, ambientLight, ray.light(), lights, refraction, reflected, refracted, cutOff);
-        return new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.of(encounter), Optional.empty(), light);
+        return new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.of(encounter), Optional.empty(), ray.sight(), light);
     }
 }

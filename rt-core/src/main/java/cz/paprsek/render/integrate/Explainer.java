@@ -19,15 +19,19 @@ public final class Explainer {
     public static Pixel pixel(World scene, RenderSettings settings, int column, int row) {
         Require.that(column >= 0 && column < settings.width() && row >= 0 && row < settings.height(),
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
+        Eye eye = eye(scene, settings);
         Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.of(settings, false));
-        PixelSums sums = recorder.pixel(eye(scene, settings), column, row);
+        recorder.lookThrough(eye);
+        PixelSums sums = recorder.pixel(eye, column, row);
         List<Double> weights = IntStream.range(0, sums.count()).mapToObj(i -> sums.isNegative(i) ? sums.negativeWeight : sums.weight).toList();
         return new Pixel(column, row, recorder.trees(), weights);
     }
 
     public static TracedRay point(World scene, RenderSettings settings, double x, double y) {
         Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.grid(1));
-        recorder.startAlone(eye(scene, settings), x, y);
+        Eye eye = eye(scene, settings);
+        recorder.lookThrough(eye);
+        recorder.startAlone(eye, x, y);
         recorder.traceAlone();
         return recorder.trees().get(0);
     }

@@ -9,10 +9,13 @@ import cz.paprsek.render.explain.LightTerm.ShadowRay;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.TracedRay.Medium;
 import cz.paprsek.render.explain.TracedRay.SeenLight;
+import cz.paprsek.render.explain.TracedRay.Sight;
 import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
+import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -38,6 +41,8 @@ public final class Recorder extends Whitted {
     private final Deque<Draft> open = new ArrayDeque<>();
     private TracedRay.Kind kind = TracedRay.Kind.PRIMARY;
     private double weight = 1;
+    /** What makes the rays, if an eye does. */
+    private Optional<Eye> eye = Optional.empty();
 
     public Recorder(World scene, int maxDepth, Sampling sampling) {
         super(scene, maxDepth, sampling, () -> false);
@@ -45,6 +50,11 @@ public final class Recorder extends Whitted {
         this.maxDepth = maxDepth;
         this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());
         this.shadowWalk = new ShadowWalk(scene, this::surface);
+    }
+
+    /** Traces rays from an eye from now on. */
+    void lookThrough(Eye from) {
+        eye = Optional.of(from);
     }
 
     /** The rays from the eye traced so far. */
@@ -83,7 +93,7 @@ public final class Recorder extends Whitted {
     public void seen(Level level, int lamp) {
         TracedRay ray = begin(level);
         deliver(new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.empty(),
-                Optional.of(new SeenLight(lamp, scene.scene().lights().get(lamp).name(), level.ray.max)), ray.light()));
+                Optional.of(new SeenLight(lamp, scene.scene().lights().get(lamp).name(), level.ray.max)), ray.sight(), ray.light()));
     }
 
     @Override
@@ -129,7 +139,19 @@ public final class Recorder extends Whitted {
         int around = level.media.innermost();
         return new TracedRay(kind, open.size() + 1, weight, new Vec3(ray.ox, ray.oy, ray.oz), new Vec3(ray.dx, ray.dy, ray.dz),
                 new Medium(around < 0 ? Optional.empty() : Optional.of(new InScene<>(scene.scene(), ScenePath.body(around))), level.media.refractiveIndex()),
-                Optional.empty(), Optional.empty(), light(level));
+                Optional.empty(), Optional.empty(), kind == TracedRay.Kind.PRIMARY ? eye.flatMap(from -> sight(from, ray)) : Optional.empty(), light(level));
+    }
+
+    private Optional<Sight> sight(Eye from, Ray ray) {
+        double[] told = from.tell(ray);
+        if (told.length == 0) {
+            return Optional.empty();
+        }
+        Camera camera = scene.scene().camera();
+        Vec3 direction = new Vec3(ray.dx, ray.dy, ray.dz);
+        Optional<Vec3> focus = Double.isInfinite(camera.focus()) ? Optional.empty()
+                : Optional.of(new Vec3(ray.ox, ray.oy, ray.oz).plus(direction.times(camera.focus() / direction.dot(camera.forward()))));
+        return Optional.of(new Sight(camera.lens(), told[0], told[1], focus, ray.isBlind()));
     }
 
     private void deliver(TracedRay ray) {

@@ -3,8 +3,10 @@ package cz.paprsek.render.explain.text;
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.TracedRay.SeenLight;
+import cz.paprsek.render.explain.TracedRay.Sight;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.text.Step.Topic;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.words.Words;
 import java.util.ArrayList;
 import java.util.List;
@@ -23,12 +25,37 @@ final class Exercise {
     }
 
     List<Step> steps() {
+        ray.sight().ifPresent(this::seen);
+        if (ray.sight().map(Sight::isBlind).orElse(false)) {
+            step(Topic.SUM, words.of("name.light-of", name), "", "", Figures.of(ray.light()));
+            return steps;
+        }
         step(Topic.RAY, words.of("name.ray"), "o", "", Figures.of(ray.origin()));
         step(Topic.RAY, "", "d", "", Figures.of(ray.direction()));
         say(Topic.RAY, words.of("name.medium"), ray.medium().solid().map(words::surface).orElse(words.of("outside-all"))
                 + words.of("medium", Figures.of(ray.medium().refractiveIndex())));
         ray.encounter().ifPresentOrElse(this::met, this::missed);
         return steps;
+    }
+
+    /** How the camera's lens makes the ray. */
+    private void seen(Sight sight) {
+        String lens = words.of("name.lens");
+        if (sight.isBlind()) {
+            say(Topic.RAY, lens, words.of("outside-circle"));
+        } else if (sight.focus().isPresent()) {
+            step(Topic.RAY, lens, words.of("lens-point"), "", Figures.pair(sight.across(), sight.upwards()));
+            step(Topic.RAY, "", words.of("focus-point"), "", Figures.of(sight.focus().get()));
+        } else if (sight.lens() instanceof Lens.Orthographic) {
+            step(Topic.RAY, lens, words.of("plane-point"), "", Figures.pair(sight.across(), sight.upwards()));
+        } else if (sight.lens() instanceof Lens.Spherical) {
+            step(Topic.RAY, lens, words.of("longitude-latitude"), "", Figures.degrees(sight.across()) + ", " + Figures.degrees(sight.upwards()));
+        } else if (sight.lens() instanceof Lens.Fisheye fisheye) {
+            double radius = Math.sqrt(sight.across() * sight.across() + sight.upwards() * sight.upwards());
+            step(Topic.RAY, lens, words.of("circle-point"), "", Figures.pair(sight.across(), sight.upwards()) + ", ρ = " + Figures.of(radius));
+            step(Topic.RAY, "", words.of("angle-to-view"), Figures.of(radius) + "·" + Figures.degrees(fisheye.angle()) + "/2",
+                    Figures.degrees(radius * fisheye.angle() / 2));
+        }
     }
 
     private void missed() {

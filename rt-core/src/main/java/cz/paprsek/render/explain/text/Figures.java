@@ -25,6 +25,10 @@ final class Figures {
         return triple(light.red(), light.green(), light.blue());
     }
 
+    static String pair(double a, double b) {
+        return "(" + of(a, COMPONENT) + ", " + of(b, COMPONENT) + ")";
+    }
+
     static String degrees(double angle) {
         return of(angle) + "°";
     }

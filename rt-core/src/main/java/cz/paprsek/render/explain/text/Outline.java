@@ -1,6 +1,7 @@
 package cz.paprsek.render.explain.text;
 
 import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.TracedRay.Sight;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.words.Words;
 import java.util.ArrayList;
@@ -52,6 +53,9 @@ public record Outline(String name, TracedRay ray, double share, List<Outline> ch
             case REFLECTED -> words.of("reflected");
             case REFRACTED -> words.of("refracted");
         };
+        if (ray.sight().map(Sight::isBlind).orElse(false)) {
+            return words.of("sees-nothing");
+        }
         if (ray.seen().isPresent()) {
             return kind + inside(words) + words.of("sees-light", ray.seen().get().label());
         }

@@ -11,6 +11,7 @@ import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay.SeenLight;
+import cz.paprsek.render.explain.TracedRay.Sight;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Scene;
@@ -40,9 +41,16 @@ public final class TreeJson {
                 .with("direction", ray.direction())
                 .with("medium", new Json().with("name", ray.medium().solid().map(solid -> solid.part().label(solid.scene())).orElse(""))
                         .with("refractive-index", ray.medium().refractiveIndex()));
+        ray.sight().ifPresent(sight -> json.with("lens", of(sight)));
         color(json, "light", ray.light());
         ray.seen().ifPresent(light -> json.with("seen", of(light)));
         ray.encounter().ifPresent(met -> json.with("hit", of(met)));
+        return json;
+    }
+
+    private static Json of(Sight sight) {
+        Json json = new Json().with("projection", sight.lens().projection()).with("blind", sight.isBlind()).withNumbers("at", sight.across(), sight.upwards());
+        sight.focus().ifPresent(focus -> json.with("focus", focus));
         return json;
     }
 
