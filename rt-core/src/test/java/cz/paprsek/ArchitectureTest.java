@@ -99,7 +99,7 @@ class ArchitectureTest {
             .whereLayer("film").mayOnlyBeAccessedByLayers("integrate", "show", "render")
             .whereLayer("light").mayOnlyBeAccessedByLayers("surface", "integrate", "show")
             .whereLayer("eye").mayOnlyBeAccessedByLayers("integrate", "show", "render", "live")
-            .whereLayer("sample").mayOnlyBeAccessedByLayers("integrate", "show", "render")
+            .whereLayer("sample").mayOnlyBeAccessedByLayers("light", "integrate", "show", "render")
             .whereLayer("surface").mayOnlyBeAccessedByLayers("integrate", "show", "render")
             .whereLayer("integrate").mayOnlyBeAccessedByLayers("show", "render")
             .whereLayer("mode").mayOnlyBeAccessedByLayers("show", "render")

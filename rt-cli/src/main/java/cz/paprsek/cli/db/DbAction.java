@@ -9,9 +9,7 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.io.Failures;
 import cz.paprsek.query.Filter;
 import cz.paprsek.query.FilterException;
-import cz.paprsek.query.SceneTables;
 import cz.paprsek.query.Table;
-import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.OriginalText;
@@ -20,7 +18,6 @@ import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -125,21 +122,6 @@ public abstract class DbAction implements Callable<Integer> {
         } catch (FilterException e) {
             throw new WrongUsage(option + ", " + e.getMessage());
         }
-    }
-
-    /** The scenes of a database that are named or match a filter, of which exactly one is given. */
-    static List<Scene> chosen(SceneDatabase database, Collection<String> names, Optional<String> where) {
-        if (names.isEmpty() == where.isEmpty()) {
-            throw new WrongUsage("say which scenes: either their names, or --where with a filter");
-        }
-        if (where.isEmpty()) {
-            return names.stream().distinct().map(name -> asked(() -> database.get(name))).toList();
-        }
-        List<Scene> found = database.scenes().stream().filter(filter("--where", where, SceneTables.SCENE)).toList();
-        if (found.isEmpty()) {
-            throw new WrongUsage("no scene matches " + where.get());
-        }
-        return found;
     }
 
     /** "1 scene", "2 scenes". */

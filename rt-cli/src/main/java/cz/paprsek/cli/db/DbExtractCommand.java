@@ -16,10 +16,9 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 
 /** Writes scenes of a database to files of their own. */
 @Command(
@@ -27,14 +26,8 @@ import picocli.CommandLine.Parameters;
         description = "Writes scenes of a database to files of their own. Files that exist are not overwritten.",
         footer = {"", "Examples:", "  paprsek db extract my.xml \"Chess set\" -o chess.xml", "  paprsek db extract my.xml --where 'tag = \"glass\"' -o glass/"})
 final class DbExtractCommand extends DbAction {
-    @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
-    private Path file;
-
-    @Parameters(index = "1..*", arity = "0..*", paramLabel = "NAME", description = "Names of scenes.")
-    private List<String> names = List.of();
-
-    @Option(names = "--where", paramLabel = "FILTER", description = "All scenes that match; 'paprsek db --help' explains filters.")
-    private Optional<String> where = Optional.empty();
+    @Mixin
+    private final SceneChoice choice = new SceneChoice();
 
     @Option(names = {"-o", "--output"}, paramLabel = "FILE|DIR|PATTERN", description = "A file, for one scene; a directory; or a pattern in which {name} "
             + "stands for the scene's name, made fit for a file. - is standard output. Default: {name}.xml in the working directory.")
@@ -49,9 +42,9 @@ final class DbExtractCommand extends DbAction {
 
     @Override
     void run() throws IOException {
-        OriginalText text = text(file);
-        SceneDatabase database = text.contents().database(Incoming.nameOf(file));
-        List<Scene> scenes = chosen(database, names, where);
+        OriginalText text = text(choice.file());
+        SceneDatabase database = text.contents().database(Incoming.nameOf(choice.file()));
+        List<Scene> scenes = choice.of(database);
         if (output.equals("-") && scenes.size() == 1) {
             text.alone(scenes.get(0)).writeTo(terminal.bytes());
             return;

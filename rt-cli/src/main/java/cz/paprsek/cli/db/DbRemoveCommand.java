@@ -4,13 +4,10 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Mixin;
 
 /** Removes scenes from a database. */
 @Command(
@@ -18,14 +15,8 @@ import picocli.CommandLine.Parameters;
         description = "Removes scenes from a database, by name or by a filter.",
         footer = {"", "Examples:", "  paprsek db remove my.xml \"Chess set\"", "  paprsek db remove my.xml --where 'tag = \"draft\"'"})
 final class DbRemoveCommand extends DbAction {
-    @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
-    private Path file;
-
-    @Parameters(index = "1..*", arity = "0..*", paramLabel = "NAME", description = "Names of scenes.")
-    private List<String> names = List.of();
-
-    @Option(names = "--where", paramLabel = "FILTER", description = "All scenes that match; 'paprsek db --help' explains filters.")
-    private Optional<String> where = Optional.empty();
+    @Mixin
+    private final SceneChoice choice = new SceneChoice();
 
     DbRemoveCommand(Terminal terminal, Stop stop) {
         super(terminal, stop);
@@ -34,10 +25,10 @@ final class DbRemoveCommand extends DbAction {
     @Override
     void run() throws IOException {
         List<String> removed = new ArrayList<>();
-        update(file, database -> {
-            removed.addAll(chosen(database, names, where).stream().map(Scene::name).toList());
+        update(choice.file(), database -> {
+            removed.addAll(choice.of(database).stream().map(Scene::name).toList());
             return database.without(removed);
         });
-        done(file + ": " + scenes(removed.size()) + " removed: " + String.join(", ", removed));
+        done(choice.file() + ": " + scenes(removed.size()) + " removed: " + String.join(", ", removed));
     }
 }

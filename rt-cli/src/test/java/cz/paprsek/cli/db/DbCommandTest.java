@@ -205,7 +205,7 @@ class DbCommandTest {
         "db list DB --columns nam              | there is no column \"nam\" in scene; did you mean \"name\"?",
         "db list DB --sort nam                 | there is no column \"nam\" in scene",
         "db list DB --csv --json               | --csv and --json exclude each other",
-        "db find DB --where raduis=1           | there is no column \"raduis\" in sphere; did you mean \"radius\"?",
+        "db find DB --where raduis=1           | there is no column \"raduis\" in light; did you mean \"radius\"?",
         "db remove DB                          | say which scenes: either their names, or --where with a filter",
         "db remove DB red --where lights=0     | say which scenes: either their names, or --where with a filter",
         "db remove DB Blue/3                   | there is no scene named \"Blue/3\"; did you mean \"Blue/2\"?",
