@@ -90,6 +90,9 @@ final class ConvertCommand implements Callable<Integer> {
         } catch (IOException e) {
             terminal.message(Failures.sentence(target.toString(), e));
             return ExitCode.FAILED;
+        } catch (IllegalArgumentException refused) {
+            terminal.message(scene + ": " + refused.getMessage());
+            return ExitCode.FAILED;
         }
         if (!quiet) {
             warnings.forEach(warning -> terminal.message(scene + ": warning: " + warning));

@@ -6,6 +6,8 @@ import static cz.paprsek.text.Numbers.text;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.CustomShape;
+import cz.paprsek.shape.CustomSolid;
 import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Ellipsoid;
@@ -50,7 +52,10 @@ final class PovShapes {
         } else if (shape instanceof Disc d) {
             return "disc { " + ORIGIN + ", z, " + text(d.radius());
         }
-        throw MadeInCode.refusedBy("a scene for POV-Ray", shape.kind(), "shape");
+        if (shape instanceof CustomSolid || shape instanceof CustomShape) {
+            throw MadeInCode.refusedBy("a scene for POV-Ray", shape.kind(), "shape");
+        }
+        throw new IllegalArgumentException("a scene for POV-Ray cannot hold the shape \"" + shape.kind() + "\": nobody has found words for it yet");
     }
 
     /** A union in POV-Ray keeps the walls inside; ours is its merge. A single operand is itself, whatever is done. */

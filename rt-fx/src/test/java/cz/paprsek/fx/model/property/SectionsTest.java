@@ -3,6 +3,7 @@ package cz.paprsek.fx.model.property;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Examples;
 import cz.paprsek.fx.model.item.Item;
@@ -125,7 +126,7 @@ class SectionsTest {
     void everyKindOfShapeHasAnExampleAndEveryPropertyALabel(Locale language) {
         List<Shape> examples = Examples.ofSize(2);
         assertThat(examples.stream().<Class<?>>map(Object::getClass)).containsExactlyInAnyOrderElementsOf(
-                leaves(Shape.class).filter(kind -> kind != Csg.class).toList());
+                ElementTable.of(Shape.class).filter(kind -> kind != Csg.class).toList());
         Texts texts = Texts.in(language);
         List<SceneObject> objects = new ArrayList<>(examples.stream().map(SceneObject::of).toList());
         objects.add(SceneObject.of(Csg.union(new Sphere(1))));
@@ -139,10 +140,6 @@ class SectionsTest {
                 property.trait().presets().forEach(preset -> assertThat(texts.of(preset.name())).isNotBlank());
             });
         });
-    }
-
-    private static Stream<Class<?>> leaves(Class<?> kind) {
-        return kind.isSealed() ? Stream.of(kind.getPermittedSubclasses()).flatMap(SectionsTest::leaves) : Stream.of(kind);
     }
 
     private static Set<Item> items(Item... items) {

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.texts;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
@@ -12,7 +13,6 @@ import java.io.Reader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
@@ -70,7 +70,7 @@ class TextsTest {
     void everyKindAndEditHasAName(Locale language) {
         Texts texts = Texts.in(language);
         assertThat(texts.locale()).isEqualTo(language);
-        leaves(Shape.class).filter(kind -> kind != Csg.class)
+        ElementTable.of(Shape.class).filter(kind -> kind != Csg.class)
                 .forEach(kind -> assertThat(texts.of("kind." + kind.getSimpleName().toLowerCase(Locale.ROOT))).isNotBlank());
         for (Csg.Operation operation : Csg.Operation.values()) {
             assertThat(texts.of("kind." + operation.name().toLowerCase(Locale.ROOT))).isNotBlank();
@@ -85,10 +85,6 @@ class TextsTest {
     void otherLanguagesGetEnglish() {
         assertThat(Texts.in(Locale.JAPANESE).locale()).isEqualTo(Locale.ENGLISH);
         assertThat(Texts.in(Locale.forLanguageTag("cs-CZ")).of("kind.sphere")).isEqualTo("koule");
-    }
-
-    private static Stream<Class<?>> leaves(Class<?> kind) {
-        return kind.isSealed() ? Arrays.stream(kind.getPermittedSubclasses()).flatMap(TextsTest::leaves) : Stream.of(kind);
     }
 
     private static Properties load(String file) throws IOException {
