@@ -9,23 +9,29 @@ import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.show.DepthRange;
 import cz.paprsek.render.show.ModeTracer;
+import cz.paprsek.render.work.Desk;
+import cz.paprsek.render.work.Workers;
 import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
+import java.io.IOException;
 import java.math.BigInteger;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 
 /** One picture under way: its tiles, taken from a counter by any number of workers, and what they have in common. */
-final class RenderJob implements RenderMonitor {
+final class RenderJob implements Workers.Work {
     private static final int SIDE = 32;
     /** Rays along each side of a block, about: how many are traced together. */
     private static final int TOGETHER = 8;
     /** In place of the column and row of a fault outside of any pixel. */
-    static final int NOWHERE = -1;
+    private static final int NOWHERE = -1;
+    private static final int ONLY_PASS = 0;
 
     private final RenderScene scene;
     private final RenderOptions options;
     private final RenderMonitor monitor;
+    private final TileStore store;
     private final Image image;
     private final Film film;
     private final Eye eye;
@@ -43,11 +49,12 @@ final class RenderJob implements RenderMonitor {
     private int faultRow = NOWHERE;
     private RenderStats total = RenderStats.NONE;
 
-    RenderJob(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor) {
+    RenderJob(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor, TileStore store) {
         this.scene = scene;
         this.eye = eye;
         this.options = options;
         this.monitor = monitor;
+        this.store = store;
         Tile region = options.region();
         image = new Image(region.width(), region.height());
         film = new Film(image, region.x(), region.y());
@@ -71,26 +78,31 @@ final class RenderJob implements RenderMonitor {
         return done.get() == tiles;
     }
 
-    void cancel() {
+    @Override
+    public void cancel() {
         stopped = true;
     }
 
-    @Override
-    public boolean cancelled() {
+    private boolean cancelled() {
         return stopped || monitor.cancelled();
     }
 
     /** Renders tiles until none is left or the job is stopped. Whatever is thrown meanwhile is kept for {@link #throwFailure}. */
-    void work() {
+    @Override
+    public void at(Desk desk) {
         try {
-            renderTiles();
+            renderTiles(desk);
         } catch (Throwable thrown) {
-            fail(thrown, NOWHERE, NOWHERE);
+            fail(thrown);
+        }
+        if (hasFailed()) {
+            desk.clear();
         }
     }
 
-    private void renderTiles() {
-        Integrator integrator = integrator();
+    private void renderTiles(Desk desk) {
+        Integrator integrator = integrator(desk);
+        integrator.begin(this::cancelled);
         for (int i = next.getAndIncrement(); i < tiles && !cancelled(); i = next.getAndIncrement()) {
             render(tile(i), integrator);
         }
@@ -98,7 +110,7 @@ final class RenderJob implements RenderMonitor {
     }
 
     /** Stops the job, which has failed; column and row of the pixel, if it was one. Only what is thrown first is kept. */
-    void fail(Throwable thrown, int column, int row) {
+    private void fail(Throwable thrown, int column, int row) {
         stopped = true;
         synchronized (this) {
             if (fault == null) {
@@ -107,6 +119,10 @@ final class RenderJob implements RenderMonitor {
                 faultRow = row;
             }
         }
+    }
+
+    private synchronized boolean hasFailed() {
+        return fault != null;
     }
 
     /** @throws IllegalStateException if a worker or the monitor has thrown something, with that as its cause */
@@ -125,13 +141,19 @@ final class RenderJob implements RenderMonitor {
                 buildSeconds, traceSeconds);
     }
 
-    private Integrator integrator() {
+    @Override
+    public void fail(Throwable thrown) {
+        fail(thrown, NOWHERE, NOWHERE);
+    }
+
+    private Integrator integrator(Desk desk) {
         RenderSettings settings = options.settings();
         // What is shown of things seen is no light whose spread would tell how many rays it takes; what is shown of rays is.
         RenderSettings shown = options.mode().scale().isPresent() ? settings : settings.withSamples(settings.samples()).withFilter(PixelFilter.BOX);
-        return options.mode() == RenderMode.SHADED
-                ? new Whitted(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()), this::cancelled)
-                : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), Sampling.of(shown, options.fixedSampler()), depths, options.numbers(), this::cancelled);
+        List<Object> purpose = List.of(scene.world(), options.mode(), settings.withSize(1, 1), options.fixedSampler(), options.numbers(), depths);
+        return desk.integrator(purpose, () -> options.mode() == RenderMode.SHADED
+                ? new Whitted(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()))
+                : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), Sampling.of(shown, options.fixedSampler()), depths, options.numbers()));
     }
 
     private synchronized void add(Integrator.Work work) {
@@ -165,8 +187,8 @@ final class RenderJob implements RenderMonitor {
         int y = tile.y();
         long raysBefore = integrator.rays();
         try {
-            if (monitor.restored(tile, image)) {
-                monitor.finished(tile, image, done.incrementAndGet(), tiles);
+            if (store.load(inPicture(tile), ONLY_PASS, film)) {
+                monitor.found(tile, image, done.incrementAndGet(), tiles);
                 return;
             }
             for (y = tile.y(); y < tile.y() + tile.height(); y += block) {
@@ -180,9 +202,16 @@ final class RenderJob implements RenderMonitor {
                 }
             }
             monitor.traced(integrator.rays() - raysBefore);
+            store.save(inPicture(tile), ONLY_PASS, film);
             monitor.finished(tile, image, done.incrementAndGet(), tiles);
+        } catch (IOException unkept) {
+            fail(unkept);
         } catch (Throwable thrown) {
             fail(thrown, x, y);
         }
+    }
+
+    private Tile inPicture(Tile tile) {
+        return new Tile(options.region().x() + tile.x(), options.region().y() + tile.y(), tile.width(), tile.height());
     }
 }

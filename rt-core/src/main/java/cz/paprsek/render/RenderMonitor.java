@@ -13,21 +13,16 @@ public interface RenderMonitor {
     }
 
     /**
-     * Whether a tile's pixels are known already, from an earlier render of the same picture. Asked before the tile is traced; who says yes has
-     * set its pixels.
-     *
-     * @param tile its pixels, in the coordinates of the image under way
-     */
-    default boolean restored(Tile tile, Image image) {
-        return false;
-    }
-
-    /**
      * Rays have been traced, for the tile that is told to be finished next.
      *
      * @param rays of all kinds
      */
     default void traced(long rays) {}
+
+    /** A tile of the picture is complete without having been traced: a {@link TileStore} had it. Else as {@link #finished}, which it is unless told otherwise. */
+    default void found(Tile tile, Image image, int done, int total) {
+        finished(tile, image, done, total);
+    }
 
     /**
      * A tile of the picture is complete.

@@ -3,10 +3,9 @@ package cz.paprsek.render;
 import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderResult.Outcome;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.work.Workers;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.tree.Kernel;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
 
@@ -43,23 +42,34 @@ public final class Renderer {
         Objects.requireNonNull(scene, "scene");
         Objects.requireNonNull(options, "options");
         Objects.requireNonNull(monitor, "monitor");
-        Eye eye = Eye.of(scene.scene().camera(), options.settings().width(), options.settings().height());
-        return render(scene, options, eye, monitor);
+        return render(scene, options, monitor, TileStore.NONE);
     }
 
-    /** Renders a prepared scene as an eye sees it, throwing as above. */
-    public static RenderResult render(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor) {
+    /** As above, with tiles that are known from earlier, or are kept for later: throwing also if a method of the store throws anything. */
+    public static RenderResult render(RenderScene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(options, "options");
+        Eye eye = Eye.of(scene.scene().camera(), options.settings().width(), options.settings().height());
+        try (Workers workers = new Workers("paprsek-render")) {
+            return render(scene, options, eye, monitor, store, workers);
+        }
+    }
+
+    /** Renders a prepared scene as an eye sees it, by workers that are kept for further pictures. */
+    public static RenderResult render(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor, Workers workers) {
+        return render(scene, options, eye, monitor, TileStore.NONE, workers);
+    }
+
+    private static RenderResult render(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor, TileStore store, Workers workers) {
         Objects.requireNonNull(scene, "scene");
         Objects.requireNonNull(options, "options");
         Objects.requireNonNull(eye, "eye");
         Objects.requireNonNull(monitor, "monitor");
+        Objects.requireNonNull(store, "store");
+        Objects.requireNonNull(workers, "workers");
         long begin = System.nanoTime();
-        RenderJob job = job(scene, options, eye, monitor);
-        boolean interrupted = false;
-        for (Thread worker : startWorkers(Math.min(options.threads(), job.tiles()), job)) {
-            interrupted |= !joined(worker, job);
-        }
-        if (interrupted) {
+        RenderJob job = job(scene, options, eye, monitor, store);
+        if (!workers.run(Math.min(options.threads(), job.tiles()), job)) {
             Thread.currentThread().interrupt();
         }
         job.throwFailure();
@@ -73,52 +83,27 @@ public final class Renderer {
      * @throws IllegalStateException as {@link #render(RenderScene, RenderOptions, RenderMonitor)}
      */
     public static RenderResult render(Scene scene, RenderOptions options, RenderMonitor monitor) {
+        return render(scene, options, monitor, TileStore.NONE);
+    }
+
+    /** As above, with tiles that are known from earlier, or are kept for later: throwing also if a method of the store throws anything. */
+    public static RenderResult render(Scene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
         Objects.requireNonNull(scene, "scene");
         Objects.requireNonNull(options, "options");
         Objects.requireNonNull(monitor, "monitor");
         try {
-            return render(RenderScene.of(scene, monitor), options, monitor);
+            return render(RenderScene.of(scene, monitor), options, monitor, store);
         } catch (CancellationException cancelled) {
             Image black = new Image(options.region().width(), options.region().height());
             return new RenderResult(black, RenderStats.NONE, Outcome.CANCELLED);
         }
     }
 
-    private static RenderJob job(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor) {
+    private static RenderJob job(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor, TileStore store) {
         try {
-            return new RenderJob(scene, options, eye, monitor);
+            return new RenderJob(scene, options, eye, monitor, store);
         } catch (OutOfMemoryError exhausted) {
             throw Memory.exceeded(scene.scene(), options, exhausted);
-        }
-    }
-
-    /** Those that could be started; if one could not, the job has failed and the others end soon. */
-    private static List<Thread> startWorkers(int count, RenderJob job) {
-        List<Thread> workers = new ArrayList<>();
-        try {
-            for (int i = 0; i < count; i++) {
-                Thread worker = new Thread(job::work, "paprsek-render-" + i);
-                worker.setDaemon(true);
-                worker.start();
-                workers.add(worker);
-            }
-        } catch (OutOfMemoryError noThread) {
-            job.fail(noThread, RenderJob.NOWHERE, RenderJob.NOWHERE);
-        }
-        return workers;
-    }
-
-    /** Waits for a worker to end; false if the wait was interrupted, which cancels the job. */
-    private static boolean joined(Thread worker, RenderJob job) {
-        boolean undisturbed = true;
-        while (true) {
-            try {
-                worker.join();
-                return undisturbed;
-            } catch (InterruptedException e) {
-                undisturbed = false;
-                job.cancel();
-            }
         }
     }
 }

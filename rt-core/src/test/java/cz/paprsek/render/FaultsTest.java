@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.catchThrowable;
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.render.RenderResult.Outcome;
+import cz.paprsek.render.film.Film;
 import cz.paprsek.render.live.LiveListener;
 import cz.paprsek.render.live.LivePass;
 import cz.paprsek.render.live.LiveRender;
@@ -51,12 +52,12 @@ class FaultsTest {
     }
 
     static Stream<Arguments> everyMethodAndThrowable() {
-        return Stream.of("cancelled", "restored", "traced", "finished", "the last finished")
+        return Stream.of("cancelled", "load", "save", "found", "traced", "finished", "the last finished")
                 .flatMap(method -> everyKindOfThrowable().map(thrown -> Arguments.of(method, thrown)));
     }
 
     /** Throws in one of its methods. */
-    private record Throwing(String method, Throwable thrown) implements RenderMonitor, ReadMonitor {
+    private record Throwing(String method, Throwable thrown) implements RenderMonitor, ReadMonitor, TileStore {
         private void call(String name) {
             if (name.equals(method)) {
                 throw FaultsTest.<RuntimeException>sneaky(thrown);
@@ -70,9 +71,19 @@ class FaultsTest {
         }
 
         @Override
-        public boolean restored(Tile tile, Image image) {
-            call("restored");
-            return false;
+        public boolean load(Tile tile, int pass, Film into) {
+            call("load");
+            return method.equals("found");
+        }
+
+        @Override
+        public void save(Tile tile, int pass, Film from) {
+            call("save");
+        }
+
+        @Override
+        public void found(Tile tile, Image image, int done, int total) {
+            call("found");
         }
 
         @Override
@@ -105,8 +116,8 @@ class FaultsTest {
             RenderOptions options = RenderOptions.of(SCENE).withThreads(threads);
             RenderScene ready = RenderScene.of(SCENE);
             Throwing monitor = new Throwing(method, thrown);
-            assertThatThrownBy(() -> Renderer.render(ready, options, monitor)).isExactlyInstanceOf(IllegalStateException.class).cause().isSameAs(thrown);
-            assertThatThrownBy(() -> Renderer.render(SCENE, options, monitor)).isExactlyInstanceOf(IllegalStateException.class).cause().isSameAs(thrown);
+            assertThatThrownBy(() -> Renderer.render(ready, options, monitor, monitor)).isExactlyInstanceOf(IllegalStateException.class).cause().isSameAs(thrown);
+            assertThatThrownBy(() -> Renderer.render(SCENE, options, monitor, monitor)).isExactlyInstanceOf(IllegalStateException.class).cause().isSameAs(thrown);
         }
     }
 

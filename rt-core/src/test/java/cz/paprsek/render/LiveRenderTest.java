@@ -8,18 +8,21 @@ import cz.paprsek.render.live.LiveListener;
 import cz.paprsek.render.live.LivePass;
 import cz.paprsek.render.live.LiveRender;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class LiveRenderTest {
     private static final Scene SCENE = Scenes.random(11, 40);
@@ -35,9 +38,9 @@ class LiveRenderTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {1, 3})
-    void theLastPictureIsThatOfTheRendererToTheBit(int samples) throws Exception {
-        RenderSettings settings = SMALL.withSamples(samples);
+    @CsvSource({"1, 0", "3, 0", "1, 1", "2, 4"})
+    void theLastPictureIsThatOfTheRendererToTheBit(int samples, int mostSamples) throws Exception {
+        RenderSettings settings = SMALL.withSamples(samples, mostSamples).withFilter(PixelFilter.TENT);
         Watcher watcher = new Watcher();
         live.show(SCENE, settings, watcher);
         Image last = get(watcher.last);
@@ -51,6 +54,29 @@ class LiveRenderTest {
         get(watcher.last);
         assertThat(watcher.steps).containsExactly(8, 4, 2, 1, 1);
         assertThat(watcher.tilesOfFirst).isEqualTo(1);
+    }
+
+    @Test
+    void theThreadsOfOnePictureAreThoseOfTheNext() throws Exception {
+        Set<Thread> threads = ConcurrentHashMap.newKeySet();
+        for (int i = 0; i < 5; i++) {
+            Watcher watcher = new Watcher() {
+                @Override
+                public void painted(LivePass pass, Image image, Tile tile) {
+                    if (first.isDone()) {
+                        threads.add(Thread.currentThread());
+                    }
+                }
+            };
+            live.show(SCENE.withCamera(SCENE.camera().withPosition(new Vec3(0.01 * i, 0, 5))), SMALL, watcher);
+            get(watcher.last);
+        }
+        assertThat(threads).isNotEmpty().hasSizeLessThanOrEqualTo(2).allMatch(Thread::isAlive);
+        live.close();
+        for (Thread thread : threads) {
+            thread.join(10_000);
+        }
+        assertThat(threads).noneMatch(Thread::isAlive);
     }
 
     @Test
@@ -123,7 +149,7 @@ class LiveRenderTest {
     }
 
     /** Remembers the first and the last picture. */
-    private static final class Watcher implements LiveListener {
+    private static class Watcher implements LiveListener {
         final CompletableFuture<Image> first = new CompletableFuture<>();
         final CompletableFuture<Image> last = new CompletableFuture<>();
         final List<Integer> steps = new ArrayList<>();

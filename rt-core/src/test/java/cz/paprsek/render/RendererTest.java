@@ -128,8 +128,8 @@ class RendererTest {
     void raysInABlockFindWhatEachFindsAlone() {
         RenderScene scene = RenderScene.of(SCENE);
         Eye eye = Eye.of(SCENE.camera(), 101, 67);
-        Whitted alone = new Whitted(scene.world(), 5, Sampling.grid(1), () -> false);
-        Whitted together = new Whitted(scene.world(), 5, Sampling.grid(1), () -> false);
+        Whitted alone = new Whitted(scene.world(), 5, Sampling.grid(1));
+        Whitted together = new Whitted(scene.world(), 5, Sampling.grid(1));
         for (int y = 0; y < 56; y += 8) {
             for (int x = 0; x < 96; x += 8) {
                 Level[] block = together.trace(eye, x, y, 8, 8);
@@ -148,7 +148,7 @@ class RendererTest {
         List<Integer> order = new ArrayList<>(IntStream.range(0, 12 * 8).boxed().toList());
         double[][] first = new double[order.size()][];
         for (long seed = 0; seed < 4; seed++) {
-            Whitted tracer = new Whitted(scene.world(), 5, Sampling.grid(1), () -> false);
+            Whitted tracer = new Whitted(scene.world(), 5, Sampling.grid(1));
             for (int block : order) {
                 Level[] levels = tracer.trace(eye, block % 12 * 8, block / 12 * 8, 8, 8);
                 double[] light = new double[192];
@@ -174,7 +174,7 @@ class RendererTest {
 
     @Test
     void tracingAllocatesNothing() {
-        Whitted tracer = new Whitted(RenderScene.of(SCENE).world(), 5, Sampling.grid(1), () -> false);
+        Whitted tracer = new Whitted(RenderScene.of(SCENE).world(), 5, Sampling.grid(1));
         Eye eye = Eye.of(SCENE.camera(), 101, 67);
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         long id = Thread.currentThread().getId();

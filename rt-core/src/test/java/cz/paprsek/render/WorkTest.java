@@ -32,7 +32,7 @@ class WorkTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("work")
     void raysAndVisitedNodesAreAsRecorded(String name, Scene scene, long reflected, long shadows, long visits) {
-        Whitted tracer = new Whitted(RenderScene.of(scene).world(), 5, Sampling.grid(1), () -> false);
+        Whitted tracer = new Whitted(RenderScene.of(scene).world(), 5, Sampling.grid(1));
         Eye eye = Eye.of(scene.camera(), WIDTH, HEIGHT);
         for (int y = 0; y < HEIGHT; y += 8) {
             for (int x = 0; x < WIDTH; x += 8) {

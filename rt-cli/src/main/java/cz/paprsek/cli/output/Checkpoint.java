@@ -1,10 +1,10 @@
 package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.process.WrongUsage;
-import cz.paprsek.image.Image;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
+import cz.paprsek.render.film.Film;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
@@ -27,7 +27,7 @@ import java.util.zip.CRC32;
  * as a whole with a checksum, so that a process may be killed at any moment: a torn last tile is dropped when the file is read.
  */
 public final class Checkpoint implements AutoCloseable {
-    private static final byte[] MAGIC = "paprsek tiles 1\n".getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] MAGIC = "paprsek tiles 2\n".getBytes(StandardCharsets.US_ASCII);
     private static final int RECORD_HEAD = 5 * Integer.BYTES;
     private static final int CHANNELS = 3;
 
@@ -59,7 +59,7 @@ public final class Checkpoint implements AutoCloseable {
                 throw new WrongUsage(file + ": another render is at work on this picture");
             }
             Checkpoint checkpoint = new Checkpoint(file, channel);
-            checkpoint.read(digest(scene, options), new Tile(0, 0, options.region().width(), options.region().height()));
+            checkpoint.read(digest(scene, options), options.region());
             opened = true;
             return checkpoint;
         } finally {
@@ -74,32 +74,27 @@ public final class Checkpoint implements AutoCloseable {
         return tiles.keySet().stream().mapToLong(tile -> (long) tile.width() * tile.height()).sum();
     }
 
-    /** Whether a tile was there when the file was opened. */
-    boolean holds(Tile tile) {
-        return tiles.containsKey(tile);
-    }
-
-    /** Sets the pixels of a tile if they are known. */
-    boolean restore(Tile tile, Image image) {
+    /** Sets the pixels of a tile if they were there when the file was opened. */
+    boolean load(Tile tile, Film film) {
         FloatBuffer known = tiles.get(tile);
         if (known == null) {
             return false;
         }
         for (int i = 0; i < tile.width() * tile.height(); i++) {
-            image.set(tile.x() + i % tile.width(), tile.y() + i / tile.width(),
+            film.set(tile.x() + i % tile.width(), tile.y() + i / tile.width(),
                     known.get(CHANNELS * i), known.get(CHANNELS * i + 1), known.get(CHANNELS * i + 2));
         }
         return true;
     }
 
     /** Adds a finished tile. */
-    synchronized void save(Tile tile, Image image) throws IOException {
+    synchronized void save(Tile tile, Film film) throws IOException {
         ByteBuffer record = ByteBuffer.allocate(RECORD_HEAD + pixelBytes(tile));
         record.putInt(tile.x()).putInt(tile.y()).putInt(tile.width()).putInt(tile.height()).putInt(0);
         for (int i = 0; i < tile.width() * tile.height(); i++) {
             int x = tile.x() + i % tile.width();
             int y = tile.y() + i / tile.width();
-            record.putFloat(image.red(x, y)).putFloat(image.green(x, y)).putFloat(image.blue(x, y));
+            record.putFloat(film.red(x, y)).putFloat(film.green(x, y)).putFloat(film.blue(x, y));
         }
         record.putInt(RECORD_HEAD - Integer.BYTES, checksum(record)).flip();
         while (record.hasRemaining()) {
@@ -146,7 +141,8 @@ public final class Checkpoint implements AutoCloseable {
         int y = head.getInt();
         int width = head.getInt();
         int height = head.getInt();
-        if (x < 0 || y < 0 || width < 1 || height < 1 || width > region.width() - x || height > region.height() - y) {
+        if (x < region.x() || y < region.y() || width < 1 || height < 1
+                || width > region.width() - (x - region.x()) || height > region.height() - (y - region.y())) {
             return false;
         }
         Tile tile = new Tile(x, y, width, height);

@@ -45,8 +45,8 @@ public abstract class Progress implements RenderMonitor, AutoCloseable {
         return stop.requested();
     }
 
-    /** A tile is there that an earlier render has traced. */
-    final synchronized void found(Tile tile) {
+    @Override
+    public final synchronized void found(Tile tile, Image image, int done, int tiles) {
         pace.found((long) tile.width() * tile.height());
         refresh();
     }

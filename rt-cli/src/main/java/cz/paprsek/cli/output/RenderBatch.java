@@ -81,7 +81,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
             }
             try (Tiles tiles = resume ? Tiles.kept(target, scene, options, terminal) : Tiles.NOT_KEPT) {
                 try (Progress monitor = progress.start(target.source().label(), options, stop)) {
-                    result = Renderer.render(scene, options, tiles.around(monitor));
+                    result = Renderer.render(scene, options, monitor, tiles.store());
                 }
                 if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
                     return interrupted(target);

@@ -2,8 +2,8 @@ package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
-import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.TileStore;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -12,10 +12,10 @@ import java.util.concurrent.atomic.AtomicBoolean;
 /** What becomes of the tiles of a picture when its render is interrupted. */
 interface Tiles extends AutoCloseable {
     /** They are lost. */
-    Tiles NOT_KEPT = monitor -> monitor;
+    Tiles NOT_KEPT = () -> TileStore.NONE;
 
-    /** The monitor, and whatever it takes to keep the tiles. */
-    RenderMonitor around(Progress monitor);
+    /** Where the renderer finds and leaves them. */
+    TileStore store();
 
     /** The picture is written. */
     default void discard() throws IOException {}
@@ -35,10 +35,11 @@ interface Tiles extends AutoCloseable {
         if (checkpoint.pixels() > 0) {
             terminal.message(target.source().label() + ": going on, " + 100 * checkpoint.pixels() / pixels + " % is done already");
         }
+        KeptTiles kept = new KeptTiles(checkpoint, terminal, Checkpoint.fileFor(picture).toString(), new AtomicBoolean());
         return new Tiles() {
             @Override
-            public RenderMonitor around(Progress monitor) {
-                return new Resuming(monitor, checkpoint, terminal, Checkpoint.fileFor(picture).toString(), new AtomicBoolean());
+            public TileStore store() {
+                return kept;
             }
 
             @Override

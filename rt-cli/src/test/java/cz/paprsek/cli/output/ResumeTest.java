@@ -4,17 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.cli.Run;
 import cz.paprsek.cli.process.ExitCode;
-import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
-import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.render.Tile;
+import cz.paprsek.render.TileStore;
+import cz.paprsek.render.film.Film;
+import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -100,19 +100,39 @@ class ResumeTest {
         assertThat(run.err()).contains("--resume needs a file");
     }
 
-    /** Renders the whole picture without writing it: what is left of a process killed at the last moment. */
+    /** Of a part of a picture, whose pixels take as many samples as they need. */
+    @Test
+    void goingOnWithAPartOfAnAdaptivePictureGivesTheSameBytes() throws Exception {
+        String[] part = {"--region", "13,9,70,55", "--samples", "2..4", "--filter", "gauss"};
+        assertThat(render("100x70", part).code()).isEqualTo(ExitCode.DONE);
+        byte[] expected = Files.readAllBytes(picture);
+        Files.delete(picture);
+        Scene scene = SceneFiles.read(SCENE);
+        byte[] all = allTiles(scene, RenderOptions.of(scene.settings().withSize(100, 70).withSamples(2, 4).withFilter(PixelFilter.GAUSS))
+                .withRegion(new Tile(13, 9, 70, 55)));
+        Files.write(tiles, Arrays.copyOf(all, 2 * all.length / 3));
+        Run run = render("100x70", Stream.concat(Stream.of(part), Stream.of("--resume")).toArray(String[]::new));
+        assertThat(run.err()).contains("% is done already").doesNotContain("100 %");
+        assertThat(picture).hasBinaryContent(expected);
+    }
+
     private byte[] allTiles() throws IOException, SceneFileException {
         Scene scene = SceneFiles.read(SCENE);
-        RenderOptions options = RenderOptions.of(scene.settings().withSize(100, 70));
+        return allTiles(scene, RenderOptions.of(scene.settings().withSize(100, 70)));
+    }
+
+    /** Renders the whole picture without writing it: what is left of a process killed at the last moment. */
+    private byte[] allTiles(Scene scene, RenderOptions options) throws IOException {
         try (Checkpoint checkpoint = Checkpoint.open(picture, scene, options)) {
-            Renderer.render(RenderScene.of(scene), options, new RenderMonitor() {
+            Renderer.render(scene, options, RenderMonitor.NONE, new TileStore() {
                 @Override
-                public void finished(Tile tile, Image image, int done, int total) {
-                    try {
-                        checkpoint.save(tile, image);
-                    } catch (IOException e) {
-                        throw new UncheckedIOException(e);
-                    }
+                public boolean load(Tile tile, int pass, Film into) {
+                    return false;
+                }
+
+                @Override
+                public void save(Tile tile, int pass, Film from) throws IOException {
+                    checkpoint.save(tile, from);
                 }
             });
         }

@@ -45,7 +45,7 @@ public final class Recorder extends Whitted {
     private Optional<Eye> eye = Optional.empty();
 
     public Recorder(World scene, int maxDepth, Sampling sampling) {
-        super(scene, maxDepth, sampling, () -> false);
+        super(scene, maxDepth, sampling);
         this.scene = scene;
         this.maxDepth = maxDepth;
         this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());

@@ -37,7 +37,7 @@ public class Whitted extends Witness implements Integrator {
     private static final int MOST_ENTRIES = 24;
 
     private final World scene;
-    private final BooleanSupplier stop;
+    private BooleanSupplier stop = () -> false;
     private final Spans spans = new Spans();
     private final Bodies bodies;
     private final PartTable parts;
@@ -66,9 +66,8 @@ public class Whitted extends Witness implements Integrator {
     public long hits;
     public boolean cancelled;
 
-    public Whitted(World scene, int maxDepth, Sampling sampling, BooleanSupplier stop) {
+    public Whitted(World scene, int maxDepth, Sampling sampling) {
         this.scene = scene;
-        this.stop = stop;
         this.bodies = scene.bodies();
         this.parts = scene.parts();
         this.glows = scene.glows();
@@ -90,6 +89,17 @@ public class Whitted extends Witness implements Integrator {
 
     private static double[] linear(cz.paprsek.material.Rgb color) {
         return new double[] {color.linearRed(), color.linearGreen(), color.linearBlue()};
+    }
+
+    @Override
+    public final void begin(BooleanSupplier whenToStop) {
+        stop = whenToStop;
+        primary = 0;
+        reflected = 0;
+        refracted = 0;
+        hits = 0;
+        lighting.rays = 0;
+        cancelled = false;
     }
 
     /** Renders a block of pixels. */

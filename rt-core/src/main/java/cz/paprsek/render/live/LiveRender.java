@@ -7,6 +7,7 @@ import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.render.Tile;
+import cz.paprsek.render.work.Workers;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.Objects;
@@ -27,6 +28,8 @@ public final class LiveRender implements AutoCloseable {
     private static final double SLACK = 1.5;
 
     private final int threads;
+    /** Kept from pass to pass, with what they work with. */
+    private final Workers workers = new Workers("paprsek-live-worker");
     private @Nullable Request waiting;
     private boolean idle = true;
     private volatile boolean outdated;
@@ -77,15 +80,21 @@ public final class LiveRender implements AutoCloseable {
     }
 
     private void run() {
-        for (Request request = take(); request != null; request = take()) {
-            try {
-                refine(request);
-            } catch (Superseded wished) {
-                // There is something else to show, or nothing any more.
-            } catch (Throwable fault) {
-                ready = null;
-                tell(request.listener(), fault);
+        try (workers) {
+            for (Request request = take(); request != null; request = take()) {
+                serve(request);
             }
+        }
+    }
+
+    private void serve(Request request) {
+        try {
+            refine(request);
+        } catch (Superseded wished) {
+            // There is something else to show, or nothing any more.
+        } catch (Throwable fault) {
+            ready = null;
+            tell(request.listener(), fault);
         }
     }
 
@@ -148,7 +157,7 @@ public final class LiveRender implements AutoCloseable {
     }
 
     private RenderResult render(LivePass pass, RenderMonitor monitor) throws Superseded {
-        RenderResult result = Renderer.render(pass.scene(), pass.options(threads), pass.eye(), monitor);
+        RenderResult result = Renderer.render(pass.scene(), pass.options(threads), pass.eye(), monitor, workers);
         if (result.outcome() == RenderResult.Outcome.CANCELLED) {
             throw superseded(monitor);
         }

@@ -18,7 +18,7 @@ public record DepthRange(double nearest, double farthest) {
 
     /** Looks through a grid of points all over the picture. */
     public static DepthRange of(World scene, Eye eye, int width, int height) {
-        Whitted tracer = new Whitted(scene, 1, Sampling.grid(1), () -> false);
+        Whitted tracer = new Whitted(scene, 1, Sampling.grid(1));
         double nearest = Double.POSITIVE_INFINITY;
         double farthest = 0;
         for (int row = 0; row < GRID; row++) {

@@ -12,7 +12,6 @@ import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
 import java.util.Arrays;
-import java.util.function.BooleanSupplier;
 
 /** The tracer that renders pictures, watched for what a mode other than shaded shows of each pixel. */
 public final class ModeTracer extends Whitted {
@@ -27,8 +26,8 @@ public final class ModeTracer extends Whitted {
     private double blue;
     private int seen;
 
-    public ModeTracer(World scene, RenderMode mode, int maxDepth, Sampling sampling, DepthRange range, boolean numbers, BooleanSupplier stop) {
-        super(scene, mode.scale().isPresent() ? maxDepth : 1, sampling, stop);
+    public ModeTracer(World scene, RenderMode mode, int maxDepth, Sampling sampling, DepthRange range, boolean numbers) {
+        super(scene, mode.scale().isPresent() ? maxDepth : 1, sampling);
         this.mode = mode;
         this.scene = scene;
         this.range = range;
