@@ -127,9 +127,14 @@ public record Block(
         }
 
         @Override
+        public int ownFace(int face) {
+            return own != null ? own.alongWorld(face) : face;
+        }
+
+        @Override
         public void map(int face, Hit hit) {
             if (own != null) {
-                own.map(own.ownFace(face), hit);
+                own.map(own.alongWorld(face), hit);
             } else {
                 Block.map(face, (hit.px - minX) / (maxX - minX), (hit.py - minY) / (maxY - minY), (hit.pz - minZ) / (maxZ - minZ), hit);
             }
@@ -148,7 +153,7 @@ public record Block(
         }
 
         /** The face that looks along an axis of the world, to which one of its own is parallel. */
-        int ownFace(int face) {
+        int alongWorld(int face) {
             int axis = face / 2;
             double x = axis == 0 ? toLocal.xx() : axis == 1 ? toLocal.xy() : toLocal.xz();
             double y = axis == 0 ? toLocal.yx() : axis == 1 ? toLocal.yy() : toLocal.yz();

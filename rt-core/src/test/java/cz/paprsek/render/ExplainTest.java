@@ -6,14 +6,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import cz.paprsek.image.Image;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Encounter;
-import cz.paprsek.render.explain.LightTerm.ShadowRay;
 import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.LightTerm.ShadowRay;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Shape;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -25,6 +28,7 @@ import java.util.stream.Stream;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -44,6 +48,15 @@ class ExplainTest {
     @MethodSource("scenes")
     void everyTreeOfEverySceneAddsUpToThePixelBitForBit(Scene scene) {
         assertEveryPixelAddsUp(scene);
+    }
+
+    /** A quarter of a turn leaves the faces along the axes of the world: they keep the names they have on the block. */
+    @ParameterizedTest
+    @CsvSource({"0, PLUS_Z", "90, MINUS_X", "180, MINUS_Z", "270, PLUS_X", "30, PLUS_Z", "100, MINUS_X"})
+    void aFaceIsCalledByTheBlocksOwnAxes(double turn, Shape.Face face) {
+        Scene scene = Scenes.empty().plus(SceneObject.of(new Block(new Vec3(-1, -1, -1), new Vec3(1, 1, 1))).rotated(0, turn, 0));
+        var pixel = RenderScene.of(scene).explain(scene.settings().width() / 2, scene.settings().height() / 2);
+        assertThat(pixel.rays().get(0).encounter().orElseThrow().place().face()).isEqualTo(face);
     }
 
     @Test

@@ -142,6 +142,44 @@ class MapTest {
         assertThat(compared).isGreaterThan(shape instanceof Csg ? -1 : RAYS / 20);
     }
 
+    /** From a place to one a little aside, u jumps at the back of round shapes only, and v only where a ring is nearest to its axis. */
+    @ParameterizedTest
+    @MethodSource("everyShapeOfAnySize")
+    void uAndVJumpOnlyAtTheSeams(Shape shape, Placement placement, double size) {
+        Affine toWorld = placement.toParent();
+        Affine toLocal = toWorld.inverse();
+        Placed placed = new Placed(shape, toWorld);
+        Random random = new Random(8);
+        int jumps = 0;
+        for (int i = 0; i < RAYS && !(shape instanceof Csg); i++) {
+            Vec3 o = toWorld.point(new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, -random.nextDouble()).normalized().times(8));
+            Ray ray = placed.ray(o, toWorld.point(new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5)).minus(o).normalized());
+            if (ray.part < 0) {
+                continue;
+            }
+            Hit hit = placed.described(ray);
+            Vec3 p = new Vec3(hit.px, hit.py, hit.pz);
+            Vec3 local = toLocal.point(p);
+            Vec3 n = new Vec3(hit.nx, hit.ny, hit.nz);
+            Vec3 t = new Vec3(hit.tx, hit.ty, hit.tz);
+            for (Vec3 way : nearAxis(local) ? List.<Vec3>of() : List.of(t, t.negated(), n.cross(t), t.cross(n))) {
+                Hit aside = placed.near(p, way.times(0.02 * size), n, 0.03 * size, ray);
+                if (aside != null && Math.abs(aside.u - hit.u) > 0.5) {
+                    jumps++;
+                    assertThat(isRound(shape) && local.z() < 0 && Math.abs(local.x()) < 0.06).as("u jumps at %s", local).isTrue();
+                }
+                if (aside != null && Math.abs(aside.v - hit.v) > 0.5) {
+                    assertThat(shape instanceof Torus && Math.hypot(local.x(), local.z()) < 1 && Math.abs(local.y()) < 0.06).as("v jumps at %s", local).isTrue();
+                }
+            }
+        }
+        assertThat(jumps > 0).as("the seam was met").isEqualTo(isRound(shape));
+    }
+
+    private static boolean isRound(Shape shape) {
+        return shape instanceof Sphere || shape instanceof Ellipsoid || shape instanceof Cylinder || shape instanceof Cone || shape instanceof Torus;
+    }
+
     /** There u and v may change as fast as they like. */
     private static boolean nearAxis(Vec3 local) {
         return Math.hypot(local.x(), local.z()) < 0.02;

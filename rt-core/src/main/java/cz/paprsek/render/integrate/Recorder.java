@@ -81,7 +81,7 @@ public final class Recorder extends Whitted {
         InScene<BodyAt> surface = surface(ray.part);
         boolean flipped = ray.face < 0;
         Vec3 outwards = new Vec3(hit.nx, hit.ny, hit.nz);
-        Encounter.Place place = new Encounter.Place(surface, face(surface, flipped ? ~ray.face : ray.face), flipped, leaving,
+        Encounter.Place place = new Encounter.Place(surface, face(surface, scene.parts().part(ray.part).ownFace(flipped ? ~ray.face : ray.face)), flipped, leaving,
                 ray.max, new Vec3(hit.px, hit.py, hit.pz), leaving ? outwards.negated() : outwards, new Vec3(hit.sx, hit.sy, hit.sz),
                 hit.u, hit.v, cosine, new Vec3(mirrorX, mirrorY, mirrorZ));
         open.push(new Draft(begin(level), place, scene.parts().finish(ray.part).material,

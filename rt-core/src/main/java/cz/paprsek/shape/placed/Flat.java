@@ -2,6 +2,7 @@ package cz.paprsek.shape.placed;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 
 /** A figure in the plane z = 0 of its own space, met there at t = −o_z / d_z. */
@@ -9,11 +10,14 @@ public abstract class Flat extends Surface implements Part {
     private final int part;
     private final Affine toLocal;
     private final Bounds bounds;
+    /** The same everywhere. */
+    private final Vec3 tangent;
 
     protected Flat(int part, Affine toWorld, Bounds worldBounds) {
         this.part = part;
         this.toLocal = toWorld.inverse();
         this.bounds = worldBounds;
+        this.tangent = toWorld.direction(Vec3.X).normalized();
     }
 
     /** Whether a point of the plane belongs to the figure. */
@@ -58,8 +62,11 @@ public abstract class Flat extends Surface implements Part {
 
     @Override
     public void map(int face, Hit hit) {
-        hit.map(u(toLocal.pointX(hit.px, hit.py, hit.pz)), v(toLocal.pointY(hit.px, hit.py, hit.pz)), 1, 0, 0);
-        hit.tangentFrom(toLocal);
+        hit.u = u(toLocal.pointX(hit.px, hit.py, hit.pz));
+        hit.v = v(toLocal.pointY(hit.px, hit.py, hit.pz));
+        hit.tx = tangent.x();
+        hit.ty = tangent.y();
+        hit.tz = tangent.z();
     }
 
     /** Where the ray meets the figure, strictly between two values of t; not a number if it does not, or starts from it. */

@@ -11,6 +11,11 @@ public interface Part {
      */
     void describe(int face, Hit hit);
 
+    /** The face by the numbering of the shape in its own space: the part's own may go by the axes of the world. */
+    default int ownFace(int face) {
+        return face;
+    }
+
     /**
      * Writes u, v and the tangent of a hit whose point is set: only where somebody asks for it, for that takes long.
      *
