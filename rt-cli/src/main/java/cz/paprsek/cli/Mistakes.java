@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
@@ -50,6 +51,10 @@ final class Mistakes {
         List<String> known = spec.options().stream().flatMap(option -> List.of(option.names()).stream()).toList();
         if (word.startsWith("--") && Similar.nearest(word, known).isPresent()) {
             return "unknown option \"" + word + "\"" + Similar.suggestion(word, known);
+        }
+        if (word.matches("-o|--output") && spec.positionalParameters().stream().anyMatch(place -> place.paramLabel().startsWith("FILE"))) {
+            return "unknown option \"" + word + "\"; the file stands there without an option: paprsek " + spec.name() + " "
+                    + String.join(" ", spec.positionalParameters().stream().map(ArgSpec::paramLabel).toList());
         }
         // A letter, with or without its value, for one of the long ones; or one dash where two belong.
         Optional<String> longer = known.stream().filter(word::equalsIgnoreCase).findFirst()

@@ -47,7 +47,7 @@ class ProcessTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"info S", "info S --json", "validate S", "validate S --json", "explain S 8,4", "db list S", "db tables S", "db list S --csv",
-        "compare P P", "schema", "--help", "render --help", "--version", "generate-completion", "render S -o P --json --quiet", "render S -o -"})
+        "db extract S ball -o -", "compare P P", "schema", "--help", "render --help", "--version", "generate-completion", "render S -o P --json --quiet", "render S -o -"})
     void resultsThatAreLostAreAFailure(String line) throws Exception {
         Path scene = Scenes.ball(folder.resolve("s.xml"));
         Path picture = folder.resolve("p.png");

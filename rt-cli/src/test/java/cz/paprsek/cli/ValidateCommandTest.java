@@ -56,6 +56,9 @@ class ValidateCommandTest {
                 Arguments.of(LIGHT + "<difference name='tumbler'><material transparency='0.8' diffusion='0' refractive-index='1.5'/>"
                         + "<cylinder radius='0.9' height='1.7'/><cylinder radius='0.8' height='2' position='0 0.2 0'/></difference>"
                         + glass("cylinder", "radius='0.8' height='1' position='0 0.2 0'", 1.33), "difference \"tumbler\" and cylinder #2 touch near "),
+                Arguments.of(LIGHT + "<sphere radius='1'><material color='1 0.5 0'/></sphere>",
+                        "material of sphere #1: the color 1 0.5 0 is next to black; colours go up to 255"),
+                Arguments.of("<point-light position='2 3 4' color='1 1 1'/><sphere radius='1'/>", "light #1: the color 1 1 1 is next to black"),
                 Arguments.of("<sphere radius=\"1\"/>", "there is no light and no ambient light"),
                 Arguments.of("<point-light position=\"0 0 0\" intensity=\"0\"/><disc radius=\"1\"/>", "there is no light"),
                 Arguments.of(LIGHT, "there are no objects"));

@@ -53,6 +53,7 @@ class BadFilesTest {
                 whole("hello", NO_SCENE),
                 whole("{\"scene\": 1}", NO_SCENE),
                 whole("\u0000\u0001\u0002 PNG", "1:1: this is a binary file, not a scene file"),
+                whole(scene("") + "\n\0\0\0", "4:1: nothing may follow the end of the first element"),
                 whole("<scene/>", "1:1: " + NAMESPACE + "none"),
                 whole("<?xml version='1.0'?>\n<!-- a\n b -->\n\n  <scene/>", "5:3: " + NAMESPACE + "none"),
                 whole("<scene xmlns='urn:x'><sphere/></scene>", "1:1: " + NAMESPACE + "\"urn:x\""),

@@ -6,6 +6,7 @@ import cz.paprsek.cli.output.Targets;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.xml.OriginalText;
@@ -46,7 +47,11 @@ final class DbExtractCommand extends DbAction {
         SceneDatabase database = text.contents().database(Incoming.nameOf(choice.file()));
         List<Scene> scenes = choice.of(database);
         if (output.equals("-") && scenes.size() == 1) {
-            text.alone(scenes.get(0)).writeTo(terminal.bytes());
+            try {
+                text.alone(scenes.get(0)).writeTo(terminal.bytes());
+            } catch (IOException lost) {
+                throw new IOException(Failures.sentence("standard output", lost), lost);
+            }
             return;
         }
         Map<Path, Scene> files = files(scenes, FileNames.of(database.names()));

@@ -3,6 +3,7 @@ package cz.paprsek.cli.describe;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
@@ -70,6 +71,9 @@ public final class SceneWarnings {
 
     private void light() {
         boolean isLit = scene.lights().stream().anyMatch(light -> light.intensity() > 0 && !light.color().equals(Rgb.BLACK));
+        for (int i = 0; i < scene.lights().size(); i++) {
+            color(name(i), ScenePath.light(i), scene.lights().get(i).color());
+        }
         if (scene.objects().isEmpty()) {
             add("empty", "there are no objects; the picture will be the background alone");
         } else if (!isLit && scene.ambient().equals(Rgb.BLACK)) {
@@ -96,24 +100,36 @@ public final class SceneWarnings {
 
     private void materials(List<BodyAt> parts) {
         Set<String> used = new HashSet<>();
-        scene.materials().forEach((name, material) -> energy("material \"" + name + "\"", new MaterialAt(name), material));
+        scene.materials().forEach((name, material) -> material("material \"" + name + "\"", new MaterialAt(name), material));
         for (BodyAt part : parts) {
             MaterialSource source = part.in(scene).material();
             if (source instanceof MaterialName reference) {
                 used.add(reference.name());
             } else if (source instanceof Material own) {
-                energy("material of " + label(part), part, own);
+                material("material of " + label(part), part, own);
             }
         }
         scene.materials().keySet().stream().filter(name -> !used.contains(name))
                 .forEach(name -> add("unused", "material \"" + name + "\"", new MaterialAt(name), "material \"" + name + "\" is not used"));
     }
 
-    private void energy(String what, ScenePath place, Material material) {
+    private void material(String what, ScenePath place, Material material) {
+        if (material.pattern() instanceof Pattern.Plain plain) {
+            color(what, place, plain.color());
+        }
         double sum = material.diffusion() + material.reflection() + material.transparency();
         if (sum > 1 + SLACK) {
             add("energy", what, place, what + ": diffusion, reflection and transparency add up to " + Numbers.text(Math.rint(sum * 1e6) / 1e6)
                     + "; above 1 a surface gives back more light than it gets");
+        }
+    }
+
+    /** In many other formats, colours go up to 1. */
+    private void color(String what, ScenePath place, Rgb color) {
+        double most = Math.max(color.red(), Math.max(color.green(), color.blue()));
+        if (most > 0 && most <= 1) {
+            add("color", what, place, what + ": the color " + Numbers.text(color.red()) + " " + Numbers.text(color.green()) + " " + Numbers.text(color.blue())
+                    + " is next to black; colours go up to 255");
         }
     }
 

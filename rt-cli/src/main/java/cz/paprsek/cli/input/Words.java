@@ -30,7 +30,8 @@ public final class Words {
         } catch (NumberFormatException notANumber) {
             // Answered below.
         }
-        throw new TypeConversionException("expected a number, but found '" + word + "'");
+        throw new TypeConversionException("expected a number, but found '" + word + "'"
+                + (word.matches("[-+]?\\d+,\\d+") ? "; a point stands before decimals: " + word.replace(',', '.') : ""));
     }
 
     /** @throws TypeConversionException if no file can have that name */
@@ -46,6 +47,9 @@ public final class Words {
     public static Path path(String word) {
         if (word.isEmpty()) {
             throw new WrongUsage("an empty name stands where a file's should");
+        }
+        if (word.matches("(?i)(https?|ftp|file)://.*")) {
+            throw new WrongUsage("'" + word + "' is an address, and nothing is fetched; give the path of a file");
         }
         try {
             return Path.of(word);

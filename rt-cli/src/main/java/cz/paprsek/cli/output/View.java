@@ -68,6 +68,6 @@ public record View(RenderMode mode, Optional<String> camera, Optional<String> li
             return "none";
         }
         List<String> names = lights.stream().map(Light::name).filter(name -> !name.isEmpty()).toList();
-        return "lights 1 to " + lights.size() + (names.isEmpty() ? "" : ", named " + String.join(", ", names));
+        return (lights.size() == 1 ? "one light, number 1" : "lights 1 to " + lights.size()) + (names.isEmpty() ? "" : ", named " + String.join(", ", names));
     }
 }

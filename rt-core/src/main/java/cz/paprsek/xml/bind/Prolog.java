@@ -88,9 +88,9 @@ final class Prolog {
         return text.isBlank();
     }
 
-    /** Whether there are bytes that no text has. */
+    /** Whether there are bytes that no text has, and it does not begin as XML does: a disk that is pulled out leaves files with zeros at their end. */
     boolean isBinary() {
-        return text.substring(0, Math.min(text.length(), 1000)).indexOf('\0') >= 0;
+        return !text.stripLeading().startsWith("<") && text.substring(0, Math.min(text.length(), 1000)).indexOf('\0') >= 0;
     }
 
     /** Whether the file claims to have more bytes or fewer for each character than were found. */
