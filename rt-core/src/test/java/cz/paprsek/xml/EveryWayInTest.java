@@ -154,7 +154,7 @@ class EveryWayInTest {
     @CsvSource({
         "<box/>, <scene> has no element <box>; the word here is \"block\"", "<Cube/>, <scene> has no element <Cube>; the word here is \"block\"",
         "<ball/>, <scene> has no element <ball>; the word here is \"sphere\"", "<pointLight/>, <scene> has no element <pointLight>; did you mean \"point-light\"?",
-        "<area-light/>, <scene> has no element <area-light>; the word here is \"point-light\"", "<light_source/>, <scene> has no element <light_source>; the word here is \"point-light\"",
+        "<directional-light/>, <scene> has no element <directional-light>; the word here is \"sun-light\"", "<light_source/>, <scene> has no element <light_source>; the word here is \"point-light\"",
         "<sphere r='1'/>, <sphere> has no attribute \"r\"; the word here is \"radius\"", "<sphere radius='1' center='1 2 3'/>, <sphere> has no attribute \"center\"; the word here is \"position\"",
         "<block size='1 1 1'/>, <block> has no attribute \"size\"; the words here are \"min\" and \"max\"", "<cylinder radius='1' length='2'/>, <cylinder> has no attribute \"length\"; the word here is \"height\"",
         "<material name='a' ior='1.5'/>, <material> has no attribute \"ior\"; the word here is \"refractive-index\"", "<material name='a' opacity='1'/>, <material> has no attribute \"opacity\"; the word here is \"transparency\"",

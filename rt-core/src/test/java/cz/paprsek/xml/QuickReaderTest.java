@@ -84,7 +84,18 @@ class QuickReaderTest {
         "<camera position='0 5 0' target='0 0 0' projection='Fisheye'/>", "<camera position='0 5 0' target='0 0 0' projection=' fisheye'/>",
         "<camera position='0 5 0' target='0 0 0' projection=''/>", "<camera position='0 5 0' direction='0 0 1' aperture='1'/>",
         "<camera name='a' position='0 5 0' target='0 0 0'/><camera name='a' position='0 5 0' target='0 0 0'/>", "<camera name='' position='0 5 0' target='0 0 0'/>",
-        "<camera position='0 5 0' target='0 0 0' focus='-1'/>", "<camera position='0 5 0' target='0 0 0' aperture='1e999'/>"})
+        "<camera position='0 5 0' target='0 0 0' focus='-1'/>", "<camera position='0 5 0' target='0 0 0' aperture='1e999'/>",
+        "<spot-light position='0 1 0'/>", "<spot-light position='0 1 0' target='0 0 0'/>", "<spot-light position='0 1 0' target='0 1 0'/>", "<spot-light position='0 1 0' direction='0 0 0'/>",
+        "<spot-light position='0 1 0' target='0 0 0' direction='0 1 0'/>", "<spot-light position='0 1 0' target='0 0 0' inner-angle='46'/>",
+        "<spot-light position='0 1 0' target='0 0 0' inner-angle='50' outer-angle='90'/>", "<spot-light position='0 1 0' target='0 0 0' outer-angle='91'/>",
+        "<spot-light position='0 1 0' target='0 0 0' inner-angle='0' outer-angle='0'/>", "<point-light position='0 0 0' reference-distance='0'/>",
+        "<point-light position='0 0 0' reference-distance='-1'/>", "<sun-light direction='0 -1 0' angle='1' visible='true'/>", "<sun-light direction='0 0 0'/>", "<sun-light/>",
+        "<sun-light direction='0 -1 0' visible='1'/>", "<sun-light direction='0 -1 0' visible=' true '/>", "<sun-light direction='0 -1 0' visible='True'/>", "<sun-light direction='0 -1 0' angle='181'/>",
+        "<area-light position='0 0 0' size='1 2'/>", "<area-light position='0 0 0' radius='2' samples='4096'/>", "<area-light position='0 0 0'/>", "<area-light position='0 0 0' radius='1' size='1 1'/>",
+        "<area-light position='0 0 0' size='1'/>", "<area-light position='0 0 0' size='1 0'/>", "<area-light position='0 0 0' size='1 1 1'/>", "<area-light position='0 0 0' radius='0'/>",
+        "<area-light position='0 0 0' radius='1' samples='0'/>", "<area-light position='0 0 0' radius='1' samples='4097'/>", "<area-light position='0 0 0' radius='1' reference-distance='0'/>",
+        "<sphere-light position='0 0 0' radius='1'/>", "<sphere-light position='0 0 0'/>", "<sphere-light position='0 0 0' radius='1'></sphere-light>", "<sphere-light position='0 0 0' radius='1'>x</sphere-light>",
+        "<sphere-light position='0 0 0' radius='1'><sphere radius='1'/></sphere-light>", "<sphere-light name='a' position='0 0 0' radius='1'/><sun-light name='a' direction='0 1 0'/>"})
     void bothReadersAgree(String content) throws Exception {
         WayIn.all(scene(content));
         check(bytes(scene(content)));
