@@ -88,6 +88,16 @@ public record AreaLight(
         return new AreaLight("", position, Vec3.ZERO, new Radius(radius), Rgb.WHITE, 1, 1, 16, true);
     }
 
+    /** Turned so that it shines straight at a point; as it is if that is its own position. */
+    public AreaLight shiningAt(Vec3 target) {
+        Vec3 way = target.minus(position);
+        if (way.equals(Vec3.ZERO)) {
+            return this;
+        }
+        Vec3 d = way.normalized();
+        return withRotation(new Vec3(StrictMath.toDegrees(StrictMath.asin(Math.max(-1, Math.min(1, -d.y())))), StrictMath.toDegrees(StrictMath.atan2(d.x(), d.z())), 0));
+    }
+
     /** Where it stands. */
     public Placement placement() {
         return new Placement(position, rotation, Vec3.ONE);

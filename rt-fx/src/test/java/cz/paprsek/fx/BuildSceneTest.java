@@ -128,7 +128,7 @@ class BuildSceneTest {
     }
 
     private static void secondLight(EditorGui editor) {
-        editor.gui.click("#add-light");
+        editor.gui.click("#add-point-light");
         Vec3 at = LightMoves.place(editor.model().scene().lights().get(1));
         drag(editor, editor.projection("front"), at, at.plus(new Vec3(-3, 1, 0)));
         assertThat(LightMoves.place(editor.model().scene().lights().get(1)).x()).isLessThan(at.x() - 2);

@@ -6,11 +6,13 @@ import cz.paprsek.material.Pattern.Checkerboard;
 import cz.paprsek.material.Pattern.Plain;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Camera.Aim;
 import cz.paprsek.scene.Camera.Direction;
 import cz.paprsek.scene.Camera.Target;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SpotLight;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiFunction;
@@ -29,8 +31,11 @@ public final class Alternatives {
                     new Alternative(Checkerboard.class, (owner, old) -> new Checkerboard(8, 8, color(old), contrast(old))),
                     new Alternative(Checker.class, (owner, old) -> new Checker(0.25, Vec3.ZERO, color(old), contrast(old)))),
             Aim.class, List.of(
-                    new Alternative(Direction.class, (owner, old) -> new Direction(((Camera) owner).forward())),
-                    new Alternative(Target.class, (owner, old) -> new Target(inFront((Camera) owner)))));
+                    new Alternative(Direction.class, (owner, old) -> new Direction(forward(owner))),
+                    new Alternative(Target.class, (owner, old) -> new Target(inFront(owner)))),
+            AreaLight.Form.class, List.of(
+                    new Alternative(AreaLight.Size.class, (owner, old) -> new AreaLight.Size(2 * radius(old), 2 * radius(old))),
+                    new Alternative(AreaLight.Radius.class, (owner, old) -> new AreaLight.Radius(radius(old)))));
 
     private Alternatives() {}
 
@@ -63,7 +68,16 @@ public final class Alternatives {
         return pattern instanceof Checkerboard board ? board.odd() : pattern instanceof Checker checker ? checker.odd() : CONTRAST;
     }
 
-    private static Vec3 inFront(Camera camera) {
-        return camera.position().plus(camera.forward().times(AIM_DISTANCE));
+    private static Vec3 forward(Record owner) {
+        return owner instanceof SpotLight spot ? spot.direction() : ((Camera) owner).forward();
+    }
+
+    private static Vec3 inFront(Record owner) {
+        Vec3 position = owner instanceof SpotLight spot ? spot.position() : ((Camera) owner).position();
+        return position.plus(forward(owner).times(AIM_DISTANCE));
+    }
+
+    private static double radius(Object form) {
+        return form instanceof AreaLight.Size size ? Math.min(size.width(), size.height()) / 2 : ((AreaLight.Radius) form).radius();
     }
 }

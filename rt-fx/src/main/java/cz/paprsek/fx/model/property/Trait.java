@@ -28,6 +28,8 @@ public record Trait(Kind kind, Unit unit, double least, double most, double step
         FACTORS,
         /** A colour. */
         COLOR,
+        /** True or false. */
+        FLAG,
         /** A line of text. */
         TEXT,
         /** Words separated by blanks. */

@@ -1,10 +1,13 @@
 package cz.paprsek.fx.model.property;
 
+import static cz.paprsek.attribute.Kind.CONE_ANGLE;
 import static cz.paprsek.attribute.Kind.CONFIDENCE;
 import static cz.paprsek.attribute.Kind.DEPTH;
+import static cz.paprsek.attribute.Kind.DISC_ANGLE;
 import static cz.paprsek.attribute.Kind.EXPONENT;
 import static cz.paprsek.attribute.Kind.FOVY;
 import static cz.paprsek.attribute.Kind.INTENSITY;
+import static cz.paprsek.attribute.Kind.LIGHT_SAMPLES;
 import static cz.paprsek.attribute.Kind.MOST_SAMPLES;
 import static cz.paprsek.attribute.Kind.PIXELS;
 import static cz.paprsek.attribute.Kind.REFRACTIVE_INDEX;
@@ -39,6 +42,9 @@ final class Traits {
             entry(ROTATION, Trait.of(Kind.VECTOR).in(Unit.DEGREES).stepping(5)),
             entry(SCALE, Trait.of(Kind.FACTORS)),
             entry(FOVY, Trait.of(Kind.NUMBER).in(Unit.DEGREES).range(1, 179).stepping(1)),
+            entry(CONE_ANGLE, Trait.of(Kind.NUMBER).in(Unit.DEGREES).range(0, CONE_ANGLE.most()).stepping(1)),
+            entry(DISC_ANGLE, Trait.of(Kind.NUMBER).in(Unit.DEGREES).range(0, DISC_ANGLE.most()).stepping(0.5)),
+            entry(LIGHT_SAMPLES, whole(LIGHT_SAMPLES)),
             entry(INTENSITY, Trait.of(Kind.NUMBER).range(0, INTENSITY.most()).stepping(0.1)),
             entry(PIXELS, whole(PIXELS).in(Unit.PIXELS).stepping(10)),
             entry(DEPTH, whole(DEPTH)),
@@ -49,6 +55,7 @@ final class Traits {
     private static final Map<Class<?>, Kind> BY_TYPE = Map.of(
             double.class, Kind.NUMBER,
             int.class, Kind.WHOLE,
+            boolean.class, Kind.FLAG,
             Vec3.class, Kind.VECTOR,
             Rgb.class, Kind.COLOR,
             String.class, Kind.TEXT,

@@ -16,6 +16,7 @@ import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.texts.ItemNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
@@ -64,10 +65,10 @@ public final class Edits {
         edit(Label.of(Edit.ADD, kind), state -> Adding.shape(state, shape, kind, sight));
     }
 
-    /** Adds a light where the user looks. */
-    public void addLight(Sight sight) {
-        String kind = texts.of("kind.light");
-        edit(Label.of(Edit.ADD, kind), state -> Adding.light(state, kind, sight));
+    /** Adds a light of a kind where the user looks. */
+    public void add(Light light, Sight sight) {
+        String kind = texts.kind(light);
+        edit(Label.of(Edit.ADD, kind), state -> Adding.light(state, light, kind, sight));
     }
 
     /** Makes one solid of what is selected, in the order of selecting. */

@@ -1,11 +1,18 @@
 package cz.paprsek.fx.view.look;
 
+import cz.paprsek.scene.Light;
 import cz.paprsek.shape.Shape;
 import java.util.Map;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** The icons of kinds of things. */
 public final class Icons {
+    private static final String ANY_LIGHT = "mdi2l-lightbulb-on-outline";
+    private static final Map<String, String> LIGHTS = Map.of(
+            "spot-light", "mdi2s-spotlight-beam",
+            "area-light", "mdi2c-ceiling-light-outline",
+            "sphere-light", "mdi2l-lightbulb-on",
+            "sun-light", "mdi2w-white-balance-sunny");
     private static final String ANY_SHAPE = "mdi2s-shape-outline";
     private static final Map<String, String> SHAPES = Map.ofEntries(
             Map.entry("sphere", "mdi2s-sphere"),
@@ -21,7 +28,6 @@ public final class Icons {
             Map.entry("difference", "mdi2v-vector-difference-ba"),
             Map.entry("intersection", "mdi2v-vector-intersection"));
 
-    public static final String LIGHT = "mdi2l-lightbulb-on-outline";
     public static final String CAMERA = "mdi2v-video-outline";
     public static final String DISSOLVE = "mdi2u-ungroup";
 
@@ -35,6 +41,11 @@ public final class Icons {
     /** The icon of a kind, by its word. */
     public static String of(String kind) {
         return SHAPES.getOrDefault(kind, ANY_SHAPE);
+    }
+
+    /** The icon of a light's kind; a general one for a kind without its own. */
+    public static String of(Light light) {
+        return LIGHTS.getOrDefault(light.kind(), ANY_LIGHT);
     }
 
     public static FontIcon icon(String literal) {

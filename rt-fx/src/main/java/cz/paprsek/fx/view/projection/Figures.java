@@ -1,7 +1,6 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
@@ -58,11 +57,17 @@ final class Figures {
         return of(scene.objects().get(at.path().get(0))).at(at.path().subList(1, at.path().size()));
     }
 
-    /** The box around an item; a point for lights and the camera. */
+    /** The box around an item; a point for the camera and lights without a size. */
     Box box(Item item) {
         if (item instanceof LightAt light) {
-            Vec3 place = LightMoves.place(scene.lights().get(light.index()));
-            return Box.EMPTY.with(axes.u(place), axes.v(place));
+            LightSketch sketch = LightSketch.of(scene.lights().get(light.index()), axes);
+            Box box = Box.EMPTY.with(axes.u(sketch.place()), axes.v(sketch.place()));
+            for (List<Vec3> line : sketch.extent()) {
+                for (Vec3 point : line) {
+                    box = box.with(axes.u(point), axes.v(point));
+                }
+            }
+            return box;
         }
         if (item instanceof BodyAt body) {
             return of(body).box();

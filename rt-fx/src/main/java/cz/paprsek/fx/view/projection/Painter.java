@@ -187,6 +187,14 @@ final class Painter {
     }
 
     private void light(Light light, Color color) {
+        LightSketch sketch = LightSketch.of(light, axes);
+        g.setStroke(color);
+        g.setLineWidth(1.2);
+        sketch.extent().forEach(this::polyline);
+        g.setGlobalAlpha(0.55);
+        g.setLineWidth(1);
+        sketch.way().forEach(this::polyline);
+        g.setGlobalAlpha(1);
         double x = x(LightMoves.place(light));
         double y = y(LightMoves.place(light));
         g.setStroke(color);
@@ -197,6 +205,36 @@ final class Painter {
             double dy = Math.sin(i * Math.PI / 4);
             g.strokeLine(x + 6 * dx, y + 6 * dy, x + 9 * dx, y + 9 * dy);
         }
+    }
+
+    private void polyline(List<Vec3> points) {
+        g.beginPath();
+        g.moveTo(x(points.get(0)), y(points.get(0)));
+        points.forEach(point -> g.lineTo(x(point), y(point)));
+        g.stroke();
+    }
+
+    /** What a light is grabbed by: a cross for what it shines at, a dot on the rim of its cone. */
+    void handles(Light light) {
+        g.setStroke(palette.selected());
+        g.setFill(palette.background());
+        g.setLineWidth(1.5);
+        for (LightDrag.Handle handle : LightDrag.handles(light, axes)) {
+            if (handle.kind() == LightDrag.Kind.AIM) {
+                cross(handle.place());
+            } else {
+                g.fillOval(x(handle.place()) - 4, y(handle.place()) - 4, 8, 8);
+                g.strokeOval(x(handle.place()) - 4, y(handle.place()) - 4, 8, 8);
+            }
+        }
+    }
+
+    private void cross(Vec3 place) {
+        double x = x(place);
+        double y = y(place);
+        g.strokeOval(x - 5, y - 5, 10, 10);
+        g.strokeLine(x - 8, y, x + 8, y);
+        g.strokeLine(x, y - 8, x, y + 8);
     }
 
     /** The camera and what it sees; with the point it looks at, to be grabbed, if it is selected. */
@@ -220,11 +258,7 @@ final class Painter {
         g.strokeRect(x - 7, y - 5, 14, 10);
         g.strokeOval(x - 3, y - 3, 6, 6);
         if (isSelected) {
-            double aimX = x(sketch.aim());
-            double aimY = y(sketch.aim());
-            g.strokeOval(aimX - 5, aimY - 5, 10, 10);
-            g.strokeLine(aimX - 8, aimY, aimX + 8, aimY);
-            g.strokeLine(aimX, aimY - 8, aimX, aimY + 8);
+            cross(sketch.aim());
         }
     }
 

@@ -150,6 +150,12 @@ final class PaneMouse {
         if (handle.isPresent()) {
             return begin(handle.get());
         }
+        Optional<LightDrag.Handle> onLight = lightHandle(pressX, pressY);
+        if (onLight.isPresent()) {
+            int light = pane.grabbedLight().orElseThrow();
+            Edit edit = onLight.get().kind() == LightDrag.Kind.AIM ? Edit.ROTATE : Edit.RESIZE;
+            return new LightDrag(model.begin(label(edit, Set.of(Item.light(light)))), light, onLight.get(), pane.axes(), pane.view(), pane.snaps(), pressX, pressY);
+        }
         if (isOnAim(pressX, pressY)) {
             return new AimDrag(model.begin(Label.of(Edit.CAMERA)), pane.axes(), pane.view(), CameraSketch.of(model.scene()).aim(), pane.snaps(),
                     pressX, pressY);
@@ -204,6 +210,11 @@ final class PaneMouse {
         return new Snapping(boxes.filter(box -> pane.view().shows(box)));
     }
 
+    private Optional<LightDrag.Handle> lightHandle(double x, double y) {
+        return pane.grabbedLight().flatMap(light -> LightDrag.handles(model.scene().lights().get(light), pane.axes()).stream()
+                .filter(handle -> pane.toPane(handle.place()).distance(x, y) <= 8).findFirst());
+    }
+
     private boolean isOnAim(double x, double y) {
         Vec3 aim = CameraSketch.of(model.scene()).aim();
         return pane.movable().contains(Item.CAMERA) && pane.toPane(aim).distance(x, y) <= 8;
@@ -214,7 +225,7 @@ final class PaneMouse {
         lastX = event.getX();
         lastY = event.getY();
         Optional<Handle> handle = pane.handleAt(lastX, lastY);
-        pane.setHoverCursor(spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElse(isOnAim(lastX, lastY) ? Cursor.CROSSHAIR : Cursor.DEFAULT));
+        pane.setHoverCursor(spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElse(isOnAim(lastX, lastY) || lightHandle(lastX, lastY).isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT));
     }
 
     private void point(MouseEvent event) {

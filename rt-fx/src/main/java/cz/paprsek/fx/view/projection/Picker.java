@@ -88,7 +88,7 @@ final class Picker {
         }
         marks.removeIf(item -> {
             Box box = figures.box(item);
-            return !canPick(state, item) || Math.hypot(view.x(box.minU()) - x, view.y(box.minV()) - y) > MARK;
+            return !canPick(state, item) || Math.hypot(view.x(box.centreU()) - x, view.y(box.centreV()) - y) > MARK;
         });
         return marks;
     }

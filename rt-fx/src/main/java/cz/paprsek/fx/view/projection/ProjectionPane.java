@@ -242,9 +242,19 @@ public final class ProjectionPane extends Region {
         return items;
     }
 
+    /** The light whose own handles are shown: the only thing selected. */
+    Optional<Integer> grabbedLight() {
+        Set<Item> items = movable();
+        return items.size() == 1 && items.iterator().next() instanceof Item.LightAt light && EditorState.exists(model.scene(), light)
+                && !model.state().isHidden(light) ? Optional.of(light.index()) : Optional.empty();
+    }
+
     /** The box of the handles; empty if there is nothing to resize. */
     Box handleBox() {
-        return Items.bodies(movable()).isEmpty() ? Box.EMPTY : figures().box(movable());
+        Set<Item> items = movable();
+        boolean hasSize = !Items.bodies(items).isEmpty() || Items.lights(items).stream().filter(light -> EditorState.exists(model.scene(), light))
+                .anyMatch(light -> !LightSketch.of(model.scene().lights().get(light.index()), axes).extent().isEmpty());
+        return hasSize ? figures().box(items) : Box.EMPTY;
     }
 
     /** What the handles of an empty or invisible box cannot do. */
@@ -335,6 +345,7 @@ public final class ProjectionPane extends Region {
         if (!state.selection().isEmpty()) {
             painter.selected(state, figures);
             painter.handles(handleBox(), true);
+            grabbedLight().ifPresent(light -> painter.handles(state.scene().lights().get(light)));
             Box box = figures.box(state.selection());
             if (!box.isEmpty() && view.shows(box)) {
                 painter.name(ItemNames.of(state.scene(), state.selection(), texts), box);

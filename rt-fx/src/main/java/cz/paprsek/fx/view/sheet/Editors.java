@@ -54,6 +54,7 @@ final class Editors {
                 yield below(row, new VectorEditor(property, edit, mixed, proportional::get), link);
             }
             case COLOR -> below(row, new ColorEditor(property, edit, mixed, texts.of("sheet.pick")));
+            case FLAG -> beside(row, new FlagEditor(id(property), text, property::read, value -> edit.change(scene -> property.write(scene, value))));
             case TEXT -> beside(row, new TextEditor(id(property), edit, scene -> property.read(scene).map(Object::toString).orElse(""),
                     property::write));
             case WORDS -> beside(row, new TextEditor(id(property), edit,

@@ -8,6 +8,7 @@ import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.fx.model.property.Section;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Body;
+import cz.paprsek.scene.Light;
 import java.util.Set;
 
 /** What the sheet calls what it shows. */
@@ -32,8 +33,11 @@ final class Titles {
             Body body = Bodies.find(state.scene(), at).orElseThrow();
             return named(capital(texts.kind(body.shape())), body.name());
         }
-        return item instanceof LightAt light
-                ? named(texts.of("section.light"), state.scene().lights().get(light.index()).name()) : texts.of("section.camera");
+        if (item instanceof LightAt at) {
+            Light light = state.scene().lights().get(at.index());
+            return named(capital(texts.kind(light)), light.name());
+        }
+        return texts.of("section.camera");
     }
 
     /** A section's heading. */

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.shell;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Examples;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.item.Item;
@@ -8,6 +9,7 @@ import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.Light;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
 import java.util.ArrayList;
@@ -56,7 +58,9 @@ public final class AddPalette extends FlowPane {
                         .ifPresent(example -> edits.add(example, now));
             }));
         }
-        adding.add(new Entry("add-light", texts.of("kind.light"), Icons.LIGHT, always, () -> edits.addLight(sight.get())));
+        for (Light kind : Adding.LIGHTS) {
+            adding.add(new Entry("add-" + kind.kind(), texts.kind(kind), Icons.of(kind), always, () -> edits.add(kind, sight.get())));
+        }
         BooleanBinding several = when(model, items -> Items.outermost(items).size() > 1);
         for (Csg.Operation operation : Csg.Operation.values()) {
             String word = operation.name().toLowerCase(Locale.ROOT);

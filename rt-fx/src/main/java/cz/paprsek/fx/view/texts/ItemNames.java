@@ -13,8 +13,11 @@ public final class ItemNames {
 
     public static String of(Scene scene, Item item, Texts texts) {
         if (item instanceof LightAt light) {
-            String name = light.index() < scene.lights().size() ? scene.lights().get(light.index()).name() : "";
-            return name.isEmpty() ? texts.of("item.light") : name;
+            if (light.index() >= scene.lights().size()) {
+                return texts.of("kind.light");
+            }
+            String name = scene.lights().get(light.index()).name();
+            return name.isEmpty() ? texts.kind(scene.lights().get(light.index())) : name;
         }
         if (item instanceof BodyAt body) {
             return Bodies.find(scene, body).map(b -> b.name().isEmpty() ? texts.kind(b.shape()) : b.name()).orElse("");

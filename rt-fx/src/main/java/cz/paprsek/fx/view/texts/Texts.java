@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.texts;
 
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.scene.Light;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.CustomShape;
 import cz.paprsek.shape.Shape;
@@ -72,6 +73,12 @@ public final class Texts {
     /** What a kind of shape is called: "sphere". */
     public String kind(Shape shape) {
         return shape instanceof CustomShape ? shape.kind() : of("kind." + (shape instanceof Csg csg ? csg.operation().name() : shape.getClass().getSimpleName()).toLowerCase(Locale.ROOT));
+    }
+
+    /** What a kind of light is called: "sun". */
+    public String kind(Light light) {
+        String key = "kind." + light.kind();
+        return words.has(key) ? of(key) : of("kind.light");
     }
 
     /** What an edit is called: "Move sphere". */

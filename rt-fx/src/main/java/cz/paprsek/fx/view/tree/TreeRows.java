@@ -30,8 +30,8 @@ final class TreeRows {
         add(rows, new TreeRow(Item.CAMERA, 0, texts.of("kind.camera"), true, Icons.CAMERA, false, false), texts.of("kind.camera"));
         for (int i = 0; i < scene.lights().size(); i++) {
             String name = scene.lights().get(i).name();
-            String kind = texts.of("kind.light");
-            add(rows, new TreeRow(Item.light(i), 0, name.isEmpty() ? kind : name, !name.isEmpty(), Icons.LIGHT, false, false), kind);
+            String kind = texts.kind(scene.lights().get(i));
+            add(rows, new TreeRow(Item.light(i), 0, name.isEmpty() ? kind : name, !name.isEmpty(), Icons.of(scene.lights().get(i)), false, false), kind);
         }
         for (int i = 0; i < scene.objects().size(); i++) {
             addBody(rows, Item.body(i), Body.of(scene.objects().get(i)));

@@ -7,6 +7,7 @@ import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Cylinder;
@@ -51,8 +52,18 @@ class AddingTest {
     }
 
     @Test
+    void everyKindOfLightLightsWhatIsSeenAsBrightlyAsTheOthers() {
+        Scene floor = Scene.EMPTY.plus(SceneObject.of(new cz.paprsek.shape.Disc(0.1)).rotated(-90, 0, 0));
+        for (Light kind : Adding.LIGHTS) {
+            Scene lit = Adding.light(EditorState.of(floor), kind, "lamp", new Sight(Vec3.ZERO, 2)).scene();
+            double bright = cz.paprsek.render.RenderScene.of(lit).explainRay(new Vec3(0, 0.01, 0), new Vec3(0, -1, 0), 1).light().red();
+            assertThat(bright).as("%s", kind).isCloseTo(0.8 * 4 / Math.sqrt(24), org.assertj.core.api.Assertions.within(0.05));
+        }
+    }
+
+    @Test
     void lightStandsAboveAndOutsideWhatIsSeen() {
-        EditorState after = Adding.light(EditorState.of(Scene.EMPTY), "lamp", new Sight(Vec3.ZERO, 2));
+        EditorState after = Adding.light(EditorState.of(Scene.EMPTY), Light.at(0, 0, 0), "lamp", new Sight(Vec3.ZERO, 2));
         assertThat(LightMoves.place(after.scene().lights().get(0))).isEqualTo(new Vec3(-2, 4, 2));
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Examples;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.texts.Texts;
@@ -54,7 +55,7 @@ class SectionsTest {
         assertThat(titles(Set.of(Item.body(0)))).containsExactly("section.object", "kind.sphere", "section.placement", "section.material");
         assertThat(names(Set.of(Item.body(0)))).containsExactly("name", "radius", "position", "rotation", "scale", "material", "pattern", "color",
                 "diffusion", "specular", "shininess", "reflection", "transparency", "refractiveIndex");
-        assertThat(names(Set.of(Item.light(0)))).containsExactly("name", "position", "color", "intensity");
+        assertThat(names(Set.of(Item.light(0)))).containsExactly("name", "position", "color", "intensity", "referenceDistance");
         assertThat(names(Set.of(Item.CAMERA))).containsExactly("position", "aim", "vector", "up", "fovy");
     }
 
@@ -130,9 +131,9 @@ class SectionsTest {
         Texts texts = Texts.in(language);
         List<SceneObject> objects = new ArrayList<>(examples.stream().map(SceneObject::of).toList());
         objects.add(SceneObject.of(Csg.union(new Sphere(1))));
-        Scene all = Scene.EMPTY.plus(Light.at(0, 0, 0)).withObjects(objects.stream().map(object -> object.madeOf(Material.DEFAULT)).toList());
+        Scene all = Scene.EMPTY.withLights(Adding.LIGHTS).withObjects(objects.stream().map(object -> object.madeOf(Material.DEFAULT)).toList());
         Stream<Set<Item>> selections = Stream.concat(
-                Stream.of(Set.of(), Set.of(Item.CAMERA), Set.of(Item.light(0))), IntStream.range(0, objects.size()).mapToObj(i -> Set.of(Item.body(i))));
+                Stream.concat(Stream.of(Set.of(), Set.of(Item.CAMERA)), IntStream.range(0, Adding.LIGHTS.size()).mapToObj(i -> Set.of(Item.light(i)))), IntStream.range(0, objects.size()).mapToObj(i -> Set.of(Item.body(i))));
         selections.flatMap(items -> Sections.of(EditorState.of(all).withSelection(items)).stream()).forEach(section -> {
             assertThat(texts.of(section.title())).isNotBlank();
             section.properties().forEach(property -> {

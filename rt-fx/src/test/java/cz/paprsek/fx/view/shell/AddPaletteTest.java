@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Examples;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
@@ -40,11 +42,13 @@ class AddPaletteTest {
         for (Shape kind : kinds) {
             gui.click("#add-" + kind.kind());
         }
-        gui.click("#add-light");
+        for (Light light : Adding.LIGHTS) {
+            gui.click("#add-" + light.kind());
+        }
         assertThat(model.scene().objects()).extracting(object -> object.shape().kind()).containsExactlyElementsOf(kinds.stream().map(Shape::kind).toList());
-        assertThat(model.scene().lights()).hasSize(1);
-        assertThat(model.selection()).containsExactly(Item.light(0));
-        for (int i = 0; i <= kinds.size(); i++) {
+        assertThat(model.scene().lights()).extracting(Light::kind).containsExactly("point-light", "spot-light", "area-light", "sphere-light", "sun-light");
+        assertThat(model.selection()).containsExactly(Item.light(4));
+        for (int i = 0; i < kinds.size() + Adding.LIGHTS.size(); i++) {
             gui.act(model::undo);
         }
         assertThat(model.scene()).isSameAs(Scene.EMPTY);
@@ -75,6 +79,6 @@ class AddPaletteTest {
         assertThat(buttons).startsWith(items.stream().map(MenuItem::getId).toArray(String[]::new));
         gui.act(() -> items.forEach(MenuItem::fire));
         assertThat(model.scene().objects()).hasSize(Examples.ofSize(1).size());
-        assertThat(model.scene().lights()).hasSize(1);
+        assertThat(model.scene().lights()).hasSameSizeAs(Adding.LIGHTS);
     }
 }
