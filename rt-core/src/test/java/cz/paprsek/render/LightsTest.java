@@ -11,7 +11,7 @@ import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.render.explain.ShadowRay;
+import cz.paprsek.render.explain.LightTerm.ShadowRay;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
