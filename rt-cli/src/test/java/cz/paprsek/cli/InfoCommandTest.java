@@ -34,7 +34,7 @@ class InfoCommandTest {
                 "background 0 0 0",
                 "ambient 0 0 0",
                 "lights 1",
-                "key position 2 3 4, color 255 255 255, intensity 0.5",
+                "key point-light: position 2 3 4, color 255 255 255, intensity 0.5, reference-distance 0",
                 "materials 1",
                 "red color 255 0 0, diffusion 0.8, specular 0, shininess 30, reflection 0, transparency 0, refractive-index 1",
                 "objects 3, with 2 operands",
@@ -50,7 +50,7 @@ class InfoCommandTest {
         assertThat(Run.cli("info", file, "--json").out())
                 .startsWith("{\"file\":\"")
                 .contains("\"render\":{\"width\":16,\"height\":8,\"max-depth\":5,\"samples\":1,\"filter\":\"box\"}")
-                .contains("\"lights\":[{\"name\":\"key\",\"position\":[2,3,4],\"color\":[255,255,255],\"intensity\":0.5}]")
+                .contains("\"lights\":[{\"name\":\"key\",\"kind\":\"point-light\",\"position\":[2,3,4],\"color\":[255,255,255],\"intensity\":0.5,\"reference-distance\":0}]")
                 .contains("\"objects\":3,\"kinds\":{\"block\":{\"objects\":0,\"operands\":1},")
                 .endsWith("\"unbounded\":1,\"bounds\":{\"min\":[-3,0,-1],\"max\":[1,2,1]}}\n")
                 .hasLineCount(1);
