@@ -3,6 +3,8 @@ package cz.paprsek.drawing;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -26,6 +28,23 @@ public final class CameraView {
         eye = Eye.of(camera, width, height);
         // No curve that is seen as one goes farther from one of its pieces to the next: it has left the picture on one side and come back on the other.
         longest = Math.min(width, height) / 2;
+    }
+
+    /**
+     * The ray through a point of the picture, and through the middle of a lens: where it starts, and a point of it.
+     *
+     * @param distance of that point, along the view; along the ray where straight lines are curves
+     * @return two points; none where the picture shows nothing
+     */
+    public List<Vec3> ray(double x, double y, double distance) {
+        Ray ray = new Ray(new Spans());
+        if (!eye.start(ray, x, y)) {
+            return List.of();
+        }
+        Vec3 start = new Vec3(ray.ox, ray.oy, ray.oz);
+        Vec3 direction = new Vec3(ray.dx, ray.dy, ray.dz);
+        double ahead = eye.keepsLines() ? eye.depth(start.plus(direction)) : 1;
+        return List.of(start, start.plus(direction.times(distance / ahead)));
     }
 
     /** What the picture shows of a line: nothing, one straight piece, or many where straight lines are curves. */

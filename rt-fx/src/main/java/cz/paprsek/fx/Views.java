@@ -1,7 +1,10 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.view.camera.CameraPane;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.explain.ExplainMode;
@@ -11,6 +14,7 @@ import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.fx.view.shell.PaneGrid;
 import cz.paprsek.fx.view.shell.TitledView;
+import cz.paprsek.fx.view.texts.ItemNames;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.List;
 import java.util.Locale;
@@ -82,6 +86,17 @@ final class Views {
         button.setFocusTraversable(false);
         button.selectedProperty().bindBidirectional(explaining.onProperty());
         return button;
+    }
+
+    /** Asks for a click into the picture of the camera: on what shall be sharp. */
+    void focus(Editor editor) {
+        editor.say(editor.texts().of("view.focus-click"));
+        camera.awaitClick(point -> point.pick().ifPresentOrElse(
+                pick -> {
+                    model.edit(Label.of(Label.Edit.CAMERA), scene -> Cameras.focused(scene, pick.point()));
+                    editor.say(editor.texts().of("view.focus-done", ItemNames.of(model.scene(), new BodyAt(pick.body().numbers()), editor.texts())));
+                },
+                () -> editor.say(editor.texts().of("view.focus-nothing"))));
     }
 
     /** Explains pixels of the camera's picture. */

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model;
 
 import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
@@ -68,6 +69,9 @@ public record EditorState(Scene scene, Set<Item> selection, Set<Item> hidden, Se
     public static boolean exists(Scene scene, Item item) {
         if (item instanceof LightAt light) {
             return light.index() < scene.lights().size();
+        }
+        if (item instanceof CameraAt camera) {
+            return camera.index() < scene.cameras().size();
         }
         return !(item instanceof BodyAt body) || Bodies.find(scene, body).isPresent();
     }

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
@@ -82,9 +83,11 @@ public final class Moves {
             lights.forEach(at -> moved.set(at.index(), light.apply(moved.get(at.index()))));
             result = result.withLights(moved);
         }
-        if (items.contains(Item.CAMERA)) {
-            Camera camera = result.camera();
-            result = result.withCamera(camera.withPosition(point.apply(camera.position())));
+        List<CameraAt> cameras = Items.cameras(items);
+        if (!cameras.isEmpty()) {
+            List<Camera> moved = new ArrayList<>(scene.cameras());
+            cameras.forEach(at -> moved.set(at.index(), moved.get(at.index()).withPosition(point.apply(moved.get(at.index()).position()))));
+            result = result.withCameras(moved);
         }
         return result;
     }

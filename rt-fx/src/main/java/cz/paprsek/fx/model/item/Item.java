@@ -7,11 +7,15 @@ import java.util.List;
 /** Where in a scene something stands that can be selected. Places, not things: the same item may be another thing after an edit. */
 public sealed interface Item {
 
-    /** The camera. */
-    Item CAMERA = new TheCamera();
+    /** The camera whose picture it is: the first. */
+    Item CAMERA = new CameraAt(0);
 
-    /** The scene's camera. */
-    record TheCamera() implements Item {}
+    /** A camera, by its index in the scene. */
+    record CameraAt(int index) implements Item {
+        public CameraAt {
+            Require.that(index >= 0, "an index must not be below 0, but is " + index);
+        }
+    }
 
     /** A light, by its index in the scene. */
     record LightAt(int index) implements Item {
@@ -62,6 +66,10 @@ public sealed interface Item {
         public boolean holds(BodyAt other) {
             return other.path.size() > path.size() && other.path.subList(0, path.size()).equals(path);
         }
+    }
+
+    static CameraAt camera(int index) {
+        return new CameraAt(index);
     }
 
     static LightAt light(int index) {

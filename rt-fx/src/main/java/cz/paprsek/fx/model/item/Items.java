@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model.item;
 
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
 import java.util.Collection;
 import java.util.HashSet;
@@ -20,6 +21,11 @@ public final class Items {
     /** The objects and operands among items, in order. */
     public static List<BodyAt> bodies(Collection<? extends Item> items) {
         return items.stream().filter(BodyAt.class::isInstance).map(BodyAt.class::cast).toList();
+    }
+
+    /** The cameras among items, in order. */
+    public static List<CameraAt> cameras(Collection<? extends Item> items) {
+        return items.stream().filter(CameraAt.class::isInstance).map(CameraAt.class::cast).toList();
     }
 
     /** The lights among items, in order. */

@@ -11,8 +11,11 @@ import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Camera.Aim;
 import cz.paprsek.scene.Camera.Direction;
 import cz.paprsek.scene.Camera.Target;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SpotLight;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiFunction;
@@ -35,7 +38,12 @@ public final class Alternatives {
                     new Alternative(Target.class, (owner, old) -> new Target(inFront(owner)))),
             AreaLight.Form.class, List.of(
                     new Alternative(AreaLight.Size.class, (owner, old) -> new AreaLight.Size(2 * radius(old), 2 * radius(old))),
-                    new Alternative(AreaLight.Radius.class, (owner, old) -> new AreaLight.Radius(radius(old)))));
+                    new Alternative(AreaLight.Radius.class, (owner, old) -> new AreaLight.Radius(radius(old)))),
+            Lens.class, List.of(
+                    new Alternative(Lens.Perspective.class, (owner, old) -> Lens.Perspective.DEFAULT.withFovy(fovy((Camera) owner))),
+                    new Alternative(Lens.Orthographic.class, (owner, old) -> new Lens.Orthographic(height((Camera) owner))),
+                    new Alternative(Lens.Spherical.class, (owner, old) -> new Lens.Spherical()),
+                    new Alternative(Lens.Fisheye.class, (owner, old) -> Lens.Fisheye.DEFAULT)));
 
     private Alternatives() {}
 
@@ -79,5 +87,20 @@ public final class Alternatives {
 
     private static double radius(Object form) {
         return form instanceof AreaLight.Size size ? Math.min(size.width(), size.height()) / 2 : ((AreaLight.Radius) form).radius();
+    }
+
+    /** What shows as much of what is looked at, in whole degrees. */
+    private static double fovy(Camera camera) {
+        return camera.lens() instanceof Lens.Orthographic lens
+                ? Math.max(1, Math.rint(Math.toDegrees(2 * Math.atan(lens.height() / 2 / distance(camera))))) : Lens.Perspective.DEFAULT.fovy();
+    }
+
+    private static double height(Camera camera) {
+        double height = new Lens.Perspective(camera.lens() instanceof Lens.Perspective lens ? lens.fovy() : 45, 0, 0).heightAt(distance(camera));
+        return new BigDecimal(height).round(new MathContext(3)).doubleValue();
+    }
+
+    private static double distance(Camera camera) {
+        return camera.aim() instanceof Target target ? target.point().minus(camera.position()).length() : AIM_DISTANCE;
     }
 }

@@ -1,11 +1,13 @@
 package cz.paprsek.fx.model.property;
 
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.model.property.Targets.BodiesAt;
+import cz.paprsek.fx.model.property.Targets.CamerasAt;
 import cz.paprsek.fx.model.property.Targets.LightsAt;
 import cz.paprsek.fx.model.property.Targets.MaterialsOf;
 import cz.paprsek.fx.model.property.Targets.NamedMaterials;
@@ -37,8 +39,9 @@ public final class Sections {
         if (!lights.isEmpty()) {
             add("section.light", new LightsAt(lights), state.scene(), sections);
         }
-        if (state.selection().contains(Item.CAMERA)) {
-            add("section.camera", Whole.CAMERA, state.scene(), sections);
+        List<CameraAt> cameras = Items.cameras(state.selection());
+        if (!cameras.isEmpty()) {
+            add("section.camera", new CamerasAt(cameras), state.scene(), sections);
         }
         if (sections.isEmpty()) {
             add("section.scene", Whole.SCENE, state.scene(), sections);

@@ -3,6 +3,7 @@ package cz.paprsek.fx.model.property;
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.item.Bodies;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.material.Material;
 import cz.paprsek.scene.Body;
@@ -52,11 +53,25 @@ final class Targets {
         }
     }
 
+    /** Cameras. */
+    record CamerasAt(List<CameraAt> places) implements Target {
+        @Override
+        public List<Camera> read(Scene scene) {
+            return places.stream().filter(at -> at.index() < scene.cameras().size()).map(at -> scene.cameras().get(at.index())).toList();
+        }
+
+        @Override
+        public Scene change(Scene scene, UnaryOperator<Record> change) {
+            List<Camera> cameras = new ArrayList<>(scene.cameras());
+            places.forEach(at -> cameras.set(at.index(), (Camera) change.apply(cameras.get(at.index()))));
+            return scene.withCameras(cameras);
+        }
+    }
+
     /** What of a scene there is one of. */
     record Whole(Function<Scene, Record> get, BiFunction<Scene, Record, Scene> with) implements Target {
         static final Whole SCENE = new Whole(scene -> scene, (scene, fresh) -> (Scene) fresh);
         static final Whole SETTINGS = new Whole(Scene::settings, (scene, fresh) -> scene.withSettings((RenderSettings) fresh));
-        static final Whole CAMERA = new Whole(Scene::camera, (scene, fresh) -> scene.withCamera((Camera) fresh));
 
         @Override
         public List<Record> read(Scene scene) {

@@ -5,6 +5,7 @@ import static cz.paprsek.attribute.Kind.CONFIDENCE;
 import static cz.paprsek.attribute.Kind.DEPTH;
 import static cz.paprsek.attribute.Kind.DISC_ANGLE;
 import static cz.paprsek.attribute.Kind.EXPONENT;
+import static cz.paprsek.attribute.Kind.FISHEYE;
 import static cz.paprsek.attribute.Kind.FOVY;
 import static cz.paprsek.attribute.Kind.INTENSITY;
 import static cz.paprsek.attribute.Kind.LIGHT_SAMPLES;
@@ -45,6 +46,7 @@ final class Traits {
             entry(CONE_ANGLE, Trait.of(Kind.NUMBER).in(Unit.DEGREES).range(0, CONE_ANGLE.most()).stepping(1)),
             entry(DISC_ANGLE, Trait.of(Kind.NUMBER).in(Unit.DEGREES).range(0, DISC_ANGLE.most()).stepping(0.5)),
             entry(LIGHT_SAMPLES, whole(LIGHT_SAMPLES)),
+            entry(FISHEYE, Trait.of(Kind.NUMBER).in(Unit.DEGREES).range(1, 360).stepping(5)),
             entry(INTENSITY, Trait.of(Kind.NUMBER).range(0, INTENSITY.most()).stepping(0.1)),
             entry(PIXELS, whole(PIXELS).in(Unit.PIXELS).stepping(10)),
             entry(DEPTH, whole(DEPTH)),

@@ -23,8 +23,11 @@ import javafx.beans.value.ChangeListener;
 import javafx.beans.value.WeakChangeListener;
 import javafx.geometry.Point2D;
 import javafx.geometry.Pos;
+import javafx.scene.Cursor;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
@@ -43,6 +46,8 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     private final ChangeListener<EditorState> onState;
     private Visible visible;
     private Predicate<PicturePoint> clickedFirst = point -> false;
+    /** Who waits for a click, if somebody does. */
+    private Optional<Consumer<PicturePoint>> waiting = Optional.empty();
     private Optional<ContextMenu> menu = Optional.empty();
 
     /** @param onFault is told, on JavaFX's thread, if the renderer fails */
@@ -61,6 +66,11 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         getStylesheets().add(PictureStyle.sheet());
         getChildren().addAll(picture, size);
         picture.setOnMouseReleased(this::released);
+        addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE && isAwaited(Optional.empty())) {
+                event.consume();
+            }
+        });
         picture.setOnMouseMoved(event -> pointed.set(picture.at(event.getX(), event.getY())));
         picture.setOnMouseExited(event -> pointed.set(Optional.empty()));
         Runnable caption = () -> size.setText(model.scene().settings().width() + " × " + model.scene().settings().height()
@@ -85,6 +95,21 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     /** Lets somebody else have a click first: if it returns true, nothing is selected. */
     public void setClickedFirst(Predicate<PicturePoint> listener) {
         clickedFirst = listener;
+    }
+
+    /** Waits for a click into the picture, which goes to a listener and selects nothing; Escape, or a click beside, ends that. */
+    public void awaitClick(Consumer<PicturePoint> listener) {
+        waiting = Optional.of(listener);
+        picture.setCursor(Cursor.CROSSHAIR);
+        picture.requestFocus();
+    }
+
+    private boolean isAwaited(Optional<PicturePoint> point) {
+        Optional<Consumer<PicturePoint>> listener = waiting;
+        waiting = Optional.empty();
+        picture.setCursor(Cursor.DEFAULT);
+        listener.ifPresent(known -> point.ifPresent(known));
+        return listener.isPresent();
     }
 
     /** Lets materials be dropped on the objects of the picture. */
@@ -163,7 +188,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         if (event.getButton() != MouseButton.PRIMARY) {
             return;
         }
-        if (point.isEmpty() || clickedFirst.test(point.get())) {
+        if (isAwaited(point) || point.isEmpty() || clickedFirst.test(point.get())) {
             return;
         }
         Optional<BodyAt> innermost = point.get().body().map(visible::original);

@@ -9,6 +9,7 @@ import cz.paprsek.fx.model.edit.Clipboard;
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.edit.Structure;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
@@ -95,7 +96,7 @@ public final class Edits {
 
     private void remove(Edit edit) {
         Set<Item> items = new LinkedHashSet<>(model.selection());
-        items.removeIf(item -> item.equals(Item.CAMERA) || model.state().isLocked(item));
+        items.removeIf(item -> item instanceof CameraAt || model.state().isLocked(item));
         if (!items.isEmpty()) {
             edit(edit, items, state -> Structure.delete(state, items));
         }

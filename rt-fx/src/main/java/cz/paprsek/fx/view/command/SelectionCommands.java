@@ -50,7 +50,7 @@ public final class SelectionCommands {
         paste = command("edit-menu.paste", items -> true, edits::paste).keys("Shortcut+V").icon(MaterialDesignC.CONTENT_PASTE);
         duplicate = command("edit-menu.duplicate", any, edits::duplicate).keys("Shortcut+D").icon(MaterialDesignC.CONTENT_DUPLICATE);
         delete = command("edit-menu.delete", any, edits::delete).keys("Delete").icon(MaterialDesignD.DELETE_OUTLINE);
-        rename = command("object.rename", items -> items.size() == 1 && !items.contains(Item.CAMERA), () -> onRename.run()).keys("F2")
+        rename = command("object.rename", items -> items.size() == 1 && Items.cameras(items).isEmpty(), () -> onRename.run()).keys("F2")
                 .icon(MaterialDesignF.FORM_TEXTBOX);
         union = command("object.union", several, () -> edits.combine(Operation.UNION)).keys("Shortcut+Shift+U").icon(MaterialDesignV.VECTOR_UNION);
         difference = command("object.difference", several, () -> edits.combine(Operation.DIFFERENCE)).keys("Shortcut+Shift+D")

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
@@ -72,7 +73,8 @@ final class Figures {
         if (item instanceof BodyAt body) {
             return of(body).box();
         }
-        return Box.EMPTY.with(axes.u(scene.camera().position()), axes.v(scene.camera().position()));
+        Vec3 eye = scene.cameras().get(item instanceof CameraAt camera ? camera.index() : 0).position();
+        return Box.EMPTY.with(axes.u(eye), axes.v(eye));
     }
 
     Box box(Collection<? extends Item> items) {

@@ -245,12 +245,10 @@ final class Painter {
         g.setStroke(isSelected ? palette.selected() : palette.camera());
         g.setLineWidth(1);
         g.setGlobalAlpha(isSelected ? 1 : 0.55);
-        List<Vec3> corners = sketch.corners();
-        for (int i = 0; i < corners.size(); i++) {
-            Vec3 next = corners.get((i + 1) % corners.size());
-            g.strokeLine(x, y, x(corners.get(i)), y(corners.get(i)));
-            g.strokeLine(x(corners.get(i)), y(corners.get(i)), x(next), y(next));
-        }
+        sketch.lines().forEach(this::polyline);
+        g.setLineDashes(5, 3);
+        sketch.lens().forEach(this::polyline);
+        g.setLineDashes();
         g.setGlobalAlpha(1);
         g.setLineWidth(1.5);
         g.setFill(palette.background());

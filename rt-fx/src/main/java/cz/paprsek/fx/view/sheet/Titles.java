@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
@@ -37,7 +38,7 @@ final class Titles {
             Light light = state.scene().lights().get(at.index());
             return named(capital(texts.kind(light)), light.name());
         }
-        return texts.of("section.camera");
+        return named(texts.of("section.camera"), item instanceof CameraAt camera ? state.scene().cameras().get(camera.index()).name() : "");
     }
 
     /** A section's heading. */

@@ -1,11 +1,14 @@
 package cz.paprsek.fx.view.texts;
 
 import cz.paprsek.fx.model.item.Bodies;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
 import java.util.Collection;
+import java.util.List;
 
 /** What items are called: by their names, or else by what they are. */
 public final class ItemNames {
@@ -22,7 +25,9 @@ public final class ItemNames {
         if (item instanceof BodyAt body) {
             return Bodies.find(scene, body).map(b -> b.name().isEmpty() ? texts.kind(b.shape()) : b.name()).orElse("");
         }
-        return texts.of("item.camera");
+        List<Camera> cameras = scene.cameras();
+        String name = item instanceof CameraAt camera && camera.index() < cameras.size() ? cameras.get(camera.index()).name() : "";
+        return name.isEmpty() ? texts.of("item.camera") : name;
     }
 
     /** The name of the only one, or how many there are; empty for none. */

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 
-/** Lays a scene out as lines: the camera, the lights, the objects, and within expanded operations their operands. */
+/** Lays a scene out as lines: the cameras, that of the picture first, the lights, the objects, and within expanded operations their operands. */
 final class TreeRows {
     private final Texts texts;
     private final Set<BodyAt> expanded;
@@ -27,7 +27,11 @@ final class TreeRows {
 
     List<TreeRow> of(Scene scene) {
         List<TreeRow> rows = new ArrayList<>();
-        add(rows, new TreeRow(Item.CAMERA, 0, texts.of("kind.camera"), true, Icons.CAMERA, false, false), texts.of("kind.camera"));
+        for (int i = 0; i < scene.cameras().size(); i++) {
+            String name = scene.cameras().get(i).name();
+            String kind = texts.of("kind.camera");
+            add(rows, new TreeRow(Item.camera(i), 0, name.isEmpty() ? kind : name, i == 0, Icons.CAMERA, false, false), kind);
+        }
         for (int i = 0; i < scene.lights().size(); i++) {
             String name = scene.lights().get(i).name();
             String kind = texts.kind(scene.lights().get(i));

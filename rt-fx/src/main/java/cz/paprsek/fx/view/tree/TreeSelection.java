@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -53,7 +54,7 @@ final class TreeSelection {
 
     void all(List<TreeRow> rows) {
         Set<Item> items = new LinkedHashSet<>();
-        rows.stream().filter(row -> !row.item().equals(Item.CAMERA)).forEach(row -> items.add(row.item()));
+        rows.stream().filter(row -> !(row.item() instanceof CameraAt)).forEach(row -> items.add(row.item()));
         model.select(items);
     }
 

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.tree;
 
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.command.Edits;
 import java.util.Optional;
@@ -31,9 +32,9 @@ final class TreeState {
         drop.set(place);
     }
 
-    /** Begins to rename an item; the camera has no name. */
+    /** Begins to rename an item; cameras are named in the sheet. */
     void rename(Item item) {
-        if (!item.equals(Item.CAMERA)) {
+        if (!(item instanceof CameraAt)) {
             renamed.set(Optional.of(item));
         }
     }

@@ -56,7 +56,7 @@ class SectionsTest {
         assertThat(names(Set.of(Item.body(0)))).containsExactly("name", "radius", "position", "rotation", "scale", "material", "pattern", "color",
                 "diffusion", "specular", "shininess", "reflection", "transparency", "refractiveIndex");
         assertThat(names(Set.of(Item.light(0)))).containsExactly("name", "position", "color", "intensity", "referenceDistance");
-        assertThat(names(Set.of(Item.CAMERA))).containsExactly("position", "aim", "vector", "up", "fovy");
+        assertThat(names(Set.of(Item.CAMERA))).containsExactly("name", "position", "aim", "vector", "up", "lens", "fovy", "aperture", "focus");
     }
 
     @Test

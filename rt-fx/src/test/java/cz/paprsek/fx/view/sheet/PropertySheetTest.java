@@ -277,7 +277,7 @@ class PropertySheetTest {
         select(Item.CAMERA);
         choose("#aim", Camera.Target.class);
         assertThat(model.scene().camera().aim()).isEqualTo(new Camera.Target(new Vec3(0, 1, 0)));
-        type("#fovy", "190");
+        type("#lens-fovy", "190");
         assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("camera fovy must be above 0 and below 180 degrees, but is 190.0");
     }
 
