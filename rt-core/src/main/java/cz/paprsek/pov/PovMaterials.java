@@ -15,12 +15,16 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.text.MadeInCode;
 import java.util.List;
+import java.util.Set;
 
 /**
  * Materials in POV-Ray's words. POV-Ray weakens diffuse and ambient light by what shines through; ours is a plain sum, so both are
  * written the stronger.
  */
 final class PovMaterials {
+    /** The attributes that words are found for here. */
+    static final Set<String> TOLD = Set.of("color", "diffusion", "specular", "shininess", "reflection", "transparency", "refractive-index");
+
     /** 1 − 2⁻²⁰: the most that is written as shining through, so that diffuse light is not multiplied by 0. No step of 16 bits. */
     private static final double MOST = 1 - 0x1p-20;
     /** As high as a checkerboard's cells are made, in scene units, the board in their middle. */

@@ -30,7 +30,7 @@ class ProportionTest {
                 row("position y must be a number", () -> Placement.at(0, 1e300, 0)),
                 row("scale along z must be a number", () -> Placement.NONE.withScale(new Vec3(1, 1, 1e-300))),
                 row("camera position x must be a number", () -> Camera.looking(new Vec3(1e300, 0, 0), Vec3.X)),
-                row("camera target x must be a number", () -> Camera.lookingAt(Vec3.ZERO, new Vec3(1e300, 0, 0))),
+                row("target x must be a number", () -> Camera.lookingAt(Vec3.ZERO, new Vec3(1e300, 0, 0))),
                 row("light position z must be a number", () -> Light.at(0, 0, 1e300)),
                 row("light intensity must be a number from 0 to 1.0E12, but is 1.0E13", () -> Light.at(0, 0, 0).withIntensity(1e13)),
                 row("larger than 1.0E45 times its size", () -> nested(1e30, 1e30)),
