@@ -2,8 +2,8 @@ package cz.paprsek.drawing;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.LightTerm.ShadowRay;
-import cz.paprsek.render.explain.TracedRay.SeenLight;
 import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.explain.TracedRay.SeenLight;
 import cz.paprsek.render.explain.text.Outline;
 import cz.paprsek.words.Words;
 import java.util.ArrayList;

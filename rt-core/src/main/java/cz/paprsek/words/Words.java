@@ -8,8 +8,13 @@ import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.CustomShape;
 import cz.paprsek.shape.Shape;
 import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.ResourceBundle;
+import java.util.function.UnaryOperator;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The words for kinds, faces and attributes, and those of explanations, in one language: English or Czech. Formulas and numbers are the same in both. */
 public final class Words {
@@ -17,8 +22,10 @@ public final class Words {
     private static final Words CZECH = new Words(Locale.forLanguageTag("cs"));
 
     private final ResourceBundle texts;
+    private final UnaryOperator<String> sentences;
 
     private Words(Locale locale) {
+        sentences = locale.equals(Locale.ENGLISH) ? UnaryOperator.identity() : new Sentences("sentences_" + locale.getLanguage() + ".txt", this::word)::of;
         texts = ResourceBundle.getBundle("cz.paprsek.words.words", locale,
                 ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
     }
@@ -45,6 +52,18 @@ public final class Words {
             text = text.replace("{" + i + "}", String.valueOf(arguments[i]));
         }
         return text;
+    }
+
+    /** A sentence that the library has made in English to tell what is wrong; as it is if there are no other words for it. */
+    public String sentence(String english) {
+        return sentences.apply(Objects.requireNonNull(english, "english"));
+    }
+
+    /** What an element or an attribute is called, by its name in files: {@code major-radius}. */
+    private Optional<String> word(String name) {
+        String label = "field." + Pattern.compile("-(.)").matcher(name).replaceAll(letter -> letter.group(1).toUpperCase(Locale.ROOT));
+        return Stream.of("kind." + name, "element." + name, label).filter(this::has).map(this::of).findFirst()
+                .map(text -> text.substring(0, 1).toLowerCase(Locale.ROOT) + text.substring(1));
     }
 
     /** What a body is called, from the outermost operation inwards, such as {@code difference "bowl" › sphere "hollow"}. */

@@ -41,11 +41,11 @@ final class MainWindow {
         EditorModel model = editor.model();
         Texts texts = editor.texts();
         Edits edits = new Edits(model, texts);
-        edits.refusalProperty().addListener((property, old, now) -> status.showMessage(now));
+        edits.refusalProperty().addListener((property, old, now) -> status.showMessage(texts.sentence(now)));
         SelectionCommands commands = new SelectionCommands(edits);
         views = new Views(editor, commands);
         messages = new MessageBar(texts.of("window.close-message"));
-        problems = new ProblemList(texts.of("window.close-message"));
+        problems = new ProblemList(texts.of("window.close-message"), texts::sentence);
         ObjectTree tree = new ObjectTree(model, texts, commands);
         PropertySheet sheet = new PropertySheet(model, texts, editor.proportional());
         AddPalette palette = new AddPalette(model, texts, views::sight, edits);

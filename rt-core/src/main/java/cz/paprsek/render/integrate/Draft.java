@@ -1,10 +1,10 @@
 package cz.paprsek.render.integrate;
 
 import cz.paprsek.material.Material;
-import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.Encounter;
-import cz.paprsek.render.explain.LightTerm.ShadowRay;
+import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.LightTerm.ShadowRay;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.TracedRay;
 import java.util.ArrayList;

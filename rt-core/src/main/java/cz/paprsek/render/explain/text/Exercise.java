@@ -2,9 +2,9 @@ package cz.paprsek.render.explain.text;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.TracedRay.SeenLight;
 import cz.paprsek.render.explain.TracedRay.Sight;
-import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.text.Step.Topic;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.words.Words;

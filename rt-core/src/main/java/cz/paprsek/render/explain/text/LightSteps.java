@@ -2,9 +2,9 @@ package cz.paprsek.render.explain.text;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Encounter;
-import cz.paprsek.render.explain.LightTerm.ShadowRay.Obstacle;
-import cz.paprsek.render.explain.LightTerm.ShadowRay;
 import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.LightTerm.ShadowRay;
+import cz.paprsek.render.explain.LightTerm.ShadowRay.Obstacle;
 import cz.paprsek.render.explain.text.Step.Topic;
 import cz.paprsek.words.Words;
 import java.util.List;

@@ -1,7 +1,7 @@
 package cz.paprsek.render.explain.text;
 
-import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.text.Step.Topic;
 import cz.paprsek.words.Words;

@@ -1,8 +1,8 @@
 package cz.paprsek.render.explain.text;
 
 import cz.paprsek.render.explain.Encounter;
-import cz.paprsek.render.explain.TracedRay.Sight;
 import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.render.explain.TracedRay.Sight;
 import cz.paprsek.words.Words;
 import java.util.ArrayList;
 import java.util.List;

@@ -3,20 +3,20 @@ package cz.paprsek.render.explain.text;
 import cz.paprsek.attribute.Described;
 import cz.paprsek.io.Json;
 import cz.paprsek.material.Material;
-import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.Encounter;
-import cz.paprsek.render.explain.LightTerm.ShadowRay.Obstacle;
-import cz.paprsek.render.explain.LightTerm.ShadowRay;
+import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.LightTerm;
+import cz.paprsek.render.explain.LightTerm.ShadowRay;
+import cz.paprsek.render.explain.LightTerm.ShadowRay.Obstacle;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.TracedRay.SeenLight;
 import cz.paprsek.render.explain.TracedRay.Sight;
-import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.Locale;
 
 /** A pixel's tree as a JSON object, every number in full; colours are linear. */

@@ -185,7 +185,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
         Label message = new Label();
         message.setId("library-message");
         message.setMaxWidth(Double.MAX_VALUE);
-        message.textProperty().bind(messages.textProperty());
+        message.textProperty().bind(messages.textProperty().map(texts::sentence));
         HBox.setHgrow(message, Priority.ALWAYS);
         count.setId("library-count");
         count.setMinWidth(USE_PREF_SIZE);

@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.picture;
 
 import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.render.RenderScene.Pick;
 import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.RenderScene.Pick;
 import cz.paprsek.scene.RenderSettings;
 import java.util.Optional;
 

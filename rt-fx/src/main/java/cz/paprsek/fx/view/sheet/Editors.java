@@ -35,7 +35,7 @@ final class Editors {
     Entry entry(Property property) {
         String text = texts.of("field." + property.name());
         SheetRow row = new SheetRow(text);
-        PropertyEdit edit = new PropertyEdit(model, text, row::show);
+        PropertyEdit edit = new PropertyEdit(model, text, refusal -> row.show(refusal.map(texts::sentence)));
         String mixed = texts.of("sheet.mixed");
         return switch (property.trait().kind()) {
             case NUMBER, WHOLE -> {

@@ -44,7 +44,7 @@ final class MaterialsPane extends TitledPane {
         getStyleClass().add("sheet-section");
         SheetRow row = new SheetRow(texts.of("material.named"));
         nameRow = new SheetRow(texts.of("field.name"));
-        edit = new PropertyEdit(model, texts.of("field.material"), nameRow::show);
+        edit = new PropertyEdit(model, texts.of("field.material"), refusal -> nameRow.show(refusal.map(texts::sentence)));
         choice = new ChoiceEditor<>("materials", texts.of("material.empty"), option -> option,
                 scene -> List.copyOf(scene.materials().keySet()), scene -> chosen, this::choose);
         name = new TextEditor("materials-name", edit, scene -> chosen.orElse(""), this::renamed);

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.shell;
 
 import cz.paprsek.xml.Problem;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
@@ -15,10 +16,13 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 
 /** What is wrong with a file that could not be opened, by line and column. */
 public final class ProblemList extends BorderPane {
+    private final UnaryOperator<String> language;
     private final Label title = new Label();
     private final ListView<String> list = new ListView<>();
 
-    public ProblemList(String closeHint) {
+    /** @param language says the messages in the language of the window */
+    public ProblemList(String closeHint, UnaryOperator<String> language) {
+        this.language = language;
         setId("problems");
         getStyleClass().add("problems");
         list.setId("problem-list");
@@ -40,7 +44,7 @@ public final class ProblemList extends BorderPane {
 
     public void show(String header, List<Problem> problems) {
         title.setText(header);
-        list.getItems().setAll(problems.stream().map(p -> p.line() + ":" + p.column() + "   " + p.message()).toList());
+        list.getItems().setAll(problems.stream().map(p -> p.line() + ":" + p.column() + "   " + language.apply(p.message())).toList());
         setVisible(true);
         setManaged(true);
     }

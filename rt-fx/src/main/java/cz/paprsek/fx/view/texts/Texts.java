@@ -70,6 +70,11 @@ public final class Texts {
         return words;
     }
 
+    /** What the model or the library says in English of something that is wrong. */
+    public String sentence(String english) {
+        return words.sentence(english);
+    }
+
     /** What a kind of shape is called: "sphere". */
     public String kind(Shape shape) {
         return shape instanceof CustomShape ? shape.kind() : of("kind." + (shape instanceof Csg csg ? csg.operation().name() : shape.getClass().getSimpleName()).toLowerCase(Locale.ROOT));

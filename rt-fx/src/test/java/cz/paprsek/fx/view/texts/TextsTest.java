@@ -1,11 +1,13 @@
 package cz.paprsek.fx.view.texts;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowable;
 
 import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Torus;
 import cz.paprsek.words.Words;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -79,6 +81,13 @@ class TextsTest {
             assertThat(texts.edit(Label.of(edit, "ball"))).contains("ball");
             assertThat(texts.edit(Label.of(edit))).doesNotContain("{").doesNotEndWith(" ");
         }
+    }
+
+    @Test
+    void whatARecordRefusesIsSaidInTheLanguageOfTheWindow() {
+        String refused = String.valueOf(catchThrowable(() -> new Torus(1, 2)).getMessage());
+        assertThat(Texts.in(Locale.ENGLISH).sentence(refused)).isEqualTo(refused);
+        assertThat(Texts.in(Locale.forLanguageTag("cs")).sentence(refused)).startsWith("anuloid, poloměr trubice: má být nejvýše").doesNotContain("must");
     }
 
     @Test

@@ -1,0 +1,93 @@
+package cz.paprsek.words;
+
+import cz.paprsek.math.Require;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/**
+ * Sentences that tell what is wrong, in another language. They are made in English, where the mistake is found; a table has their patterns,
+ * a line in English with {0}, {1} … for what differs, and a line in the other language. What stands for these is looked up in turn, but for {=0}.
+ */
+final class Sentences {
+    private static final Pattern HOLE = Pattern.compile("\\{(=?)(\\d)}");
+    /** So deep do sentences hold others. */
+    private static final int DEEPEST = 4;
+
+    /** What a thing and its attribute are called: {@code torus major-radius}. */
+    private static final Pattern THING = Pattern.compile("[a-z][a-z-]*( [a-z][a-z-]*){0,2}");
+
+    private final List<Form> forms = new ArrayList<>();
+    private final Function<String, Optional<String>> word;
+
+    private record Form(Pattern english, String other, int letters) {}
+
+    /**
+     * @param table its name beside this class
+     * @param word what an element or attribute is called in the other language, by its name in files
+     */
+    Sentences(String table, Function<String, Optional<String>> word) {
+        this.word = word;
+        try (BufferedReader lines = new BufferedReader(new InputStreamReader(
+                Objects.requireNonNull(Sentences.class.getResourceAsStream(table), table), StandardCharsets.UTF_8))) {
+            for (String english = lines.readLine(); english != null; english = lines.readLine()) {
+                if (!english.isBlank() && !english.startsWith("#")) {
+                    String other = lines.readLine();
+                    Require.that(other != null && !other.isBlank(), table + " has no other words for \"" + english + "\"");
+                    forms.add(form(english, Objects.requireNonNull(other)));
+                }
+            }
+        } catch (IOException e) {
+            throw new IllegalStateException(table + " cannot be read", e);
+        }
+        // What says more is tried first.
+        forms.sort(Comparator.comparingInt(Form::letters).reversed());
+    }
+
+    private static Form form(String english, String other) {
+        StringBuilder pattern = new StringBuilder();
+        Matcher hole = HOLE.matcher(english);
+        int from = 0;
+        int letters = english.length();
+        while (hole.find()) {
+            pattern.append(Pattern.quote(english.substring(from, hole.start()))).append("(?<n").append(hole.group(2)).append(">.+?)");
+            from = hole.end();
+            letters -= 3;
+        }
+        return new Form(Pattern.compile(pattern + Pattern.quote(english.substring(from)), Pattern.DOTALL), other, letters);
+    }
+
+    /** The sentence in the other language; as it is if no pattern is like it. */
+    String of(String english) {
+        return of(english, 0);
+    }
+
+    private String of(String english, int depth) {
+        for (Form form : forms) {
+            Matcher matcher = form.english.matcher(english);
+            if (depth < DEEPEST && matcher.matches()) {
+                return HOLE.matcher(form.other).replaceAll(hole -> {
+                    String found = matcher.group("n" + hole.group(2));
+                    return Matcher.quoteReplacement(hole.group(1).isEmpty() ? of(found, depth + 1) : found);
+                });
+            }
+        }
+        return depth > 0 && THING.matcher(english).matches() ? thing(english) : english;
+    }
+
+    private String thing(String english) {
+        List<Optional<String>> words = Arrays.stream(english.split(" ")).map(word).toList();
+        return words.stream().allMatch(Optional::isPresent) ? words.stream().flatMap(Optional::stream).collect(Collectors.joining(", ")) : english;
+    }
+}

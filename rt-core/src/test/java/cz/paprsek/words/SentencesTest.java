@@ -1,0 +1,84 @@
+package cz.paprsek.words;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.ElementTable;
+import cz.paprsek.attribute.Kind;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.scene.Light;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.xml.Problem;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What is wrong, told in Czech; the sentences come from files and records that are wrong. */
+class SentencesTest {
+    private static final Words CZECH = Words.in(Locale.forLanguageTag("cs"));
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            torus major-radius must be a finite number above 0, but is -1.0            | anuloid, poloměr prstence: má být konečné číslo větší než 0, ale je -1.0
+            reflection must be a number from 0 to 1, but is 2.0                        | zrcadlení: má být číslo od 0 do 1, ale je 2.0
+            there is no material named "gols"; did you mean "gold"?                    | není tu materiál se jménem "gols"; nemyslíte "gold"?
+            there is already an object named "a {1} b" here; give one of them another name | předmět se jménem "a {1} b" tu už je; dejte jednomu z nich jiné jméno
+            <sphere> has no attribute "shade"                                          | <sphere> nemá atribut "shade"
+            a sentence that nobody has translated                                      | a sentence that nobody has translated
+            """)
+    void aSentenceIsSaidInCzech(String english, String czech) {
+        assertThat(CZECH.sentence(english)).isEqualTo(czech);
+        assertThat(Words.ENGLISH.sentence(english)).isEqualTo(english);
+    }
+
+    static Stream<String> files() {
+        List<String> files = new ArrayList<>();
+        Stream.of(ElementTable.of(Shape.class).filter(type -> type != Csg.class), ElementTable.of(Light.class)).flatMap(some -> some).forEach(type ->
+                Described.of(type).stream().filter(Described::isNumber).forEach(one -> files.add("<" + ElementTable.name(type) + " " + one.name() + "='-1'/>")));
+        Described.of(Material.class).stream().filter(Described::isNumber).forEach(one -> files.add("<material name='m' " + one.name() + "='-1'/>"));
+        ElementTable.of(Pattern.class).forEach(type -> Described.of(type).stream().filter(Described::isNumber).forEach(one ->
+                files.add("<material name='m'><" + ElementTable.name(type) + " " + one.name() + "='-1'/></material>")));
+        files.addAll(List.of("<sphere radius='1' scale='0'/>", "<sphere radius='1' position='1 2'/>", "<torus major-radius='1' minor-radius='2'/>",
+                "<block min='1 1 1' max='0 0 0'/>", "<rectangle min='1 1' max='0 0'/>", "<cone radius='0' height='1'/>", "<sphere radius='1' material='m'/>",
+                "<sphere radius='1' name='a'/><sphere radius='1' name='a'/>", "<sphere radius='1'><material color='reed'/></sphere>", "<spere radius='1'/>",
+                "<union/>", "<sphere radius='1'><material><checkerboard columns='2' rows='2'/></material></sphere>", "<sphere radius='1'>text</sphere>",
+                "<point-light position='0 0 0' name='l'/><point-light position='0 0 0' name='l'/>", "<disc radius='1'><sphere radius='1'/></disc>"));
+        return files.stream();
+    }
+
+    /** Every number that is out of its range, every rule between the parts of a scene. */
+    @ParameterizedTest
+    @MethodSource("files")
+    void whatIsWrongWithAFileIsSaidInCzech(String element) {
+        SceneFileException wrong = catchThrowableOfType(SceneFileException.class, () -> SceneFiles.parse("<scene xmlns='" + SceneFiles.NAMESPACE
+                + "'><camera position='0 0 5' direction='0 0 -1'/>" + element + "</scene>"));
+        for (Problem problem : wrong.problems()) {
+            assertThat(CZECH.sentence(problem.message())).as(problem.message()).isNotEqualTo(problem.message())
+                    .doesNotContainPattern("\\b(must|but|has|is|there|here|this|number|needs|not|the|of)\\b(?![^<]*>)");
+        }
+    }
+
+    /** What the library finds wrong is said by its records in the same words. */
+    @Test
+    void aRecordIsUnderstoodAsWell() {
+        IllegalArgumentException refused = catchThrowableOfType(IllegalArgumentException.class, () -> Light.at(0, 0, 0).withIntensity(-1));
+        assertThat(CZECH.sentence(String.valueOf(refused.getMessage()))).isEqualTo("světlo, intenzita: má být konečné číslo, nejméně 0, ale je -1.0");
+    }
+
+    @Test
+    void noKindOfNumberIsLeftInEnglish() {
+        for (Kind kind : Kind.values()) {
+            assertThat(kind == Kind.WORD || !CZECH.sentence(kind.words()).equals(kind.words())).as(kind.words()).isTrue();
+        }
+    }
+}
