@@ -113,6 +113,23 @@ final class PovRay {
         }
     }
 
+    /**
+     * Renders a scene in the words of POV-Ray, with one ray a pixel, and reads the picture.
+     *
+     * @throws IOException as above
+     * @throws InterruptedException as above
+     */
+    Image render(String words, int width, int height) throws IOException, InterruptedException {
+        Path folder = Files.createTempDirectory("paprsek-pov");
+        try {
+            Files.writeString(folder.resolve("scene.pov"), words);
+            run(folder, command("scene.pov", "scene.png", width, height, 1));
+            return ImageFiles.read(folder.resolve("scene.png"));
+        } finally {
+            delete(folder);
+        }
+    }
+
     private static Optional<String> version(Path program) {
         try {
             Matcher found = VERSION.matcher(run(Path.of(System.getProperty("java.io.tmpdir")), List.of(program.toString(), "--version")));
