@@ -10,6 +10,7 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.render.light.FixedPoints;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -72,6 +73,8 @@ final class PovWarnings {
         int samples = scene.settings().samples();
         if (scene.settings().isAdaptive()) {
             sentences.add("POV-Ray does not sample pixels at random; it is given one ray through the centre of each");
+        } else if (samples > 1 && scene.settings().filter() != PixelFilter.BOX) {
+            sentences.add("POV-Ray does not weigh what is around a pixel; it is given one ray through the centre of each");
         } else if (samples > 1) {
             sentences.add("POV-Ray does not sample pixels on a grid; for the same picture render it " + samples
                     + " times as wide and high, and average");

@@ -24,6 +24,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -107,5 +108,13 @@ class PovFilesTest {
         StringBuilder text = new StringBuilder();
         PovFiles.write(Scene.EMPTY.plus(SceneObject.of(shape)), text);
         assertThat(text.chars().filter(c -> c == '{').count()).isEqualTo(text.chars().filter(c -> c == '}').count());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"samples=\"2..8\", at random", "samples=\"3\" filter=\"tent\", what is around a pixel", "samples=\"3\", on a grid"})
+    void howManyRaysAPixelTakesIsTold(String attributes, String told) throws Exception {
+        String xml = "<scene xmlns=\"urn:paprsek:scene:1\"><render " + attributes + "/><camera position=\"0 0 9\" direction=\"0 0 -1\"/><point-light position=\"1 2 3\"/><sphere radius=\"1\"/></scene>";
+        List<String> warnings = PovFiles.write(SceneFiles.parse(xml), new StringBuilder());
+        assertThat(warnings).singleElement().asString().contains(told);
     }
 }
