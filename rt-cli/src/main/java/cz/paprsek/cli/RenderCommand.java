@@ -23,7 +23,7 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
-import cz.paprsek.image.Tone;
+import cz.paprsek.image.ImageOptions.Tone;
 import cz.paprsek.query.Filter;
 import cz.paprsek.query.SceneTables;
 import cz.paprsek.render.Tile;

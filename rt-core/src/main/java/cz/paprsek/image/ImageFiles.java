@@ -1,6 +1,7 @@
 package cz.paprsek.image;
 
 import cz.paprsek.image.ImageOptions.Origin;
+import cz.paprsek.image.ImageOptions.Tone;
 import cz.paprsek.image.exr.ExrReader;
 import cz.paprsek.image.png.PngReader;
 import cz.paprsek.io.AtomicFile;

@@ -4,7 +4,10 @@ import cz.paprsek.attribute.Attribute;
 import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
+import java.util.Locale;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * How a scene wishes to be rendered when the caller does not say otherwise.
@@ -93,5 +96,44 @@ public record RenderSettings(
 
     public RenderSettings withFilter(PixelFilter kind) {
         return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, confidence, kind);
+    }
+
+    /** From where around its centre a pixel gathers light, and with what weight: what its rays are strewn by. */
+    public enum PixelFilter {
+        /** The pixel's own square, evenly. */
+        BOX("evenly within the pixel"),
+        /** A pixel to each side, falling to nothing in straight lines. */
+        TENT("falling to nothing a pixel away"),
+        /** A bell curve with a standard deviation of half a pixel, cut off two pixels away. */
+        GAUSS("a bell curve"),
+        /**
+         * Two pixels to each side, below nothing in the outer one, which makes edges sharper.
+         *
+         * @source Mitchell and Netravali, Reconstruction Filters in Computer Graphics, SIGGRAPH 1988, with B = C = ⅓
+         */
+        MITCHELL("sharpening: below nothing in its outer parts");
+
+        private final String meaning;
+
+        PixelFilter(String meaning) {
+            this.meaning = meaning;
+        }
+
+        /** How it weighs light, in a few words. */
+        public String meaning() {
+            return meaning;
+        }
+
+        /** The name as people type it. */
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
+        /** The filter of that name, in any case. */
+        public static Optional<PixelFilter> of(String name) {
+            Objects.requireNonNull(name, "name");
+            return Stream.of(values()).filter(filter -> filter.name().equalsIgnoreCase(name)).findFirst();
+        }
     }
 }

@@ -1,6 +1,6 @@
 package cz.paprsek.cli.input;
 
-import cz.paprsek.scene.PixelFilter;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.text.Similar;
 import java.util.Arrays;
 import java.util.Iterator;

@@ -1,8 +1,8 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.cli.process.WrongUsage;
-import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 

@@ -1,6 +1,6 @@
 package cz.paprsek.cli.input;
 
-import cz.paprsek.image.Tone;
+import cz.paprsek.image.ImageOptions.Tone;
 import cz.paprsek.text.Similar;
 import java.util.Arrays;
 import java.util.Iterator;

@@ -10,7 +10,7 @@ import cz.paprsek.render.Renderer;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.TileStore;
 import cz.paprsek.render.film.Film;
-import cz.paprsek.scene.PixelFilter;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;

@@ -3,8 +3,8 @@ package cz.paprsek.render.live;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.eye.Eye;
-import cz.paprsek.scene.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
 import java.util.Objects;
 
 /**

@@ -1,6 +1,6 @@
 package cz.paprsek.render.sample;
 
-import cz.paprsek.scene.PixelFilter;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
 import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 
