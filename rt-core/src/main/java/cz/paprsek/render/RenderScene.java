@@ -9,7 +9,7 @@ import cz.paprsek.render.integrate.PartPaths;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import java.util.Objects;
@@ -126,13 +126,13 @@ public final class RenderScene {
     /**
      * What is seen at a point of the picture.
      *
-     * @param body the object, or within an operation the primitive, whose surface is seen
+     * @param place of the object, or within an operation the primitive, whose surface is seen, or of the light that is seen as a body
      * @param point where the surface is, world space
      * @param distance from the eye, scene units
      */
-    public record Pick(BodyAt body, Vec3 point, double distance) {
+    public record Pick(ScenePath place, Vec3 point, double distance) {
         public Pick {
-            Objects.requireNonNull(body, "body");
+            Objects.requireNonNull(place, "place");
             Objects.requireNonNull(point, "point");
         }
 
@@ -150,13 +150,18 @@ public final class RenderScene {
                 return Optional.empty();
             }
             scene.world().bodies().nearest(ray, scene.world().bodies().whole(), scene.world().bodies().newFinder());
+            scene.world().glows().nearest(ray);
             if (ray.part < 0) {
                 return Optional.empty();
             }
-            int object = scene.world().parts().object(ray.part);
-            BodyAt body = PartPaths.of(scene.scene(), object).get(ray.part - scene.world().parts().firstOfObject(ray.part));
             Vec3 point = new Vec3(ray.ox + ray.max * ray.dx, ray.oy + ray.max * ray.dy, ray.oz + ray.max * ray.dz);
-            return Optional.of(new Pick(body, point, ray.max));
+            return Optional.of(new Pick(place(scene, ray.part), point, ray.max));
+        }
+
+        private static ScenePath place(RenderScene scene, int part) {
+            World world = scene.world();
+            return world.glows().has(part) ? ScenePath.light(world.glows().lamp(part))
+                    : PartPaths.of(scene.scene(), world.parts().object(part)).get(part - world.parts().firstOfObject(part));
         }
     }
 }

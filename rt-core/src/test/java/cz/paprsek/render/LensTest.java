@@ -13,12 +13,14 @@ import cz.paprsek.render.explain.text.TreeText;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Whole pictures through every lens. */
@@ -83,6 +85,22 @@ class LensTest {
         String text = String.join("\n", TreeText.lines(RenderScene.of(scene).explain(0, 0), 0, Decoration.NONE));
         assertThat(text).contains("outside of the fisheye's circle: sees nothing").contains("in sRGB 0 0 0").doesNotContain("background");
         assertThat(Pick.at(RenderScene.of(scene), scene.settings(), 1, 1)).isEmpty();
+    }
+
+    /** A filter's rays start up to two pixels beyond the picture, where there may be glass that reaches no pixel of it. */
+    @ParameterizedTest
+    @EnumSource(PixelFilter.class)
+    void theEdgeIsAsItIsInAWiderPicture(PixelFilter filter) throws Exception {
+        Scene scene = SceneFiles.parse("<scene xmlns=\"urn:paprsek:scene:1\"><background color=\"white\"/>"
+                + "<camera position=\"0 0 0\" direction=\"0 0 -1\" projection=\"orthographic\" height=\"16\"/><point-light position=\"0 0 9\"/>"
+                + "<sphere position=\"-9.1 0 0\" radius=\"1\"><material diffusion=\"0\" transparency=\"0.5\" refractive-index=\"1.5\"/></sphere>"
+                + "<sphere position=\"-9.1 0 -3\" radius=\"1\"/></scene>");
+        RenderSettings settings = new RenderSettings(16, 16, 5, 4).withSamples(4, 4).withFilter(filter);
+        Image narrow = Renderer.render(scene, RenderOptions.of(settings).withFixedSampler(), RenderMonitor.NONE).image();
+        Image wide = Renderer.render(scene, RenderOptions.of(settings.withSize(22, 16)).withFixedSampler(), RenderMonitor.NONE).image();
+        for (int row = 0; row < 16; row++) {
+            assertThat(narrow.red(0, row)).as("row %d", row).isCloseTo(wide.red(3, row), within(1e-6f));
+        }
     }
 
     /** A ray that starts inside of glass knows it, wherever on lens or plane that is. */

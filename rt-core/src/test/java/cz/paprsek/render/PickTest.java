@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderScene.Pick;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.SphereLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
@@ -28,18 +30,30 @@ class PickTest {
     @Test
     void thePrimitiveThatIsSeenIsFoundInNestedOperations() {
         Pick bottomOfTheHole = at(16.5, 12.5);
-        assertThat(bottomOfTheHole.body()).isEqualTo(ScenePath.body(1, 1, 1));
+        assertThat(bottomOfTheHole.place()).isEqualTo(ScenePath.body(1, 1, 1));
         assertThat(bottomOfTheHole.distance()).isCloseTo(5, Offset.offset(1e-12));
         Pick besideTheHole = at(18.5, 12.5);
-        assertThat(besideTheHole.body()).isEqualTo(ScenePath.body(1, 1, 0));
+        assertThat(besideTheHole.place()).isEqualTo(ScenePath.body(1, 1, 0));
     }
 
     @Test
     void aPlainObjectHasNoOperands() {
         double column = 16.5 - 2 / (5 * 2 * Math.tan(Math.PI / 8)) * 25;
         Pick pick = at(column, 12.5);
-        assertThat(pick.body()).isEqualTo(ScenePath.body(0));
+        assertThat(pick.place()).isEqualTo(ScenePath.body(0));
         assertThat(pick.point().minus(new Vec3(-2, 0, 0)).length()).isCloseTo(1, Offset.offset(1e-12));
+    }
+
+    @Test
+    void aLightThatIsSeenAsABodyIsFoundAndHidesWhatIsBehindIt() {
+        Scene scene = SCENE.plus(Light.at(3, 3, 3)).plus(SphereLight.of(new Vec3(0, 0, 3), 0.5));
+        Pick pick = Pick.at(RenderScene.of(scene), scene.settings(), 16.5, 12.5).orElseThrow();
+        assertThat(pick.place()).isEqualTo(ScenePath.light(1));
+        assertThat(pick.distance()).isCloseTo(1.5, Offset.offset(1e-12));
+        Scene unseen = SCENE.plus(SphereLight.of(new Vec3(0, 0, 3), 0.5).withVisible(false));
+        assertThat(Pick.at(RenderScene.of(unseen), unseen.settings(), 16.5, 12.5).orElseThrow().place()).isEqualTo(ScenePath.body(1, 1, 1));
+        Scene behind = SCENE.plus(SphereLight.of(new Vec3(0, 0, -9), 0.5));
+        assertThat(Pick.at(RenderScene.of(behind), behind.settings(), 16.5, 12.5).orElseThrow().place()).isEqualTo(ScenePath.body(1, 1, 1));
     }
 
     @Test

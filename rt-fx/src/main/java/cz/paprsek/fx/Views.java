@@ -4,12 +4,12 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.Sight;
-import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.view.camera.CameraPane;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.explain.ExplainMode;
 import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.fx.view.shell.PaneGrid;
@@ -94,7 +94,7 @@ final class Views {
         camera.awaitClick(point -> point.pick().ifPresentOrElse(
                 pick -> {
                     model.edit(Label.of(Label.Edit.CAMERA), scene -> Cameras.focused(scene, pick.point()));
-                    editor.say(editor.texts().of("view.focus-done", ItemNames.of(model.scene(), new BodyAt(pick.body().numbers()), editor.texts())));
+                    editor.say(editor.texts().of("view.focus-done", ItemNames.of(point.scene().scene(), PicturePoint.item(pick), editor.texts())));
                 },
                 () -> editor.say(editor.texts().of("view.focus-nothing"))));
     }

@@ -50,21 +50,27 @@ final class Circle extends Curved {
     public boolean project(Vec3 world, double[] xy) {
         Vec3 v = world.minus(position);
         double radius = radius(v);
-        double share = radius / Math.max(aside(v), Double.MIN_NORMAL);
         // Straight behind is everywhere on the rim.
-        return radius <= 1 && !v.equals(Vec3.ZERO) && at(share * v.dot(right) / (2 * aspect), share * v.dot(up) / 2, xy);
+        boolean isSomewhere = aside(v) > 0 || v.dot(forward) > 0;
+        double share = share(v);
+        return radius <= 1 && isSomewhere && at(share * v.dot(right) / (2 * aspect), share * v.dot(up) / 2, xy);
     }
 
     @Override
     public double[] tell(Ray ray) {
         Vec3 d = new Vec3(ray.dx, ray.dy, ray.dz);
-        double share = radius(d) / Math.max(aside(d), Double.MIN_NORMAL);
-        return new double[] {share * d.dot(right), share * d.dot(up)};
+        double share = share(d);
+        return aside(d) == 0 ? new double[] {radius(d), 0} : new double[] {share * d.dot(right), share * d.dot(up)};
     }
 
     /** Where on the circle, from its middle, a direction of any length belongs: 1 is its rim. */
     private double radius(Vec3 v) {
         return 2 * StrictMath.toDegrees(StrictMath.atan2(aside(v), v.dot(forward))) / angle;
+    }
+
+    /** What makes the parts of a direction aside into its place on the circle. */
+    private double share(Vec3 v) {
+        return radius(v) / Math.max(aside(v), Double.MIN_NORMAL);
     }
 
     private double aside(Vec3 v) {

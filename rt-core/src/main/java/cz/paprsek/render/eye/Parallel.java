@@ -9,6 +9,9 @@ import cz.paprsek.tree.Bundle;
 
 /** An orthographic eye: the ray through (x, y) goes along the view from P + (x/W − ½)·h·W/H·r + (½ − y/H)·h·u, h the height of what is seen. */
 final class Parallel extends Eye {
+    /** By how many pixels rays may start beyond the picture: the two that filters reach, and one for a coarse picture's last, which may stick out. */
+    private static final int MARGIN = 3;
+
     private final Vec3 across;
     private final Vec3 upwards;
     private final double high;
@@ -19,7 +22,7 @@ final class Parallel extends Eye {
         high = lens.height();
         across = right.times(high * width / height);
         upwards = up.times(high);
-        plane = between(0, 0, 1 / perColumn, 1 / perRow);
+        plane = between(-MARGIN, -MARGIN, 1 / perColumn + MARGIN, 1 / perRow + MARGIN);
     }
 
     @Override

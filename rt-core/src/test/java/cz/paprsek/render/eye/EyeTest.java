@@ -170,6 +170,23 @@ class EyeTest {
         }
     }
 
+    /** All around the rim at once, that is; not in the middle, where what is before is. */
+    @Test
+    void whatIsStraightBehindAFisheyeIsNotDrawn() {
+        double[] xy = new double[2];
+        Camera camera = Camera.looking(Vec3.ZERO, new Vec3(0, 0, -1)).withLens(new Lens.Fisheye(360));
+        Eye eye = Eye.of(camera, WIDTH, HEIGHT);
+        assertThat(eye.project(new Vec3(0, 0, 3), xy)).isFalse();
+        assertThat(eye.project(Vec3.ZERO, xy)).isFalse();
+        assertThat(eye.project(new Vec3(0, 0, -3), xy)).isTrue();
+        assertThat(xy).containsExactly(WIDTH / 2.0, HEIGHT / 2.0);
+        ray.start(0, 0, 0, 0, 0, 1);
+        double[] place = eye.tell(ray);
+        assertThat(Math.hypot(place[0], place[1])).isCloseTo(1, EXACTLY);
+        ray.start(0, 0, 0, 0, 0, -1);
+        assertThat(eye.tell(ray)).containsExactly(0, 0);
+    }
+
     private Vec3 at(double t) {
         return new Vec3(ray.ox + t * ray.dx, ray.oy + t * ray.dy, ray.oz + t * ray.dz);
     }

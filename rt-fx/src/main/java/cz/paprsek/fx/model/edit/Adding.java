@@ -48,7 +48,7 @@ public final class Adding {
         } else if (kind instanceof AreaLight) {
             AreaLight light = AreaLight.rectangle(place, sight.size(), sight.size()).withReferenceDistance(distance).shiningAt(sight.point());
             Vec3 turned = light.rotation();
-            return light.withRotation(new Vec3(Math.rint(turned.x()), Math.rint(turned.y()), 0));
+            return light.withRotation(new Vec3(Math.rint(turned.x()) + 0.0, Math.rint(turned.y()) + 0.0, 0));
         } else if (kind instanceof SphereLight) {
             return SphereLight.of(place, sight.size() / 4).withReferenceDistance(distance);
         } else if (kind instanceof SunLight) {

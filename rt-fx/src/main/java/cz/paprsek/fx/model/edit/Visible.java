@@ -3,6 +3,7 @@ package cz.paprsek.fx.model.edit;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -20,13 +21,14 @@ import java.util.stream.IntStream;
  *
  * @param scene what is to be seen; the very scene if nothing is hidden
  * @param places where in the scene itself stands what is at a place here; what is not in it stands at the same place
+ * @param lights where in the scene itself stand the lights of this one; empty if all are where they were
  */
-public record Visible(Scene scene, Map<BodyAt, BodyAt> places) {
+public record Visible(Scene scene, Map<BodyAt, BodyAt> places, List<LightAt> lights) {
 
     public static Visible of(EditorState state) {
         Scene whole = state.scene();
         if (state.hidden().isEmpty()) {
-            return new Visible(whole, Map.of());
+            return new Visible(whole, Map.of(), List.of());
         }
         Map<BodyAt, BodyAt> places = new HashMap<>();
         List<SceneObject> objects = new ArrayList<>();
@@ -36,8 +38,13 @@ public record Visible(Scene scene, Map<BodyAt, BodyAt> places) {
             visible(state, body, Item.body(i), Item.body(objects.size()), places)
                     .ifPresent(left -> objects.add(left.equals(body) ? object : left.toObject()));
         }
-        return new Visible(whole.withObjects(objects).withLights(IntStream.range(0, whole.lights().size())
-                .filter(i -> !state.hidden().contains(Item.light(i))).mapToObj(whole.lights()::get).toList()), places);
+        List<LightAt> lights = IntStream.range(0, whole.lights().size()).mapToObj(Item::light).filter(light -> !state.hidden().contains(light)).toList();
+        return new Visible(whole.withObjects(objects).withLights(lights.stream().map(light -> whole.lights().get(light.index())).toList()), places, lights);
+    }
+
+    /** Where in the scene itself stands a light that is seen here. */
+    public LightAt original(LightAt seen) {
+        return seen.index() < lights.size() ? lights.get(seen.index()) : seen;
     }
 
     /** Where in the scene itself stands what is seen here. */

@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Visible;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
@@ -193,7 +194,10 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         }
         Optional<BodyAt> innermost = point.get().body().map(visible::original);
         boolean more = event.isShiftDown() || event.isShortcutDown();
-        if (innermost.isPresent()) {
+        Optional<LightAt> light = point.get().light().map(visible::original);
+        if (light.isPresent()) {
+            select(light.get(), more);
+        } else if (innermost.isPresent()) {
             BodyAt chosen = event.isAltDown() ? innermost.get() : more ? innermost.get().object() : deeper(innermost.get());
             select(chosen, more);
         } else if (!more) {
@@ -213,7 +217,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         return innermost.object();
     }
 
-    private void select(BodyAt chosen, boolean more) {
+    private void select(Item chosen, boolean more) {
         if (model.state().isLocked(chosen)) {
             return;
         }

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.picture;
 
 import cz.paprsek.fx.model.item.Bodies;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.view.texts.ItemNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
 import cz.paprsek.scene.Body;
@@ -27,11 +28,12 @@ public final class PixelText {
                 texts.of("picture.linear"), image.red(x, y), image.green(x, y), image.blue(x, y), seen(point));
     }
 
-    /** The names on the way to what is seen: of the object, and of the operands within it. */
+    /** The names on the way to what is seen: of the object, and of the operands within it; or of the light. */
     private String seen(PicturePoint point) {
         return point.body().map(body -> IntStream.rangeClosed(1, body.path().size())
                 .mapToObj(length -> name(point.scene().scene(), new BodyAt(body.path().subList(0, length))))
-                .collect(Collectors.joining(" › "))).orElseGet(() -> texts.of("picture.background"));
+                .collect(Collectors.joining(" › ")))
+                .or(() -> point.light().map(light -> ItemNames.of(point.scene().scene(), light, texts))).orElseGet(() -> texts.of("picture.background"));
     }
 
     /** The name of a body; its kind if it has none. */

@@ -54,8 +54,8 @@ final class Snapping {
     /** The nearest multiple of the step, as the nearest decimal. */
     static double toGrid(double value, double step) {
         double count = Math.rint(value / step);
-        // A step below 1 is no binary fraction, but its reciprocal is a whole number.
-        return step < 1 ? count / Math.rint(1 / step) : count * step;
+        // A step below 1 is no binary fraction, but its reciprocal is a whole number; 0 is added to make −0 into 0.
+        return (step < 1 ? count / Math.rint(1 / step) : count * step) + 0.0;
     }
 
     private static OptionalDouble nearest(double[] sorted, double value) {

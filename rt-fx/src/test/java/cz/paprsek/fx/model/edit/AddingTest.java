@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
@@ -59,6 +60,15 @@ class AddingTest {
             double bright = cz.paprsek.render.RenderScene.of(lit).explainRay(new Vec3(0, 0.01, 0), new Vec3(0, -1, 0), 1).light().red();
             assertThat(bright).as("%s", kind).isCloseTo(0.8 * 4 / Math.sqrt(24), org.assertj.core.api.Assertions.within(0.05));
         }
+    }
+
+    /** −0 is another number than 0, and reads as if it were wrong. */
+    @Test
+    void nothingIsTurnedByLessThanNothing() {
+        Scene scene = Scene.EMPTY.withCamera(Camera.looking(new Vec3(0, 5, 0), new Vec3(1, 0, 1)));
+        Light panel = Adding.light(EditorState.of(scene), Adding.LIGHTS.get(2), "lamp", new Sight(new Vec3(-0.001, 0, 0), 2)).scene().lights().get(0);
+        Vec3 turned = ((AreaLight) panel).rotation();
+        assertThat(turned).isEqualTo(new Vec3(turned.x() + 0.0, turned.y() + 0.0, turned.z() + 0.0));
     }
 
     @Test

@@ -46,6 +46,7 @@ class VisibleTest {
         assertThat(visible.scene().lights()).containsExactly(SCENE.lights().get(1));
         assertThat(visible.original(Item.body(0, 1))).isEqualTo(Item.body(1, 2));
         assertThat(visible.original(Item.body(2))).isEqualTo(Item.body(3));
+        assertThat(visible.original(Item.light(0))).isEqualTo(Item.light(1));
         assertThat(((Csg) visible.scene().objects().get(0).shape()).operands()).extracting(operand -> ((Sphere) operand.solid()).radius())
                 .containsExactly(2.0, 4.0);
     }

@@ -14,6 +14,7 @@ import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SphereLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
@@ -184,6 +185,16 @@ class CameraPaneTest {
         gui.click(picture, 200, 150);
         assertThat(clicked.get()).isEqualTo(point.orElseThrow());
         assertThat(model.selection()).isEmpty();
+    }
+
+    @Test
+    void aClickSelectsALightThatIsSeenBeforeAnythingElse() {
+        gui.act(() -> model.begin(Label.of(Label.Edit.MOVE)).preview(scene -> scene.plus(SphereLight.of(new Vec3(0, 0, 2), 0.3))));
+        untilComplete();
+        gui.click(picture, 200, 150);
+        assertThat(model.selection()).isEqualTo(Set.of(Item.light(1)));
+        gui.click(picture, 88, 150);
+        assertThat(model.selection()).isEqualTo(Set.of(Item.body(0)));
     }
 
     private void untilComplete() {
