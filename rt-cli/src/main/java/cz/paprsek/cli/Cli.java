@@ -9,6 +9,7 @@ import cz.paprsek.cli.input.Formats;
 import cz.paprsek.cli.input.Modes;
 import cz.paprsek.cli.input.Part;
 import cz.paprsek.cli.input.PixelPlace;
+import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.Region;
 import cz.paprsek.cli.input.Samples;
 import cz.paprsek.cli.input.Share;
@@ -94,6 +95,9 @@ final class Cli {
         register(root, Samples.class, Samples::parse);
         register(root, Part.class, Part::parse);
         register(root, PixelFilter.class, Filters::parse);
+        register(root, RayWishes.Sampler.class, word -> Words.constant(RayWishes.Sampler.class, word));
+        register(root, ExplainCommand.When.class, word -> Words.constant(ExplainCommand.When.class, word));
+        register(root, BenchCommand.Opponent.class, word -> Words.constant(BenchCommand.Opponent.class, word));
         register(root, Path.class, Words::file);
         register(root, Integer.class, Words::wholeNumber);
         register(root, int.class, Words::wholeNumber);

@@ -11,6 +11,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.util.HexFormat;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -82,5 +84,19 @@ class PictureOptionsTest {
         assertThat(process.waitFor()).isZero();
         assertThat(Files.readAllLines(log)).anyMatch(line -> line.contains("cz.paprsek.image.png.PngWriter"))
                 .noneMatch(line -> line.contains("java.awt.") || line.contains("javax.imageio.") || line.contains("sun.awt."));
+    }
+
+    @Test
+    void aPictureTellsItsCameraAndTheDigestOfTheWholeSceneAsConvertWritesIt() throws Exception {
+        Path scene = Scenes.scene(folder.resolve("two.xml"), "<camera name=\"side\" position=\"5 1 0\" target=\"0 1 0\"/><point-light position=\"2 3 4\"/>"
+                + "<point-light name=\"lamp\" position=\"-2 3 4\"/><sphere radius=\"1\"/>");
+        Path written = folder.resolve("written.xml");
+        assertThat(Run.cli("convert", scene, written).code()).isZero();
+        String digest = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(written)));
+        Path picture = folder.resolve("side.png");
+        assertThat(Run.cli("render", scene, "-o", picture, "--camera", "side", "--light", "lamp", "--quiet").code()).isZero();
+        assertThat(Files.readString(picture, StandardCharsets.ISO_8859_1)).contains("scene sha256 " + digest).contains(" --camera side --light lamp");
+        assertThat(Run.cli("render", scene, "-o", picture, "--quiet").code()).isZero();
+        assertThat(Files.readString(picture, StandardCharsets.ISO_8859_1)).contains("scene sha256 " + digest).doesNotContain("--camera");
     }
 }

@@ -17,6 +17,8 @@ import java.util.Arrays;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** How many rays a pixel takes, by the command line. */
 class SamplingOptionsTest {
@@ -61,6 +63,19 @@ class SamplingOptionsTest {
         assertThat(Files.mismatch(fixed, scrambled)).isNotNegative();
         Image one = ImageFiles.read(fixed);
         assertThat(one.width()).isEqualTo(16);
+    }
+
+    /** Also of a scene with one ray, or a grid: it is not judged otherwise. */
+    @ParameterizedTest
+    @CsvSource({"--error, 1/255, '', 2..16", "--confidence, 0.5, '', 2..16", "--error, 1/255, samples='3', 3..16", "--error, 1/255, samples='2..4', 2..4"})
+    void whoSaysHowNearAPixelShallBeGetsTheRaysForIt(String option, String value, String attribute, String said) throws Exception {
+        Files.writeString(scene, Files.readString(scene).replaceAll("<render ", "<render " + attribute + ' '));
+        Path picture = folder.resolve("a.png");
+        Path expected = folder.resolve("b.png");
+        assertThat(Run.cli("render", scene, "-o", picture, option, value, "--quiet").code()).isZero();
+        assertThat(Run.cli("render", scene, "-o", expected, option, value, "--samples", said, "--quiet").code()).isZero();
+        assertThat(picture).hasSameBinaryContentAs(expected);
+        assertThat(Files.readString(picture, StandardCharsets.ISO_8859_1)).contains("--samples " + said + " ");
     }
 
     @Test

@@ -12,6 +12,7 @@ import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SphereLight;
@@ -70,15 +71,7 @@ final class PovWarnings {
     }
 
     private void check() {
-        int samples = scene.settings().samples();
-        if (scene.settings().isAdaptive()) {
-            sentences.add("POV-Ray does not sample pixels at random; it is given one ray through the centre of each");
-        } else if (samples > 1 && scene.settings().filter() != PixelFilter.BOX) {
-            sentences.add("POV-Ray does not weigh what is around a pixel; it is given one ray through the centre of each");
-        } else if (samples > 1) {
-            sentences.add("POV-Ray does not sample pixels on a grid; for the same picture render it " + samples
-                    + " times as wide and high, and average");
-        }
+        checkRays(scene.settings());
         checkLights();
         if (scene.camera().lens() instanceof Lens.Perspective lens && lens.aperture() > 0) {
             sentences.add("POV-Ray has other points of a lens than we; it is given the middle of it, and all is sharp");
@@ -88,6 +81,17 @@ final class PovWarnings {
         for (int i = 0; i < scene.objects().size(); i++) {
             SceneObject object = scene.objects().get(i);
             check(object.name().isEmpty() ? "object " + (i + 1) : "\"" + object.name() + "\"", object);
+        }
+    }
+
+    private void checkRays(RenderSettings settings) {
+        String filter = settings.filter() == PixelFilter.BOX ? "" : ", nor weighs their rays by the filter " + settings.filter();
+        if (settings.isAdaptive() || (settings.samples() > 1 && !filter.isEmpty())) {
+            sentences.add("POV-Ray does not sample pixels " + (settings.isAdaptive() ? "at random" : "on a grid") + filter
+                    + "; it is given one ray through the centre of each");
+        } else if (settings.samples() > 1) {
+            sentences.add("POV-Ray does not sample pixels on a grid; for the same picture render it " + settings.samples()
+                    + " times as wide and high, and average");
         }
     }
 

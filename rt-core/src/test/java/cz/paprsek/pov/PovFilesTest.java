@@ -6,6 +6,7 @@ import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Examples;
@@ -46,6 +47,17 @@ class PovFilesTest {
                 "POV-Ray does not sample pixels on a grid; for the same picture render it 2 times as wide and high, and average",
                 "object 9: POV-Ray does not count rays that go straight through as a level of max-depth",
                 "object 10 has surfaces of several refractive indices; POV-Ray knows one inside only and is told 1.5");
+    }
+
+    /** To render it larger and average would be the box filter. */
+    @ParameterizedTest
+    @CsvSource({"3, 0, MITCHELL, on a grid", "2, 8, GAUSS, at random", "2, 2, TENT, at random"})
+    void aFilterThatPovRayHasNotIsSaid(int least, int most, PixelFilter filter, String how) throws Exception {
+        Scene scene = Scene.EMPTY.withSettings(Scene.EMPTY.settings().withSamples(least, most).withFilter(filter));
+        assertThat(PovFiles.write(scene, new StringBuilder())).containsExactly("POV-Ray does not sample pixels " + how + ", nor weighs their rays by the filter "
+                + filter + "; it is given one ray through the centre of each");
+        Scene oneRay = scene.withSettings(scene.settings().withSamples(1));
+        assertThat(PovFiles.write(oneRay, new StringBuilder())).isEmpty();
     }
 
     static Stream<Described> attributesOfMaterials() {
@@ -111,7 +123,7 @@ class PovFilesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"samples=\"2..8\", at random", "samples=\"3\" filter=\"tent\", what is around a pixel", "samples=\"3\", on a grid"})
+    @CsvSource({"samples=\"2..8\", at random", "samples=\"3\" filter=\"tent\", nor weighs their rays by the filter tent", "samples=\"3\", on a grid"})
     void howManyRaysAPixelTakesIsTold(String attributes, String told) throws Exception {
         String xml = "<scene xmlns=\"urn:paprsek:scene:1\"><render " + attributes + "/><camera position=\"0 0 9\" direction=\"0 0 -1\"/><point-light position=\"1 2 3\"/><sphere radius=\"1\"/></scene>";
         List<String> warnings = PovFiles.write(SceneFiles.parse(xml), new StringBuilder());

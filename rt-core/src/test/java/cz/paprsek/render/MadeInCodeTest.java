@@ -18,10 +18,12 @@ import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
 import cz.paprsek.render.explain.text.Decoration;
 import cz.paprsek.render.explain.text.TreeText;
+import cz.paprsek.render.light.FixedPoints;
 import cz.paprsek.scene.CustomLight;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.CustomSolid;
@@ -162,6 +164,14 @@ class MadeInCodeTest {
         assertThat(Renderer.render(scene.withLights(List.of(new Bulb(position, 16)))).toArgb()).as("the mean of what is the same").isEqualTo(ours);
         assertThatThrownBy(() -> RenderScene.of(scene.withLights(List.of(new Bulb(position, 0))))).isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith("samples of a bulb must be");
+    }
+
+    @Test
+    void fixedPointsAreThoseOfOurOwnLights() {
+        for (int samples : new int[] {1, 4}) {
+            assertThat(FixedPoints.of(new Bulb(new Vec3(3, 6, 9), samples), 0)).isEmpty();
+        }
+        assertThat(FixedPoints.of(new SunLight("", new Vec3(0, -1, 0), Rgb.WHITE, 1, 0.5, false), 0)).isNotEmpty();
     }
 
     @Test

@@ -4,10 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.ElementTable;
+import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
 import java.io.IOException;
 import java.nio.charset.Charset;
@@ -16,6 +23,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -93,6 +102,30 @@ class EveryWayInTest {
             assertThat(object.name()).isEqualTo("kůň");
             assertThat(object.shape()).isEqualTo(new Sphere(1.5));
         });
+    }
+
+    static Stream<Arguments> words() {
+        Function<Described, Stream<String>> words = one -> switch (one.says().value().form()) {
+            case WORD -> Described.words(one.type()).keySet().stream();
+            case FLAG -> Stream.of("true", "false");
+            default -> Stream.of();
+        };
+        return Stream.of(RenderSettings.class, Camera.class, Light.class, Shape.class, Material.class).flatMap(ElementTable::of)
+                .flatMap(type -> Described.of(type).stream().flatMap(one -> words.apply(one).map(word -> Arguments.of(ElementTable.name(type), one.name(), word))));
+    }
+
+    /** The schema takes blanks around words; so what takes the file after it must as well. */
+    @ParameterizedTest
+    @MethodSource("words")
+    void blanksAroundWordsMeanNothing(String element, String attribute, String word) throws IOException {
+        String others = Map.of("area-light", "position='0 0 0' radius='1' ", "sphere-light", "position='0 0 0' radius='1' ", "sun-light", "direction='0 -1 0' angle='1' ",
+                "camera", "position='0 0 5' direction='0 0 -1' ").getOrDefault(element, "") + (word.equals("orthographic") ? "height='2' " : "");
+        String scene = "<scene xmlns='urn:paprsek:scene:1'><" + element + " " + others + attribute + "='%s'/>"
+                + (element.equals("camera") ? "" : "<camera position='0 0 5' direction='0 0 -1'/>") + "</scene>";
+        Scene plain = WayIn.all(scene.formatted(word)).scene();
+        for (String blanks : List.of(" %s ", "\n\t%s", "%s&#32;", " %s")) {
+            assertThat(WayIn.all(scene.formatted(blanks.formatted(word))).scene()).as(blanks).isEqualTo(plain);
+        }
     }
 
     @Test

@@ -40,7 +40,7 @@ public final class BenchCommand implements Callable<Integer> {
     private static final int MOST_ROUNDS = 1000;
 
     /** Whom to compare with. */
-    enum Opponent { povray }
+    public enum Opponent { povray }
 
     private final Terminal terminal;
     private final Stop stop;

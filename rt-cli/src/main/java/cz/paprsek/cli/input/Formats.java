@@ -1,19 +1,16 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.image.ImageFormat;
-import cz.paprsek.text.Similar;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
-import picocli.CommandLine.TypeConversionException;
 
 /** The picture formats by the names a user gives them; lists them for the help and for shells that complete words. */
 public final class Formats implements Iterable<String> {
     private static final List<String> NAMES = Arrays.stream(ImageFormat.values()).map(ImageFormat::extension).toList();
 
     public static ImageFormat parse(String name) {
-        return ImageFormat.of(name).orElseThrow(() -> new TypeConversionException(
-                "expected one of " + String.join(", ", NAMES) + ", but found '" + name + "'" + Similar.suggestion(name, NAMES)));
+        return ImageFormat.of(name).orElseThrow(() -> Words.unknown(name, NAMES));
     }
 
     @Override

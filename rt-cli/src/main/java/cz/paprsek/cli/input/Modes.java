@@ -1,19 +1,16 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.render.mode.RenderMode;
-import cz.paprsek.text.Similar;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
-import picocli.CommandLine.TypeConversionException;
 
 /** What pictures may show, by the names a user gives; lists them for the help and for shells that complete words. */
 public final class Modes implements Iterable<String> {
     private static final List<String> NAMES = Arrays.stream(RenderMode.values()).map(RenderMode::toString).toList();
 
     public static RenderMode parse(String name) {
-        return RenderMode.of(name).orElseThrow(() -> new TypeConversionException(
-                "expected one of " + String.join(", ", NAMES) + ", but found '" + name + "'" + Similar.suggestion(name, NAMES)));
+        return RenderMode.of(name).orElseThrow(() -> Words.unknown(name, NAMES));
     }
 
     @Override

@@ -8,16 +8,20 @@ import picocli.CommandLine.Option;
 
 /** What the user wants of the rays of a pixel, otherwise than the scenes say. */
 public final class RayWishes {
+    /** Rays along a side by which a pixel can be judged. */
+    private static final int FEWEST = 2;
+
     @Option(names = "--samples", paramLabel = "N|A..B", description = {
         "Rays along each side of a pixel, 1-16: N x N in a grid. A..B: A x A random ones, and more, at most B x B, until the error is small. "
                 + "Default: the scene's."})
     private Optional<Samples> samples = Optional.empty();
 
     @Option(names = "--error", paramLabel = "X", description =
-            "With samples A..B: how far the value shown may be from the true one, 1 being from black to white. 1/255 is a step. Default: the scene's.")
+            "How far the value shown may be from the true one, 1 being from black to white; 1/255 is a step. Of a scene whose samples are a grid, N, it makes "
+                    + "N..16, at least 2..16. Default: the scene's.")
     private Optional<Part> error = Optional.empty();
 
-    @Option(names = "--confidence", paramLabel = "P", description = "How probable it is to be that close, above 0 and below 1. Default: the scene's.")
+    @Option(names = "--confidence", paramLabel = "P", description = "How probable it is to be that close, above 0 and below 1. Makes samples of a grid as --error does. Default: the scene's.")
     private Optional<Double> confidence = Optional.empty();
 
     @Option(names = "--filter", paramLabel = "FILTER", completionCandidates = Filters.class, description =
@@ -29,7 +33,7 @@ public final class RayWishes {
     private Sampler sampler = Sampler.scrambled;
 
     /** Where random numbers come from. */
-    enum Sampler { scrambled, fixed }
+    public enum Sampler { scrambled, fixed }
 
     boolean isFixed() {
         return sampler == Sampler.fixed;
@@ -37,12 +41,18 @@ public final class RayWishes {
 
     /** @throws IllegalArgumentException if a number is out of range */
     RenderSettings applyTo(RenderSettings settings) {
-        RenderSettings wished = samples.map(s -> settings.withSamples(s.least(), s.most())).orElse(settings);
+        boolean isNear = error.isPresent() || confidence.isPresent();
+        RenderSettings wished = samples.map(s -> settings.withSamples(s.least(), s.most())).orElse(isNear ? adaptive(settings) : settings);
         wished = wished.withError(error.map(Part::value).orElse(wished.error())).withConfidence(confidence.orElse(wished.confidence()))
                 .withFilter(filter.orElse(wished.filter()));
-        if ((error.isPresent() || confidence.isPresent()) && samples.isPresent() && !wished.isAdaptive()) {
+        if (isNear && !wished.isAdaptive()) {
             throw new WrongUsage("--error and --confidence are for --samples A..B, such as 2..8");
         }
         return wished;
+    }
+
+    /** Who says how near a pixel shall be wants as many rays as that takes; those of a grid are not judged. */
+    private static RenderSettings adaptive(RenderSettings settings) {
+        return settings.isAdaptive() ? settings : settings.withSamples(Math.max(FEWEST, settings.samples()), RenderSettings.MOST_SAMPLES);
     }
 }

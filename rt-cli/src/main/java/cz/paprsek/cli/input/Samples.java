@@ -11,7 +11,8 @@ public record Samples(int least, int most) {
 
     public static Samples parse(String text) {
         Matcher found = FORM.matcher(text);
-        if (!found.matches()) {
+        // A written 0 is none: it would stand for a grid.
+        if (!found.matches() || (found.group(2) != null && Integer.parseInt(found.group(2)) == 0)) {
             throw new TypeConversionException("expected a number from 1 to " + RenderSettings.MOST_SAMPLES + " or two such as 2..8, but found '" + text + "'");
         }
         Samples samples = new Samples(Integer.parseInt(found.group(1)), found.group(2) == null ? 0 : Integer.parseInt(found.group(2)));

@@ -1,8 +1,11 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.text.Similar;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
 import picocli.CommandLine.TypeConversionException;
 
 /** Single words of a command line made into values, and what is said of those that are none. */
@@ -32,6 +35,24 @@ public final class Words {
         }
         throw new TypeConversionException("expected a number, but found '" + word + "'"
                 + (word.matches("[-+]?\\d+,\\d+") ? "; a point stands before decimals: " + word.replace(',', '.') : ""));
+    }
+
+    /**
+     * The constant of an enumeration whose name the word is, in any case.
+     *
+     * @throws TypeConversionException if there is none
+     */
+    public static <E extends Enum<E>> E constant(Class<E> type, String word) {
+        List<E> constants = List.copyOf(EnumSet.allOf(type));
+        return constants.stream().filter(one -> one.name().equalsIgnoreCase(word)).findFirst()
+                .orElseThrow(() -> unknown(word, constants.stream().map(Enum::name).toList()));
+    }
+
+    /** What is said of a word that is none of those there are: which was meant, if it is like one or begins only one. */
+    static TypeConversionException unknown(String word, List<String> names) {
+        List<String> begun = names.stream().filter(name -> name.startsWith(word)).toList();
+        return new TypeConversionException("expected one of " + String.join(", ", names) + ", but found '" + word + "'"
+                + Similar.suggestion(begun.size() == 1 ? begun.get(0) : word, names));
     }
 
     /** @throws TypeConversionException if no file can have that name */

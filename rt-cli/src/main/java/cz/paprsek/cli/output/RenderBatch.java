@@ -45,7 +45,8 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         }
         try {
             long begin = System.nanoTime();
-            return render(target, view.of(target.source().read()), begin);
+            Scene read = target.source().read();
+            return render(target, read, view.of(read), begin);
         } catch (WrongUsage e) {
             return fail(target, Outcome.WRONG_USAGE, List.of(file + ": " + e.getMessage()));
         } catch (SceneFileException e) {
@@ -59,7 +60,8 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         }
     }
 
-    private Outcome render(Target target, Scene scene, long begin) {
+    /** @param scene what is shown of the one that was read */
+    private Outcome render(Target target, Scene read, Scene scene, long begin) {
         RenderOptions options;
         try {
             options = view.applyTo(wishes.applyTo(scene.settings()), target.format());
@@ -87,7 +89,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                     return interrupted(target);
                 }
                 image = view.finished(result.image(), target.format());
-                ImageOptions how = view.written(target.format(), writing.of(scene, options, view, target.format()));
+                ImageOptions how = view.written(target.format(), writing.of(read, options, view, target.format()));
                 stop.guard(() -> write(target, image, how));
                 tiles.discard();
             }

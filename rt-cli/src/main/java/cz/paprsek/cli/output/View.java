@@ -47,7 +47,10 @@ public record View(RenderMode mode, Optional<String> camera, Optional<String> li
     }
 
     private boolean isNumbers(ImageFormat format) {
-        return mode.isNumber() && (format == ImageFormat.EXR || format == ImageFormat.PFM || format == ImageFormat.EXR || format == ImageFormat.TXT || format == ImageFormat.RAW);
+        return mode.isNumber() && switch (format) {
+            case EXR, PFM, TXT, RAW -> true;
+            case PNG, JPG, TIF, BMP, HDR, PPM, PPM16, PGM -> false;
+        };
     }
 
     /** The picture as it is written. */

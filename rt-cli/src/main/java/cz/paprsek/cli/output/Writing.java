@@ -42,6 +42,7 @@ public record Writing(Optional<Integer> bits, Optional<Double> exposure, Optiona
         }
     }
 
+    /** @param scene as it was read, whatever of it is shown */
     ImageOptions of(Scene scene, RenderOptions render, View view, ImageFormat format) {
         return options().withOrigin(switch (format) {
             // Portable maps could hold comments, but many a reader of them understands none.
@@ -86,6 +87,7 @@ public record Writing(Optional<Integer> bits, Optional<Double> exposure, Optiona
                     .append(render.region().width()).append(',').append(render.region().height());
         }
         text.append(view.mode() == RenderMode.SHADED ? "" : " --mode " + view.mode());
+        view.camera().ifPresent(camera -> text.append(" --camera ").append(camera));
         view.light().ifPresent(light -> text.append(" --light ").append(light));
         exposure.ifPresent(stops -> text.append(" --exposure ").append(Numbers.text(stops)));
         tone.ifPresent(curve -> text.append(" --tone ").append(curve.name().toLowerCase(Locale.ROOT)));

@@ -15,12 +15,12 @@ public final class FixedPoints {
      * The points of a light: of a flat one in world space, of a sun's disc the directions towards them, of length 1.
      *
      * @param lamp its number in the scene
-     * @return none for a light that is looked for at one point, and for a ball, whose points depend on from where
+     * @return none for a light that is looked for at one point, and for a ball and those made in code, whose points depend on from where
      */
     public static List<Vec3> of(Light light, int lamp) {
         List<Vec3> points = new ArrayList<>();
         Lamp ready = Lamp.of(light);
-        int count = ready instanceof BallLamp || ready.samples() == 1 ? 0 : ready.samples();
+        int count = ready.samples() > 1 && (ready instanceof AreaLamp || ready instanceof SunDiscLamp) ? ready.samples() : 0;
         Sampler sampler = Sampler.fixed(1);
         Arrival arrival = new Arrival();
         if (count > 0) {

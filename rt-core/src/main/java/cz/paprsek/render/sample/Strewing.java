@@ -13,8 +13,8 @@ abstract class Strewing {
         return switch (filter) {
             case BOX -> new Box();
             case TENT -> new Tent();
-            case GAUSS -> new Curve(2, x -> StrictMath.exp(-2 * x * x));
-            case MITCHELL -> new Curve(2, Strewing::mitchell);
+            case GAUSS -> new Curve(2, false, x -> StrictMath.exp(-2 * x * x));
+            case MITCHELL -> new Curve(2, true, Strewing::mitchell);
         };
     }
 
@@ -69,13 +69,16 @@ abstract class Strewing {
         private static final int CELLS = 1024;
 
         private final double width;
+        private final boolean goesBelow;
         private final DoubleUnaryOperator height;
         /** Of one half, from the centre outwards: the share of the area up to the end of each cell. */
         private final double[] areas = new double[CELLS + 1];
         private final double mass;
 
-        Curve(double width, DoubleUnaryOperator height) {
+        /** @param goesBelow whether it is below nothing anywhere: else no ray need ask */
+        Curve(double width, boolean goesBelow, DoubleUnaryOperator height) {
             this.width = width;
+            this.goesBelow = goesBelow;
             this.height = height;
             double above = 0;
             double all = 0;
@@ -102,7 +105,7 @@ abstract class Strewing {
 
         @Override
         boolean isNegative(double place) {
-            return height.applyAsDouble(place - CENTRE) < 0;
+            return goesBelow && height.applyAsDouble(place - CENTRE) < 0;
         }
 
         @Override

@@ -7,6 +7,7 @@ import cz.paprsek.scene.Lens;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlAttribute;
+import jakarta.xml.bind.annotation.adapters.CollapsedStringAdapter;
 import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
 import java.util.List;
 import java.util.Objects;
@@ -20,7 +21,7 @@ final class CameraBean extends Located {
     @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 direction;
     @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 target;
     @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 up;
-    @XmlAttribute String projection = Lens.Perspective.DEFAULT.projection();
+    @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String projection = Lens.Perspective.DEFAULT.projection();
     @XmlAttribute @Nullable Double fovy;
     @XmlAttribute @Nullable Double aperture;
     @XmlAttribute @Nullable Double focus;
@@ -57,10 +58,11 @@ final class CameraBean extends Located {
                 allow("angle");
                 yield new Lens.Fisheye(orElse(angle, Lens.Fisheye.DEFAULT.angle()));
             }
-            default -> {
+            case "perspective" -> {
                 allow("fovy", "aperture", "focus");
                 yield new Lens.Perspective(orElse(fovy, Lens.Perspective.DEFAULT.fovy()), orElse(aperture, Lens.Perspective.DEFAULT.aperture()), orElse(focus, Lens.Perspective.DEFAULT.focus()));
             }
+            default -> throw new IllegalStateException("the schema takes no projection " + projection);
         };
     }
 

@@ -18,6 +18,7 @@ import jakarta.xml.bind.annotation.XmlElementRef;
 import jakarta.xml.bind.annotation.XmlElements;
 import jakarta.xml.bind.annotation.XmlRootElement;
 import jakarta.xml.bind.annotation.XmlType;
+import jakarta.xml.bind.annotation.adapters.CollapsedStringAdapter;
 import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -57,6 +58,7 @@ final class SceneBean extends Located {
         List<Camera> eyes = made(cameras, problems, CameraBean::toCamera);
         SceneRules.checkCameras(eyes, (culprit, sentence) -> problems.add(problems.origin(culprit, this), sentence));
         checkTexts(problems);
+        RenderSettings settings = problems.make(render, render::toSettings);
         Map<String, Material> named = named(problems);
         List<Light> lamps = made(lights, problems, LightBeans.LightBean::toLight);
         List<SceneObject> made = made(objects, problems, bean -> bean.toObject(problems));
@@ -64,8 +66,8 @@ final class SceneBean extends Located {
         if (Similar.nearest("material", problems.skipped()).isEmpty()) {
             SceneRules.check(lamps, named, made, (culprit, sentence) -> problems.add(problems.origin(culprit, this), sentence));
         }
-        return problems.size() > 0 || eyes.isEmpty() ? null
-                : new Scene(name, description, tags, render.toSettings(), background == null ? Rgb.BLACK : background.color,
+        return problems.size() > 0 || eyes.isEmpty() || settings == null ? null
+                : new Scene(name, description, tags, settings, background == null ? Rgb.BLACK : background.color,
                         ambient == null ? Rgb.BLACK : ambient.color, eyes, lamps, named, made);
     }
 
@@ -112,10 +114,10 @@ final class SceneBean extends Located {
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.FromTo.class) int[] samples = {RenderSettings.DEFAULT.samples(), RenderSettings.DEFAULT.mostSamples()};
         @XmlAttribute double error = RenderSettings.DEFAULT.error();
         @XmlAttribute double confidence = RenderSettings.DEFAULT.confidence();
-        @XmlAttribute String filter = RenderSettings.DEFAULT.filter().toString();
+        @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String filter = RenderSettings.DEFAULT.filter().toString();
 
         RenderSettings toSettings() {
-            return new RenderSettings(width, height, maxDepth, samples[0], samples[1], error, confidence, PixelFilter.valueOf(filter.strip().toUpperCase(Locale.ROOT)));
+            return new RenderSettings(width, height, maxDepth, samples[0], samples[1], error, confidence, PixelFilter.valueOf(filter.toUpperCase(Locale.ROOT)));
         }
     }
 
