@@ -17,6 +17,7 @@ module cz.paprsek.core {
     exports cz.paprsek.ray;
     exports cz.paprsek.render;
     exports cz.paprsek.render.explain;
+    exports cz.paprsek.render.film;
     exports cz.paprsek.render.mode;
     exports cz.paprsek.scene;
     exports cz.paprsek.shape;
@@ -29,7 +30,6 @@ module cz.paprsek.core {
     exports cz.paprsek.pov to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.query.text to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.render.explain.text to cz.paprsek.cli, cz.paprsek.fx;
-    exports cz.paprsek.render.film to cz.paprsek.cli;
     exports cz.paprsek.render.live to cz.paprsek.fx;
     exports cz.paprsek.shape.placed to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.standard to cz.paprsek.cli, cz.paprsek.fx;

@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.lang.module.ModuleDescriptor.Exports;
 import java.lang.module.ModuleFinder;
+import java.lang.reflect.Executable;
+import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -15,6 +17,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
@@ -121,6 +124,67 @@ class ModuleTest {
             }
         }
         assertThat(offered).as("public types in packages exported to all").hasSizeBetween(50, MOST_PUBLIC_TYPES);
+    }
+
+    /** Nobody could write down what such a method takes or gives; but that a shape is placed is between it and the renderer. */
+    @Test
+    void whatIsOnOfferNamesNothingThatIsNot() throws Exception {
+        Set<String> open = ModuleFinder.of(core).find("cz.paprsek.core").orElseThrow().descriptor().exports().stream()
+                .filter(exports -> !exports.isQualified()).map(Exports::source).collect(Collectors.toSet());
+        List<String> hidden = new ArrayList<>();
+        for (String room : open) {
+            for (String name : publicTypes(room)) {
+                Class<?> type = Class.forName(name);
+                for (Executable way : (Iterable<Executable>) Stream.<Executable>concat(Arrays.stream(type.getConstructors()), Arrays.stream(type.getMethods()))
+                        .filter(one -> !one.getName().equals("place"))::iterator) {
+                    Stream.concat(Arrays.stream(way.getParameterTypes()), way instanceof Method method ? Stream.of(method.getReturnType()) : Stream.empty())
+                            .filter(named -> named.getPackageName().startsWith("cz.paprsek") && !open.contains(named.getPackageName()))
+                            .forEach(named -> hidden.add(way + " names " + named));
+                }
+            }
+        }
+        assertThat(hidden).isEmpty();
+    }
+
+    @Test
+    void aModuleKeepsTilesAndThreads() throws Exception {
+        Path user = user("""
+                import cz.paprsek.render.RenderMonitor;
+                import cz.paprsek.render.RenderOptions;
+                import cz.paprsek.render.RenderScene;
+                import cz.paprsek.render.Renderer;
+                import cz.paprsek.render.Tile;
+                import cz.paprsek.render.TileStore;
+                import cz.paprsek.render.film.Film;
+                import cz.paprsek.scene.RenderSettings;
+                import cz.paprsek.scene.Scene;
+                import java.util.concurrent.atomic.AtomicInteger;
+                """, """
+                var kept = new AtomicInteger();
+                TileStore store = new TileStore() {
+                    @Override
+                    public boolean load(Tile tile, int pass, Film into) {
+                        into.set(tile.x(), tile.y(), 1, 0.5, 0.25);
+                        return tile.x() == 0 && tile.y() == 0;
+                    }
+
+                    @Override
+                    public void save(Tile tile, int pass, Film from) {
+                        kept.incrementAndGet();
+                    }
+                };
+                var options = RenderOptions.of(RenderSettings.DEFAULT.withSize(101, 67));
+                var image = Renderer.render(Scene.EMPTY, options, RenderMonitor.NONE, store).image();
+                System.out.print(kept + " tiles, " + image.green(0, 0) + ";");
+                try (Renderer renderer = Renderer.keeping("mine")) {
+                    for (int step : new int[] {8, 1}) {
+                        var coarse = renderer.next(RenderScene.of(Scene.EMPTY), options.withStep(step), RenderMonitor.NONE).image();
+                        System.out.print(" " + coarse.width() + " x " + coarse.height());
+                    }
+                }
+                """);
+        Run run = java("-p", path(core, user), "-m", "user/user.Main");
+        assertThat(run.said()).isEqualTo("11 tiles, 0.5; 13 x 9 101 x 67");
     }
 
     private static List<String> publicTypes(String name) throws IOException, ClassNotFoundException {

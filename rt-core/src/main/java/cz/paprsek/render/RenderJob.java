@@ -49,9 +49,9 @@ final class RenderJob implements Workers.Work {
     private int faultRow = NOWHERE;
     private RenderStats total = RenderStats.NONE;
 
-    RenderJob(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor, TileStore store) {
+    RenderJob(RenderScene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
         this.scene = scene;
-        this.eye = eye;
+        eye = Eye.of(scene.scene().camera(), options.settings().width(), options.settings().height(), options.step());
         this.options = options;
         this.monitor = monitor;
         this.store = store;
@@ -59,7 +59,8 @@ final class RenderJob implements Workers.Work {
         image = new Image(region.width(), region.height());
         film = new Film(image, region.x(), region.y());
         depths = options.mode() == RenderMode.DEPTH
-                ? DepthRange.of(scene.world(), eye, options.settings().width(), options.settings().height()) : DepthRange.NONE;
+                ? DepthRange.of(scene.world(), eye, RenderOptions.coarse(options.settings().width(), options.step()),
+                        RenderOptions.coarse(options.settings().height(), options.step())) : DepthRange.NONE;
         block = Math.max(1, TOGETHER / options.settings().samples());
         columns = (region.width() + SIDE - 1) / SIDE;
         tiles = columns * ((region.height() + SIDE - 1) / SIDE);

@@ -2,7 +2,6 @@ package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderResult.Outcome;
-import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.work.Workers;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.tree.Kernel;
@@ -10,8 +9,33 @@ import java.util.Objects;
 import java.util.concurrent.CancellationException;
 
 /** Renders scenes to images. The same scene gives the same image, to the last bit, for any number of threads. */
-public final class Renderer {
-    private Renderer() {}
+public final class Renderer implements AutoCloseable {
+    private final Workers workers;
+
+    private Renderer(Workers workers) {
+        this.workers = workers;
+    }
+
+    /**
+     * A renderer of many pictures, one after the other, such as ever finer ones of scenes that are being edited: its threads are kept from one to the
+     * next, and end when it is closed. For one caller at a time.
+     *
+     * @param threads what the threads are called; they are numbered
+     */
+    public static Renderer keeping(String threads) {
+        return new Renderer(new Workers(Objects.requireNonNull(threads, "threads")));
+    }
+
+    /** The next picture, as by {@link #render(RenderScene, RenderOptions, RenderMonitor)}. */
+    public RenderResult next(RenderScene scene, RenderOptions options, RenderMonitor monitor) {
+        return render(scene, options, monitor, TileStore.NONE, workers);
+    }
+
+    /** Ends the threads, and waits until they have. */
+    @Override
+    public void close() {
+        workers.close();
+    }
 
     /** How large scenes are searched in this virtual machine: "vectors of 8 floats" if it has the module jdk.incubator.vector, else "scalar". */
     public static String kernel() {
@@ -47,28 +71,18 @@ public final class Renderer {
 
     /** As above, with tiles that are known from earlier, or are kept for later: throwing also if a method of the store throws anything. */
     public static RenderResult render(RenderScene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
-        Objects.requireNonNull(scene, "scene");
-        Objects.requireNonNull(options, "options");
-        Eye eye = Eye.of(scene.scene().camera(), options.settings().width(), options.settings().height());
         try (Workers workers = new Workers("paprsek-render")) {
-            return render(scene, options, eye, monitor, store, workers);
+            return render(scene, options, monitor, store, workers);
         }
     }
 
-    /** Renders a prepared scene as an eye sees it, by workers that are kept for further pictures. */
-    public static RenderResult render(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor, Workers workers) {
-        return render(scene, options, eye, monitor, TileStore.NONE, workers);
-    }
-
-    private static RenderResult render(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor, TileStore store, Workers workers) {
+    private static RenderResult render(RenderScene scene, RenderOptions options, RenderMonitor monitor, TileStore store, Workers workers) {
         Objects.requireNonNull(scene, "scene");
         Objects.requireNonNull(options, "options");
-        Objects.requireNonNull(eye, "eye");
         Objects.requireNonNull(monitor, "monitor");
         Objects.requireNonNull(store, "store");
-        Objects.requireNonNull(workers, "workers");
         long begin = System.nanoTime();
-        RenderJob job = job(scene, options, eye, monitor, store);
+        RenderJob job = job(scene, options, monitor, store);
         if (!workers.run(Math.min(options.threads(), job.tiles()), job)) {
             Thread.currentThread().interrupt();
         }
@@ -99,9 +113,9 @@ public final class Renderer {
         }
     }
 
-    private static RenderJob job(RenderScene scene, RenderOptions options, Eye eye, RenderMonitor monitor, TileStore store) {
+    private static RenderJob job(RenderScene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
         try {
-            return new RenderJob(scene, options, eye, monitor, store);
+            return new RenderJob(scene, options, monitor, store);
         } catch (OutOfMemoryError exhausted) {
             throw Memory.exceeded(scene.scene(), options, exhausted);
         }

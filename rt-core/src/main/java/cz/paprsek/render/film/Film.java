@@ -1,6 +1,7 @@
 package cz.paprsek.render.film;
 
 import cz.paprsek.image.Image;
+import java.util.Objects;
 
 /**
  * What the light of a picture, or of a part of one, falls on, addressed by the pixels of the whole picture. Several workers may use it at once, each
@@ -21,7 +22,7 @@ public final class Film {
      * @param top likewise which row
      */
     public Film(Image image, int left, int top) {
-        this.image = image;
+        this.image = Objects.requireNonNull(image, "image");
         this.left = left;
         this.top = top;
     }
@@ -36,10 +37,12 @@ public final class Film {
         return image.red(x - left, y - top);
     }
 
+    /** As {@link #red}. */
     public float green(int x, int y) {
         return image.green(x - left, y - top);
     }
 
+    /** As {@link #red}. */
     public float blue(int x, int y) {
         return image.blue(x - left, y - top);
     }

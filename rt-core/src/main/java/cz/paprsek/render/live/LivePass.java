@@ -2,7 +2,6 @@ package cz.paprsek.render.live;
 
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderScene;
-import cz.paprsek.render.eye.Eye;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import java.util.Objects;
@@ -25,13 +24,8 @@ public record LivePass(RenderScene scene, RenderSettings settings, int step, boo
     /** What to render for this pass. */
     RenderOptions options(int threads) {
         RenderSettings own = isLast ? settings
-                : settings.withSamples(1).withFilter(PixelFilter.BOX).withSize(shrunk(settings.width()), shrunk(settings.height()));
-        return RenderOptions.of(own).withThreads(threads);
-    }
-
-    /** The eye whose pixels are as coarse as this pass. */
-    Eye eye() {
-        return Eye.of(scene.scene().camera(), settings.width(), settings.height(), step);
+                : settings.withSamples(1).withFilter(PixelFilter.BOX);
+        return RenderOptions.of(own).withStep(step).withThreads(threads);
     }
 
     /** The next finer pass. */
@@ -42,9 +36,5 @@ public record LivePass(RenderScene scene, RenderSettings settings, int step, boo
     /** The pass of the given step, a power of two; the last one if there is nothing to add to it. */
     static LivePass at(RenderScene scene, RenderSettings settings, int step) {
         return new LivePass(scene, settings, step, step == 1 && settings.mostRays() == 1);
-    }
-
-    private int shrunk(int pixels) {
-        return (pixels + step - 1) / step;
     }
 }

@@ -7,7 +7,6 @@ import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.render.Tile;
-import cz.paprsek.render.work.Workers;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.Objects;
@@ -29,7 +28,7 @@ public final class LiveRender implements AutoCloseable {
 
     private final int threads;
     /** Kept from pass to pass, with what they work with. */
-    private final Workers workers = new Workers("paprsek-live-worker");
+    private final Renderer renderer = Renderer.keeping("paprsek-live-worker");
     private @Nullable Request waiting;
     private boolean idle = true;
     private volatile boolean outdated;
@@ -80,7 +79,7 @@ public final class LiveRender implements AutoCloseable {
     }
 
     private void run() {
-        try (workers) {
+        try (renderer) {
             for (Request request = take(); request != null; request = take()) {
                 serve(request);
             }
@@ -157,7 +156,7 @@ public final class LiveRender implements AutoCloseable {
     }
 
     private RenderResult render(LivePass pass, RenderMonitor monitor) throws Superseded {
-        RenderResult result = Renderer.render(pass.scene(), pass.options(threads), pass.eye(), monitor, workers);
+        RenderResult result = renderer.next(pass.scene(), pass.options(threads), monitor);
         if (result.outcome() == RenderResult.Outcome.CANCELLED) {
             throw superseded(monitor);
         }
