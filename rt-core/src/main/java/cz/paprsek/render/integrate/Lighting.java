@@ -180,6 +180,9 @@ final class Lighting {
         double ly = arrival.y;
         double lz = arrival.z;
         double facing = hit.sx * lx + hit.sy * ly + hit.sz * lz;
+        if (!shines) {
+            arrival.light(0, 0, 0);
+        }
         if (!shines || !(facing > 0)) {
             witness.sought(light, arrival, facing, 0);
             return false;
