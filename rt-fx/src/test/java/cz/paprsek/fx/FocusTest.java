@@ -10,7 +10,7 @@ import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Block;
-import cz.paprsek.shape.Cone;
+import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Sphere;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -116,7 +116,7 @@ class FocusTest {
         editor.gui.keys(KeyCode.RIGHT);
         editor.gui.keys(KeyCode.SPACE);
         assertThat(editor.model().scene().objects()).extracting(SceneObject::shape).hasAtLeastOneElementOfType(Block.class)
-                .hasAtLeastOneElementOfType(Cone.class).hasSize(3);
+                .hasAtLeastOneElementOfType(Plane.class).hasSize(3);
         assertThat(owner()).isEqualTo("add-palette");
     }
 

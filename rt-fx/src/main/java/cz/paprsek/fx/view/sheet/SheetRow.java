@@ -33,8 +33,10 @@ final class SheetRow extends VBox {
         return label;
     }
 
-    /** Puts an editor beside the label. */
+    /** Puts an editor beside the label, which takes two lines if its words need them. */
     SheetRow beside(Node editor) {
+        label.setWrapText(true);
+        label.setMinHeight(Region.USE_PREF_SIZE);
         label.setMinWidth(LABEL_WIDTH);
         label.setPrefWidth(LABEL_WIDTH);
         label.setMaxWidth(LABEL_WIDTH);

@@ -5,12 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.edit.Adding;
+import cz.paprsek.fx.model.edit.Examples;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern.Checkerboard;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -21,6 +25,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.event.ActionEvent;
 import javafx.scene.Node;
@@ -39,6 +45,8 @@ class SheetPicturesTest {
             "several", Set.of(Item.body(0), Item.body(1)),
             "light", Set.of(Item.light(0)),
             "camera", Set.of(Item.CAMERA));
+
+    private static final List<Lens> LENSES = List.of(new Lens.Orthographic(3), new Lens.Spherical(), Lens.Fisheye.DEFAULT);
 
     private final EditorModel model = new EditorModel(Scene.EMPTY
             .plus("steel", Material.color(180, 190, 200).withHighlight(0.6, 100))
@@ -60,9 +68,26 @@ class SheetPicturesTest {
                 assertThat(file).isNotEmptyFile();
                 assertThat(Gui.on(() -> cutOff(gui.stage().getScene().getRoot()))).as(state).isEmpty();
             });
+            for (Item item : ofEveryKind(gui)) {
+                gui.act(() -> model.select(item));
+                gui.pulse();
+                assertThat(Gui.on(() -> cutOff(gui.stage().getScene().getRoot()))).as(item.toString()).isEmpty();
+            }
             refuse(gui);
             Screenshots.save(gui, "sheet-refused-" + language);
         }
+    }
+
+    /** Lights, shapes and cameras of every kind, added to the scene. */
+    private List<Item> ofEveryKind(Gui gui) {
+        Scene now = model.scene();
+        List<Light> lights = Stream.concat(now.lights().stream(), Adding.LIGHTS.stream()).toList();
+        List<SceneObject> objects = Stream.concat(now.objects().stream(), Examples.ofSize(1).stream().map(SceneObject::of)).toList();
+        List<Camera> cameras = Stream.concat(now.cameras().stream(), LENSES.stream().map(now.camera()::withLens)).toList();
+        gui.act(() -> model.edit(cz.paprsek.fx.model.Label.of(cz.paprsek.fx.model.Label.Edit.ADD),
+                scene -> scene.withLights(lights).withObjects(objects).withCameras(cameras)));
+        return Stream.of(IntStream.range(0, lights.size()).mapToObj(Item::light), IntStream.range(0, objects.size()).mapToObj(Item::body),
+                IntStream.range(0, cameras.size()).mapToObj(Item::camera)).<Item>flatMap(items -> items).toList();
     }
 
     private void refuse(Gui gui) {
