@@ -110,6 +110,23 @@ class ValidateCommandTest {
     }
 
     @Test
+    void aLightWithASizeIsInsideOnlyIfAllOfItIs() throws IOException {
+        String inside = "<sphere radius=\"0.5\" material=\"m\"/><material name=\"m\"/>";
+        for (String light : List.of("<sphere-light position=\"0 0 0\" radius=\"1\"/>", "<area-light position=\"0 0 0\" size=\"2 0.1\"/>", "<area-light position=\"0 0 0\" radius=\"1\"/>")) {
+            assertThat(Run.cli("validate", Scenes.scene(folder.resolve("around.xml"), light + inside)).out()).doesNotContain("warning");
+            String small = light.replace("\"1\"", "\"0.4\"").replace("2 0.1", "0.4 0.1");
+            assertThat(Run.cli("validate", Scenes.scene(folder.resolve("within.xml"), small + inside)).out()).contains("light #1 is inside sphere #1, which is opaque");
+        }
+    }
+
+    @Test
+    void aCameraWithinABallOfLightSeesNothing() throws IOException {
+        String ball = "<sphere-light position=\"0 0 0\" radius=\"90\"/><sphere radius=\"0.5\"/>";
+        assertThat(Run.cli("validate", Scenes.scene(folder.resolve("ball.xml"), ball)).out()).contains("the camera is inside light #1, which is black from within");
+        assertThat(Run.cli("validate", Scenes.scene(folder.resolve("unseen.xml"), ball.replace("/><", " visible=\"false\"/><"))).out()).doesNotContain("warning");
+    }
+
+    @Test
     void warningsSayWhereTheThingBegins() throws IOException {
         String scene = """
                 <scene xmlns='urn:paprsek:scene:1' name='a'>

@@ -58,7 +58,7 @@ final class PovLights {
             source(point.position(), 1, point.referenceDistance(), "");
         } else if (light instanceof SpotLight spot) {
             source(spot.position(), 1, spot.referenceDistance(), " spotlight point_at " + vector(spot.position().plus(spot.direction()))
-                    + " radius " + text(spot.innerAngle()) + " falloff " + text(spot.outerAngle()) + " tightness 0");
+                    + " radius " + text(spot.fullAngle()) + " falloff " + text(spot.outerAngle()) + " tightness 0");
         } else if (light instanceof AreaLight area) {
             List<Vec3> places = points.isEmpty() ? List.of(area.position()) : points;
             places.forEach(place -> source(place, 1.0 / places.size(), area.referenceDistance(),

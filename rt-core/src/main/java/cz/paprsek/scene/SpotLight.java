@@ -6,6 +6,7 @@ import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.text.Numbers;
 import java.util.Objects;
 
 /**
@@ -18,7 +19,8 @@ import java.util.Objects;
  * @param color its colour
  * @param intensity factor on the linear colour, 0 to {@link #BRIGHTEST}
  * @param referenceDistance how far away the intensity arrives, scene units: at d it is (D/d)² times that; 0 for the same everywhere
- * @param innerAngle degrees from the middle, 0 to the outer one
+ * @param innerAngle degrees from the middle, 0 to the outer one. {@value #USUAL_INNER} stands for none given: it gives way to a smaller outer one, as
+ *         {@link #fullAngle} says
  * @param outerAngle degrees from the middle, above 0, at most 90
  */
 @Element("A point that shines into a cone. Has either a direction or a target.")
@@ -30,10 +32,13 @@ public record SpotLight(
         @Attribute(value = Kind.INTENSITY, means = "Factor on the colour", otherwise = "1") double intensity,
         @Attribute(value = Kind.NOT_NEGATIVE, means = "Light falls with the square of the distance, and the intensity arrives at this one; at 0 it does not fall", otherwise = "0")
         double referenceDistance,
-        @Attribute(value = Kind.CONE_ANGLE, means = "Degrees from the middle within which all light arrives; at most the outer angle", otherwise = "30")
+        @Attribute(value = Kind.CONE_ANGLE, means = "Degrees from the middle within which all light arrives; at most the outer angle (if not given, 30 or the outer angle, whichever is smaller)", otherwise = "30")
         double innerAngle,
         @Attribute(value = Kind.CONE_ANGLE, means = "Degrees from the middle beyond which none does; above 0", otherwise = "45")
         double outerAngle) implements PlacedLight {
+    /** What the inner angle is if it is not given, unless the outer one is smaller. */
+    private static final double USUAL_INNER = 30;
+
     /** @throws IllegalArgumentException also if the target is where the light is */
     public SpotLight {
         LightRules.check(name, position, color, intensity);
@@ -41,13 +46,30 @@ public record SpotLight(
         Require.sizeOrZero("light reference-distance", referenceDistance);
         Require.within("spot-light outer-angle", Require.positive("spot-light outer-angle", outerAngle), 0, 90);
         Require.notNegative("spot-light inner-angle", innerAngle);
-        Require.that(innerAngle <= outerAngle, "spot-light inner-angle must not be above the outer-angle of " + outerAngle + ", but is " + innerAngle);
+        if (innerAngle != USUAL_INNER) {
+            checkInner(innerAngle, outerAngle);
+        }
         Require.that(!(aim instanceof Camera.Target target && target.point().equals(position)), "spot-light target must not be the light's own position");
+    }
+
+    /**
+     * Checks an inner angle that is given, be it the usual one.
+     *
+     * @throws IllegalArgumentException if it is above the outer one
+     */
+    public static void checkInner(double innerAngle, double outerAngle) {
+        Require.that(innerAngle <= outerAngle,
+                "spot-light inner-angle must not be above the outer-angle of " + Numbers.text(outerAngle) + ", but is " + Numbers.text(innerAngle));
+    }
+
+    /** Degrees from the middle within which all light arrives: the inner angle, but at most the outer one. */
+    public double fullAngle() {
+        return Math.min(innerAngle, outerAngle);
     }
 
     /** A white one of intensity 1, without fall-off, of the usual angles. */
     public static SpotLight from(Vec3 position, Vec3 target) {
-        return new SpotLight("", position, new Camera.Target(target), Rgb.WHITE, 1, 0, 30, 45);
+        return new SpotLight("", position, new Camera.Target(target), Rgb.WHITE, 1, 0, USUAL_INNER, 45);
     }
 
     /** The way the light in the middle goes, of length 1, world space. */

@@ -24,6 +24,7 @@ import cz.paprsek.scene.SpotLight;
 import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFiles;
 import java.util.List;
 import java.util.stream.Stream;
 import org.assertj.core.data.Offset;
@@ -131,6 +132,20 @@ class LightsTest {
         }
         assertThat(bright(light.withAngles(30, 30), 0.57, 0)).isPositive();
         assertThat(bright(light.withAngles(30, 30), 0.58, 0)).isZero();
+    }
+
+    /** An inner angle left out is 30 degrees, or the outer angle if that is smaller, also in a file that is written and changed. */
+    @Test
+    void anInnerAngleThatIsNotGivenGivesWayToASmallerOuterOne() throws Exception {
+        String text = "<scene xmlns=\"urn:paprsek:scene:1\"><camera position=\"0 1 5\" target=\"0 0 0\"/><spot-light position=\"0 1 0\" direction=\"0 -1 0\" outer-angle=\"20\"/></scene>";
+        Scene scene = SceneFiles.parse(text);
+        assertThat(bright(scene.lights().get(0), 0.36, 0)).isCloseTo(Math.cos(Math.atan(0.36)), EXACT);
+        assertThat(bright(scene.lights().get(0), 0.37, 0)).isZero();
+        assertThat(SceneFiles.format(scene)).contains("outer-angle=\"20\"").doesNotContain("inner-angle");
+        assertThat(SceneFiles.parse(SceneFiles.format(scene))).isEqualTo(scene);
+        Scene wide = SceneFiles.parse(text.replace("outer", "inner-angle=\"30\" outer").replace("20", "40"));
+        SpotLight narrowed = ((SpotLight) wide.lights().get(0)).withAngles(30, 20);
+        assertThat(SceneFiles.parse(SceneFiles.format(wide.withLights(List.of(narrowed))))).isEqualTo(scene);
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.sun.management.ThreadMXBean;
 import cz.paprsek.image.Image;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderResult.Outcome;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.integrate.Whitted;
@@ -12,9 +13,14 @@ import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.PartTable;
+import cz.paprsek.render.surface.World;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SphereLight;
+import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
@@ -27,6 +33,7 @@ import java.util.Random;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -221,6 +228,19 @@ class RendererTest {
                 assertThat(Scenes.pixel(result.image(), x, y)).isEqualTo(isDone ? Scenes.pixel(whole, x, y) : new double[3]);
             }
         }
+    }
+
+    /** Even a single ray from the eye, if it needs very many to lights. */
+    @Test
+    void cancellingIsNoticedAmongTheShadowRaysOfOnePoint() {
+        List<Light> lights = Stream.generate(() -> (Light) SphereLight.of(new Vec3(0, 5, 9), 1).withVisible(false).withSamples(4096)).limit(40).toList();
+        Scene scene = Scenes.empty().plus(SceneObject.of(new Sphere(2))).withLights(lights);
+        Whitted tracer = new Whitted(new World(scene, () -> false), 5, Sampling.grid(1));
+        AtomicLong asked = new AtomicLong();
+        tracer.begin(() -> asked.incrementAndGet() > 2);
+        tracer.trace(Eye.of(scene.camera(), 33, 25), 16, 12, 1, 1);
+        assertThat(tracer.isCancelled()).isTrue();
+        assertThat(tracer.work().shadows()).isBetween(1L, 3 * 4096L);
     }
 
     @Test

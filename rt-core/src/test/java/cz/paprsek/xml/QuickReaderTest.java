@@ -87,6 +87,7 @@ class QuickReaderTest {
         "<camera position='0 5 0' target='0 0 0' focus='-1'/>", "<camera position='0 5 0' target='0 0 0' aperture='1e999'/>",
         "<spot-light position='0 1 0'/>", "<spot-light position='0 1 0' target='0 0 0'/>", "<spot-light position='0 1 0' target='0 1 0'/>", "<spot-light position='0 1 0' direction='0 0 0'/>",
         "<spot-light position='0 1 0' target='0 0 0' direction='0 1 0'/>", "<spot-light position='0 1 0' target='0 0 0' inner-angle='46'/>",
+        "<spot-light position='0 1 0' target='0 0 0' outer-angle='20'/>", "<spot-light position='0 1 0' target='0 0 0' inner-angle='30' outer-angle='20'/>",
         "<spot-light position='0 1 0' target='0 0 0' inner-angle='50' outer-angle='90'/>", "<spot-light position='0 1 0' target='0 0 0' outer-angle='91'/>",
         "<spot-light position='0 1 0' target='0 0 0' inner-angle='0' outer-angle='0'/>", "<point-light position='0 0 0' reference-distance='0'/>",
         "<point-light position='0 0 0' reference-distance='-1'/>", "<sun-light direction='0 -1 0' angle='1' visible='true'/>", "<sun-light direction='0 0 0'/>", "<sun-light/>",

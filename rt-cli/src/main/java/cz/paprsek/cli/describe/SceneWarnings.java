@@ -7,6 +7,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PlacedLight;
@@ -14,6 +15,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.MaterialAt;
+import cz.paprsek.scene.SphereLight;
 import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Csg.Operation;
@@ -29,6 +31,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** What is allowed in a scene, but hardly what its author meant. */
 public final class SceneWarnings {
@@ -51,6 +54,7 @@ public final class SceneWarnings {
         List<BodyAt> parts = ScenePath.bodies(scene).toList();
         check.light();
         check.suns();
+        check.balls();
         check.lenses();
         check.materials(parts);
         parts.forEach(check::operands);
@@ -85,6 +89,16 @@ public final class SceneWarnings {
         for (int i = 0; i < scene.lights().size(); i++) {
             if (scene.lights().get(i) instanceof SunLight sun && sun.visible() && sun.angle() == 0) {
                 add("sun-without-disc", name(i), ScenePath.light(i), name(i) + " is visible but has no disc to be seen; give it an angle");
+            }
+        }
+    }
+
+    /** Within a ball there is no light, and from inside it is black. */
+    private void balls() {
+        for (int i = 0; i < scene.lights().size(); i++) {
+            if (scene.lights().get(i) instanceof SphereLight ball && ball.visible()
+                    && scene.camera().position().minus(ball.position()).length() < ball.radius()) {
+                add("camera-inside", name(i), ScenePath.light(i), "the camera is inside " + name(i) + ", which is black from within; it will see nothing else");
             }
         }
     }
@@ -178,10 +192,26 @@ public final class SceneWarnings {
         }
         for (int i = 0; i < scene.lights().size(); i++) {
             Light light = scene.lights().get(i);
-            if (isOpaque && light instanceof PlacedLight lamp && placed.contains(lamp.position())) {
+            if (isOpaque && light instanceof PlacedLight lamp && extent(lamp).allMatch(placed::contains)) {
                 add("light-inside", name(i), ScenePath.light(i), name(i) + " is inside " + label + ", which is opaque; it lights nothing outside");
             }
         }
+    }
+
+    /** The points of a light that reach farthest: it is within a body if all of these are, or nearly so. */
+    private static Stream<Vec3> extent(PlacedLight light) {
+        if (light instanceof AreaLight area && area.form() instanceof AreaLight.Size size) {
+            return Stream.of(-0.5, 0.5).flatMap(x -> Stream.of(-0.5, 0.5).map(y -> new Vec3(x * size.width(), y * size.height(), 0))).map(area.placement().toParent()::point);
+        } else if (light instanceof AreaLight area && area.form() instanceof AreaLight.Radius disc) {
+            return Stream.of(Vec3.X, Vec3.Y).flatMap(way -> around(Vec3.ZERO, way.times(disc.radius()))).map(area.placement().toParent()::point);
+        } else if (light instanceof SphereLight ball) {
+            return Stream.of(Vec3.X, Vec3.Y, Vec3.Z).flatMap(way -> around(ball.position(), way.times(ball.radius())));
+        }
+        return Stream.of(light.position());
+    }
+
+    private static Stream<Vec3> around(Vec3 middle, Vec3 way) {
+        return Stream.of(middle.minus(way), middle.plus(way));
     }
 
     private String name(int light) {

@@ -18,6 +18,7 @@ import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
@@ -28,10 +29,13 @@ import org.jspecify.annotations.Nullable;
 final class Lighting {
     /** Into how many subtrees the search of a block's shadow rays is split at most: as measured. */
     private static final int MOST_ENTRIES = 8;
+    /** How many shadow rays of lights with a size are sent between two questions whether to stop: one ray may need those of many lights. */
+    private static final int BATCH = 4096;
     /** For a light that is looked for at one point. */
     private static final double MIDDLE = 0.5;
 
     private final Witness witness;
+    private final BooleanSupplier stop;
     private final Sampler sampler;
     private final Bodies bodies;
     private final PartTable parts;
@@ -56,11 +60,14 @@ final class Lighting {
     private double green;
     private double blue;
 
+    private int sent;
+
     /** Shadow rays sent so far. */
     long rays;
 
-    Lighting(World scene, int maxDepth, Bodies.Finder finder, Contacts contacts, Spans spans, Sampler sampler, Witness witness) {
+    Lighting(World scene, int maxDepth, Bodies.Finder finder, Contacts contacts, Spans spans, Sampler sampler, Witness witness, BooleanSupplier stop) {
         this.witness = witness;
+        this.stop = stop;
         this.sampler = sampler;
         this.bodies = scene.bodies();
         this.parts = scene.parts();
@@ -158,6 +165,13 @@ final class Lighting {
         double sumRed = 0;
         double sumGreen = 0;
         double sumBlue = 0;
+        sent += samples;
+        if (sent >= BATCH) {
+            if (stop.getAsBoolean()) {
+                return;
+            }
+            sent = 0;
+        }
         sampler.lights(level.path, light, samples);
         for (int i = 0; i < samples; i++) {
             sampler.next();

@@ -77,7 +77,7 @@ public class Whitted extends Witness implements Integrator {
         this.sampling = sampling;
         this.sampler = sampling.newSampler();
         this.sums = sampling.newSums();
-        this.lighting = new Lighting(scene, maxDepth, finder, contacts, spans, sampler, this);
+        this.lighting = new Lighting(scene, maxDepth, finder, contacts, spans, sampler, this, this::isToStop);
         this.levels = new Level[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
             levels[i] = new Level(spans);
@@ -281,10 +281,7 @@ public class Whitted extends Witness implements Integrator {
 
     private void trace(int depth) {
         Level level = levels[depth];
-        if ((primary + reflected + refracted) % BATCH == 0 && stop.getAsBoolean()) {
-            cancelled = true;
-        }
-        if (cancelled) {
+        if (cancelled || ((primary + reflected + refracted) % BATCH == 0 && isToStop())) {
             level.light(0, 0, 0);
             return;
         }
@@ -292,6 +289,11 @@ public class Whitted extends Witness implements Integrator {
             find(level, bodies.whole());
         }
         shade(level, depth);
+    }
+
+    private boolean isToStop() {
+        cancelled = cancelled || stop.getAsBoolean();
+        return cancelled;
     }
 
     /** Nodes of the tree visited so far, leaves included, those of bundles not. */

@@ -20,7 +20,7 @@ final class SpotLamp extends LampAtPoint {
     SpotLamp(SpotLight light) {
         super(light);
         axis = light.direction();
-        cosInner = Angles.cos(light.innerAngle());
+        cosInner = Angles.cos(light.fullAngle());
         cosOuter = Angles.cos(light.outerAngle());
         square = light.referenceDistance() * light.referenceDistance();
     }

@@ -48,12 +48,18 @@ final class LightBeans {
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 direction;
         @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 target;
         @XmlAttribute(name = "reference-distance") double referenceDistance;
-        @XmlAttribute(name = "inner-angle") double innerAngle = 30;
+        @XmlAttribute(name = "inner-angle") @Nullable Double innerAngle;
         @XmlAttribute(name = "outer-angle") double outerAngle = 45;
 
         @Override
         Light toLight() {
-            return new SpotLight(name, position, CameraBean.aim("spot-light", direction, target), color, intensity, referenceDistance, innerAngle, outerAngle);
+            SpotLight usual = SpotLight.from(position, position.plus(Vec3.Y));
+            SpotLight light = new SpotLight(name, position, CameraBean.aim("spot-light", direction, target), color, intensity, referenceDistance,
+                    innerAngle == null ? usual.innerAngle() : innerAngle, outerAngle);
+            if (innerAngle != null) {
+                SpotLight.checkInner(innerAngle, outerAngle);
+            }
+            return light;
         }
     }
 

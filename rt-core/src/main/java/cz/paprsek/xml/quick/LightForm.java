@@ -1,8 +1,10 @@
 package cz.paprsek.xml.quick;
 
 import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.SpotLight;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -17,6 +19,9 @@ import java.util.List;
 record LightForm(Name name, TagForm tag, RecordForm<? extends Record> form, List<List<RecordForm<? extends Record>>> choices) {
     /** All there are. */
     static final List<LightForm> ALL = ElementTable.of(Light.class).map(LightForm::of).toList();
+
+    /** Where among the values of a spot is its inner angle. */
+    private static final int INNER = Described.of(SpotLight.class).stream().map(Described::name).toList().indexOf("inner-angle");
 
     private static LightForm of(Class<? extends Record> type) {
         RecordForm<? extends Record> form = new RecordForm<>(type);
@@ -50,6 +55,10 @@ record LightForm(Name name, TagForm tag, RecordForm<? extends Record> form, List
             Unusual.unless(chosen != Slot.NONE);
             others[i] = chosen;
         }
-        return (Light) form.make(values, 0, others);
+        Light light = (Light) form.make(values, 0, others);
+        // What is not given gives way to a smaller angle, what is given does not.
+        boolean gaveWay = light instanceof SpotLight spot && spot.innerAngle() > spot.outerAngle();
+        Unusual.unless(!gaveWay || values[INNER] == form.slots().get(INNER).otherwise());
+        return light;
     }
 }

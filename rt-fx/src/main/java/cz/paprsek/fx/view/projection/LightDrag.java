@@ -87,7 +87,7 @@ final class LightDrag implements Drag {
         Vec3 to = point.minus(old.position());
         double wide = Math.max(DEGREES, Math.min(90, rounded(Math.toDegrees(Math.atan2(to.cross(old.direction()).length(), to.dot(old.direction()))))));
         angle = wide;
-        return old.withAngles(rounded(old.innerAngle() * wide / old.outerAngle()), wide);
+        return old.withAngles(rounded(old.fullAngle() * wide / old.outerAngle()), wide);
     }
 
     private static double rounded(double degrees) {

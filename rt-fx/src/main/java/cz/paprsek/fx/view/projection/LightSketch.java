@@ -40,7 +40,7 @@ record LightSketch(Vec3 place, List<List<Vec3>> extent, List<List<Vec3>> way, Op
             lines.add(List.of(place, aim));
             List<Vec3> rim = rim(spot, spot.outerAngle());
             lines.add(rim);
-            lines.add(rim(spot, spot.innerAngle()));
+            lines.add(rim(spot, spot.fullAngle()));
             Vec3 side = side(spot, axes);
             lines.add(List.of(place, aim.plus(side)));
             lines.add(List.of(place, aim.minus(side)));
