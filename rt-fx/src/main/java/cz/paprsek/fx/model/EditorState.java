@@ -1,9 +1,9 @@
 package cz.paprsek.fx.model;
 
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.scene.Scene;
 import java.util.Collections;

@@ -1,9 +1,8 @@
 package cz.paprsek.fx.model.property;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Item.CameraAt;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.model.property.Targets.BodiesAt;

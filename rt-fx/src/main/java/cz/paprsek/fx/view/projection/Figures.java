@@ -2,9 +2,9 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Sight;
-import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;

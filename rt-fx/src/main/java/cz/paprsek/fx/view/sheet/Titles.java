@@ -2,9 +2,9 @@ package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.fx.model.property.Section;
 import cz.paprsek.fx.view.texts.Texts;

@@ -1,9 +1,9 @@
 package cz.paprsek.fx.view.texts;
 
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;

@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;

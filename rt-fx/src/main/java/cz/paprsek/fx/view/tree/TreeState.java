@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.view.command.Edits;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyObjectProperty;
