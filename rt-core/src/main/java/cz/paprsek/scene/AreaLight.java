@@ -37,7 +37,7 @@ public record AreaLight(
         @Attribute(value = Kind.FLAG, means = "Whether it is seen, and casts shadows of other lights", otherwise = "true") boolean visible) implements PlacedLight {
 
     /** How large it is. */
-    public sealed interface Form {
+    public sealed interface Form permits Size, Radius {
         /** Square scene units. */
         double area();
     }

@@ -36,7 +36,7 @@ public record Camera(
     public static final Camera DEFAULT = looking(new Vec3(0, 1, 5), new Vec3(0, 0, -1));
 
     /** Where a camera looks. */
-    public sealed interface Aim {}
+    public sealed interface Aim permits Direction, Target {}
 
     /** A direction in world space, of any length but 0. */
     public record Direction(

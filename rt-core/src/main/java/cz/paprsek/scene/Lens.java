@@ -7,7 +7,7 @@ import cz.paprsek.math.Angles;
 import cz.paprsek.math.Require;
 
 /** How a camera brings the world onto its picture. Scene files say which by {@code projection}, in lower case. */
-public sealed interface Lens {
+public sealed interface Lens permits Lens.Perspective, Lens.Orthographic, Lens.Spherical, Lens.Fisheye {
     /** The word for it in scene files. */
     default String projection() {
         return Described.word(this);
