@@ -3,7 +3,7 @@ package cz.paprsek.shape.placed;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 
-/** A shape as placed in the world, ready to be hit: the render half of a {@link Shape}. Immutable. */
+/** A shape as placed in the world, ready to be hit: the render half of a {@link cz.paprsek.shape.Shape}. Immutable. */
 public abstract class Surface {
     /** The box around it, world space; may be unbounded. */
     public abstract Bounds bounds();
