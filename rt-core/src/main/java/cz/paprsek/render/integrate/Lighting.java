@@ -65,7 +65,7 @@ final class Lighting {
     /** Shadow rays sent so far. */
     long rays;
 
-    Lighting(World scene, int maxDepth, Bodies.Finder finder, Contacts contacts, Spans spans, Sampler sampler, Witness witness, BooleanSupplier stop) {
+    Lighting(World scene, int maxDepth, Intersector intersector, Spans spans, Sampler sampler, Witness witness, BooleanSupplier stop) {
         this.witness = witness;
         this.stop = stop;
         this.sampler = sampler;
@@ -74,8 +74,8 @@ final class Lighting {
         this.lamps = scene.lamps();
         this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1);
         this.glows = scene.glows();
-        this.finder = finder;
-        this.contacts = contacts;
+        this.finder = intersector.finder;
+        this.contacts = intersector.contacts;
         this.spans = spans;
         this.shadow = new Ray(spans);
         this.lastOccluder = new Surface[maxDepth * lamps.length];

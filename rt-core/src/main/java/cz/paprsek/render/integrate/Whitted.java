@@ -1,6 +1,5 @@
 package cz.paprsek.render.integrate;
 
-import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
@@ -8,16 +7,12 @@ import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.sample.PixelSums;
-import cz.paprsek.render.sample.Place;
 import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Bodies;
-import cz.paprsek.render.surface.Contacts;
 import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
-import cz.paprsek.render.surface.Media;
 import cz.paprsek.render.surface.PartTable;
-import cz.paprsek.render.surface.Surroundings;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
@@ -43,19 +38,17 @@ public class Whitted extends Witness implements Integrator {
     private final PartTable parts;
     private final Glows glows;
     private final Lighting lighting;
-    private final Bodies.Finder finder;
+    private final Intersector intersector;
+    private final CameraRays cameraRays;
     private final Level[] levels;
     private final Sampling sampling;
     /** What is random: started for a sample of a pixel before its ray is, and anew before the block's hits are shaded, if there is a light that asks. */
     private final Sampler sampler;
     private final double[] background;
     private final double[] ambient;
-    private final Contacts contacts;
-    private final Surroundings surroundings;
     private final Arrival seen = new Arrival();
     private final Bundle bundle = new Bundle();
     private final Entries entries = new Entries(MOST_ENTRIES);
-    private final Place place = new Place();
     private final PixelSums sums;
     private Level[] block = {};
     private Level[] further = {};
@@ -63,7 +56,6 @@ public class Whitted extends Witness implements Integrator {
     public long primary;
     public long reflected;
     public long refracted;
-    public long hits;
     public boolean cancelled;
 
     public Whitted(World scene, int maxDepth, Sampling sampling) {
@@ -71,13 +63,12 @@ public class Whitted extends Witness implements Integrator {
         this.bodies = scene.bodies();
         this.parts = scene.parts();
         this.glows = scene.glows();
-        this.finder = bodies.newFinder();
-        this.contacts = new Contacts(scene, finder, spans);
-        this.surroundings = new Surroundings(scene);
+        this.intersector = new Intersector(scene, spans);
         this.sampling = sampling;
         this.sampler = sampling.newSampler();
+        this.cameraRays = new CameraRays(scene, sampling, sampler);
         this.sums = sampling.newSums();
-        this.lighting = new Lighting(scene, maxDepth, finder, contacts, spans, sampler, this, this::isToStop);
+        this.lighting = new Lighting(scene, maxDepth, intersector, spans, sampler, this, this::isToStop);
         this.levels = new Level[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
             levels[i] = new Level(spans);
@@ -97,7 +88,7 @@ public class Whitted extends Witness implements Integrator {
         primary = 0;
         reflected = 0;
         refracted = 0;
-        hits = 0;
+        intersector.hits = 0;
         lighting.rays = 0;
         cancelled = false;
     }
@@ -161,7 +152,7 @@ public class Whitted extends Witness implements Integrator {
 
     @Override
     public final Work work() {
-        return new Work(primary, reflected, refracted, lighting.rays, hits);
+        return new Work(primary, reflected, refracted, lighting.rays, intersector.hits);
     }
 
     /**
@@ -182,13 +173,13 @@ public class Whitted extends Witness implements Integrator {
             bodies.enter(bundle, entries);
             among = entries;
         }
-        surroundings.from(eye.origins());
+        cameraRays.from(eye);
         int i = 0;
         for (int row = y; row < y + height; row++) {
             for (int column = x; column < x + width; column++) {
                 for (int k = 0; k < perPixel; k++) {
-                    if (start(first[i], eye, column, row, sample + k)) {
-                        find(first[i], among);
+                    if (cameraRays.start(first[i], eye, column, row, sample + k)) {
+                        intersector.find(first[i], among);
                     }
                     i++;
                 }
@@ -203,27 +194,6 @@ public class Whitted extends Witness implements Integrator {
             }
             shade(first[i], 0);
         }
-    }
-
-    /** Starts a sample's ray from the eye, in what is around there; false if it is blind. */
-    private boolean start(Level level, Eye eye, int column, int row, int sample) {
-        sampling.place(sampler, column, row, sample, place);
-        level.isNegative = place.isNegative;
-        double x = column + place.x;
-        double y = row + place.y;
-        boolean sees;
-        if (eye.hasAperture()) {
-            sampler.start(column, row, sample);
-            sampler.lens();
-            sampler.next();
-            sees = eye.start(level.ray, x, y, sampler.u, sampler.v);
-        } else {
-            sees = eye.start(level.ray, x, y);
-        }
-        if (sees) {
-            surroundings.enter(level.ray, level.media);
-        }
-        return sees;
     }
 
     /** The same, or more if there are too few. */
@@ -246,28 +216,24 @@ public class Whitted extends Witness implements Integrator {
 
     /** Starts the ray of {@link #alone} through a point of the picture, where it is in what is around there. */
     public final void startAlone(Eye eye, double x, double y) {
-        if (eye.start(levels[0].ray, x, y)) {
-            surroundings.from(eye.origins());
-            surroundings.enter(levels[0].ray, levels[0].media);
-        }
+        cameraRays.from(eye);
+        cameraRays.start(levels[0], eye, x, y);
     }
 
     /** Starts the ray of {@link #alone} anywhere, in a direction of length 1. */
     public final void startAlone(Vec3 origin, Vec3 direction) {
-        levels[0].ray.start(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
-        surroundings.from(Bounds.ALL);
-        surroundings.enter(levels[0].ray, levels[0].media);
+        cameraRays.start(levels[0], origin, direction);
     }
 
     /** Finds what the ray of {@link #alone} hits. */
     public final void findAlone() {
-        find(levels[0], bodies.whole());
+        intersector.find(levels[0], bodies.whole());
     }
 
     /** Traces a sample's ray from the eye by itself; the light it brings is in {@link #alone}. */
     public final void traceAlone(Eye eye, int column, int row, int sample) {
-        surroundings.from(eye.origins());
-        start(levels[0], eye, column, row, sample);
+        cameraRays.from(eye);
+        cameraRays.start(levels[0], eye, column, row, sample);
         sampler.start(column, row, sample);
         traceAlone();
     }
@@ -286,7 +252,7 @@ public class Whitted extends Witness implements Integrator {
             return;
         }
         if (!level.ray.isBlind()) {
-            find(level, bodies.whole());
+            intersector.find(level, bodies.whole());
         }
         shade(level, depth);
     }
@@ -298,7 +264,7 @@ public class Whitted extends Witness implements Integrator {
 
     /** Nodes of the tree visited so far, leaves included, those of bundles not. */
     public final long nodeVisits() {
-        return finder.visits();
+        return intersector.nodeVisits();
     }
 
     @Override
@@ -306,18 +272,9 @@ public class Whitted extends Witness implements Integrator {
         return primary + reflected + refracted + lighting.rays;
     }
 
-    /** Finds what the level's ray hits, and where. */
-    private void find(Level level, Entries among) {
-        Ray ray = level.ray;
-        bodies.nearest(ray, among, finder);
-        if (ray.part >= 0 && (ray.max <= ray.contact || level.media.areAround())) {
-            contacts.settle(level);
-        }
-        glows.nearest(ray);
-        if (ray.part >= 0) {
-            hits++;
-            locate(ray, level.hit);
-        }
+    /** Finds the place of the level's hit in a picture that covers the surface. */
+    protected final void map(Level level) {
+        intersector.map(level);
     }
 
     private void shade(Level level, int depth) {
@@ -383,33 +340,6 @@ public class Whitted extends Witness implements Integrator {
         }
     }
 
-    private void locate(Ray ray, Hit hit) {
-        hit.px = ray.ox + ray.max * ray.dx;
-        hit.py = ray.oy + ray.max * ray.dy;
-        hit.pz = ray.oz + ray.max * ray.dz;
-        hit.size = ray.max + Math.abs(hit.px) + Math.abs(hit.py) + Math.abs(hit.pz);
-        if (glows.has(ray.part)) {
-            glows.describe(ray.part, ray.face, hit);
-            return;
-        }
-        boolean flipped = ray.face < 0;
-        parts.part(ray.part).describe(flipped ? ~ray.face : ray.face, hit);
-        if (flipped) {
-            hit.turn();
-        }
-    }
-
-    /** Finds the place of the level's hit in a picture that covers the surface. */
-    protected final void map(Level level) {
-        int face = level.ray.face;
-        if (glows.has(level.ray.part)) {
-            level.hit.u = 0;
-            level.hit.v = 0;
-            return;
-        }
-        parts.part(level.ray.part).map(face < 0 ? ~face : face, level.hit);
-    }
-
     /**
      * Adds what is mirrored and what shines through. With e = n₁/n₂ and t = 1 + e²(c² − 1), the refracted direction is e·u + (e·c − √t)·N;
      * if t is negative all light is reflected, with the weight of both.
@@ -427,7 +357,7 @@ public class Whitted extends Witness implements Integrator {
         boolean refracts = finish.transparency > 0;
         if (refracts) {
             double from = level.media.refractiveIndex();
-            double to = indexBeyond(level, next.media, finish, leaving);
+            double to = scene.enterBeyond(level, finish, leaving, next.media);
             e = from / to;
             double t = 1 + e * e * (c * c - 1);
             bent(from, to, t);
@@ -455,25 +385,11 @@ public class Whitted extends Witness implements Integrator {
                     size, Double.POSITIVE_INFINITY, ray.part, leaving == ray.face < 0);
             next.beyond = true;
             next.path = Sampler.refracted(level.path);
-            indexBeyond(level, next.media, finish, leaving);
+            scene.enterBeyond(level, finish, leaving, next.media);
             refracted++;
             following(true, finish.transparency);
             trace(depth);
             level.add(finish.transparency, next);
         }
-    }
-
-    /** Sets the media beyond the surface that the level's ray has hit, and returns their refractive index. A flat figure has no inside. */
-    private double indexBeyond(Level level, Media beyond, Finish finish, boolean leaving) {
-        beyond.set(level.media);
-        int object = parts.object(level.ray.part);
-        if (scene.isSolid(object)) {
-            if (leaving) {
-                beyond.leave(object);
-            } else {
-                beyond.enter(object, finish.refractiveIndex);
-            }
-        }
-        return beyond.refractiveIndex();
     }
 }

@@ -161,4 +161,23 @@ public final class World {
         }
         return touching;
     }
+
+    /**
+     * Sets the media beyond the surface that a ray has hit. A flat figure has no inside.
+     *
+     * @param leaving whether the ray comes from the inside
+     * @return their refractive index
+     */
+    public double enterBeyond(Level level, Finish finish, boolean leaving, Media beyond) {
+        beyond.set(level.media);
+        int object = parts.object(level.ray.part);
+        if (isSolid(object)) {
+            if (leaving) {
+                beyond.leave(object);
+            } else {
+                beyond.enter(object, finish.refractiveIndex);
+            }
+        }
+        return beyond.refractiveIndex();
+    }
 }
