@@ -105,7 +105,8 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
     private Optional<String> camera;
 
-    @Option(names = "--light", paramLabel = "LIGHT", description = "Lights only this light: its name, or its number from 1.")
+    @Option(names = "--light", paramLabel = "LIGHT", description =
+            "Shows what this light adds, by its name or its number from 1: the others are dark, ambient light and background black.")
     private Optional<String> light;
 
     @Option(names = "--no-legend", description = "Leaves away the scale of colours, so that the picture has the size asked for.")

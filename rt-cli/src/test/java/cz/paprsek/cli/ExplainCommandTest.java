@@ -1,12 +1,16 @@
 package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -108,6 +112,31 @@ class ExplainCommandTest {
         Run wrong = Run.cli("render", lamps, "--light", "3", "-o", folder.resolve("c.ppm"));
         assertThat(wrong.code()).isEqualTo(ExitCode.WRONG_USAGE);
         assertThat(wrong.err()).contains("there is no light \"3\"; this scene has lights 1 to 2, named key");
+    }
+
+    @Test
+    void aLightByItselfLeavesOtherLampsStandingAndAddsUpWithThem() throws IOException {
+        Path lamps = Scenes.scene(folder.resolve("bulbs.xml"), "<ambient color=\"60 60 60\"/><background color=\"0 0 200\"/><sphere radius=\"1\" position=\"0 1 0\"/>"
+                + "<point-light name=\"key\" position=\"2 3 4\"/><sphere-light name=\"bulb\" radius=\"0.5\" position=\"-1.5 1 1\"/>");
+        Path none = Scenes.scene(folder.resolve("none.xml"), "<ambient color=\"60 60 60\"/><background color=\"0 0 200\"/><sphere radius=\"1\" position=\"0 1 0\"/>"
+                + "<sphere-light radius=\"0.5\" position=\"-1.5 1 1\" intensity=\"0\"/>");
+        Image all = rendered(lamps);
+        Image key = rendered(lamps, "--light", "key");
+        Image bulb = rendered(lamps, "--light", "2");
+        Image dark = rendered(none);
+        assertThat(key.red(4, 4)).as("where the bulb stands").isZero();
+        assertThat(bulb.red(4, 4)).isGreaterThan(1);
+        for (int y = 0; y < all.height(); y++) {
+            for (int x = 0; x < all.width(); x++) {
+                assertThat(key.green(x, y) + bulb.green(x, y) + dark.green(x, y)).as("%d,%d", x, y).isCloseTo(all.green(x, y), within(1e-5f));
+            }
+        }
+    }
+
+    private Image rendered(Path scene, String... words) throws IOException {
+        Path picture = folder.resolve("linear.pfm");
+        assertThat(Run.cli(Stream.concat(Stream.of("render", scene, "-o", picture), Stream.of(words)).toArray()).code()).isZero();
+        return ImageFiles.read(picture);
     }
 
     private static String content(Path picture) throws IOException {

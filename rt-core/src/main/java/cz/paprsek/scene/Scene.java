@@ -136,6 +136,17 @@ public record Scene(
         return new Scene(name, description, tags, settings, background, ambient, cameras, value, materials, objects);
     }
 
+    /**
+     * What one of its lights, counted from 0, adds to the picture: the others are dark but stand where they stood, nothing is ambient, and the
+     * background is black. With a grid of samples, these pictures of all lights and one without any add up to that of the scene.
+     */
+    public Scene litBy(int light) {
+        List<Light> dark = new ArrayList<>(lights);
+        dark.replaceAll(Unlit::of);
+        dark.set(light, lights.get(light));
+        return new Scene(name, description, tags, settings, Rgb.BLACK, Rgb.BLACK, cameras, dark, materials, objects);
+    }
+
     public Scene withMaterials(Map<String, Material> value) {
         return new Scene(name, description, tags, settings, background, ambient, cameras, lights, value, objects);
     }

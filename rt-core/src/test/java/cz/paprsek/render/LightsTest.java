@@ -7,6 +7,8 @@ import cz.paprsek.image.Image;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Arrival;
+import cz.paprsek.ray.Hit;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LightTerm.ShadowRay;
@@ -15,6 +17,7 @@ import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.CustomLight;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -25,6 +28,7 @@ import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFiles;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.assertj.core.data.Offset;
@@ -242,6 +246,48 @@ class LightsTest {
         for (LightTerm term : met.lights()) {
             LinearRgb sum = term.rays().stream().map(ShadowRay::added).reduce(LinearRgb.BLACK, LinearRgb::plus);
             assertThat(term.rays().size() == 1 ? sum : sum.times(1.0 / term.rays().size())).isEqualTo(term.added());
+        }
+    }
+
+    /** A point made in code, as no kind of file has it: green and twice as bright as it is said to be. */
+    private record Glowworm(Vec3 position, double intensity) implements CustomLight {
+        @Override
+        public Light withIntensity(double value) {
+            return new Glowworm(position, value);
+        }
+
+        @Override
+        public boolean sample(Hit from, double u, double v, Arrival out) {
+            out.towards(from, position.x(), position.y(), position.z());
+            out.light(0, 2 * intensity, 0);
+            return intensity > 0;
+        }
+    }
+
+    @Test
+    void whatEachLightAddsAddsUpToThePicture() {
+        Scene scene = soft().plus(new Glowworm(new Vec3(1, 3, 3), 0.2)).plus(Light.at(-3, 4, 4).withIntensity(0.2))
+                .withAmbient(Rgb.grey(60)).withBackground(new Rgb(30, 60, 120));
+        scene = scene.withSettings(scene.settings().withSamples(2));
+        Image whole = Renderer.render(scene);
+        List<Image> parts = new ArrayList<>();
+        parts.add(Renderer.render(scene.withLights(scene.lights().stream().map(light -> light.withIntensity(0)).toList())));
+        for (int i = 0; i < scene.lights().size(); i++) {
+            parts.add(Renderer.render(scene.litBy(i)));
+        }
+        for (int y = 0; y < whole.height(); y++) {
+            for (int x = 0; x < whole.width(); x++) {
+                double[] sum = new double[3];
+                for (Image part : parts) {
+                    sum[0] += part.red(x, y);
+                    sum[1] += part.green(x, y);
+                    sum[2] += part.blue(x, y);
+                }
+                double[] expected = Scenes.pixel(whole, x, y);
+                for (int k = 0; k < 3; k++) {
+                    assertThat(sum[k]).as("pixel %d,%d", x, y).isCloseTo(expected[k], within(2e-6 * Math.max(1, expected[k])));
+                }
+            }
         }
     }
 }

@@ -19,7 +19,7 @@ import java.util.stream.IntStream;
  * What a picture is to show, if not just the scene as it is.
  *
  * @param camera the one that sees it: its name, or its number from 1
- * @param light the only light to be lit: its name, or its number from 1
+ * @param light the only light to shine: its name, or its number from 1
  * @param legend whether a heat map gets its scale below it
  */
 public record View(RenderMode mode, Optional<String> camera, Optional<String> light, boolean legend) {
@@ -27,7 +27,7 @@ public record View(RenderMode mode, Optional<String> camera, Optional<String> li
     /** @throws WrongUsage if the scene has no such camera or light */
     Scene of(Scene scene) {
         Scene seen = Cameras.through(scene, camera);
-        return light.isEmpty() ? seen : seen.withLights(List.of(chosen(seen, light.get())));
+        return light.isEmpty() ? seen : seen.litBy(chosen(seen, light.get()));
     }
 
     /** Programs read depths and counts as they are, eyes see them as brightness and colours. */
@@ -59,10 +59,10 @@ public record View(RenderMode mode, Optional<String> camera, Optional<String> li
         return legend && scale.isPresent() ? Legend.below(image, scale.get()) : image;
     }
 
-    private static Light chosen(Scene scene, String word) {
+    private static int chosen(Scene scene, String word) {
         List<Light> lights = scene.lights();
-        return lights.stream().filter(light -> light.name().equals(word)).findFirst()
-                .or(() -> IntStream.range(0, lights.size()).filter(i -> word.equals(Integer.toString(i + 1))).mapToObj(lights::get).findFirst())
+        return IntStream.range(0, lights.size()).filter(i -> lights.get(i).name().equals(word)).boxed().findFirst()
+                .or(() -> IntStream.range(0, lights.size()).filter(i -> word.equals(Integer.toString(i + 1))).boxed().findFirst())
                 .orElseThrow(() -> new WrongUsage("there is no light \"" + word + "\"; this scene has " + known(lights)));
     }
 

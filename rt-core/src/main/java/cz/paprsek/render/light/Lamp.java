@@ -28,6 +28,11 @@ public abstract class Lamp {
     }
 
     public static Lamp of(Light light) {
+        Lamp lamp = bright(light);
+        return light.intensity() > 0 || light instanceof CustomLight ? lamp : new DarkLamp(light, lamp);
+    }
+
+    private static Lamp bright(Light light) {
         if (light instanceof PointLight point) {
             return point.referenceDistance() == 0 ? new PointLamp(point) : new FadingLamp(point);
         } else if (light instanceof SpotLight spot) {

@@ -4,7 +4,6 @@ import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.texts.ItemNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
-import java.util.List;
 import java.util.stream.Stream;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Tooltip;
@@ -31,9 +30,9 @@ final class LightBox extends ChoiceBox<Named<Integer>> {
         getSelectionModel().selectFirst();
     }
 
-    /** The scene with the chosen light only; as it is if that has gone. */
+    /** The scene with what the chosen light adds; as it is if that has gone. */
     Scene lit(Scene scene) {
         int index = getValue().value();
-        return index >= 0 && index < scene.lights().size() ? scene.withLights(List.of(scene.lights().get(index))) : scene;
+        return index >= 0 && index < scene.lights().size() ? scene.litBy(index) : scene;
     }
 }
