@@ -1,22 +1,16 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Label;
-import cz.paprsek.fx.model.edit.Cameras;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.command.Command;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.shell.AddPalette;
-import cz.paprsek.fx.view.texts.ItemNames;
 import cz.paprsek.fx.view.texts.Texts;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.UnaryOperator;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.beans.property.ReadOnlyObjectProperty;
@@ -160,39 +154,7 @@ final class Menus {
                 command("view-menu.zoom-in", () -> views.zoom(pane -> pane.zoom(1.25))).keys("Shortcut+Plus").menuItem(),
                 command("view-menu.zoom-out", () -> views.zoom(pane -> pane.zoom(0.8))).keys("Shortcut+Minus").menuItem(), fitAll.menuItem(),
                 command("view-menu.fit-selection", views::fitSelection).keys("Shortcut+Shift+0").menuItem(), new SeparatorMenuItem(), explain,
-                camerasMenu(), new SeparatorMenuItem(), theme, language);
-    }
-
-    /** Which camera takes the picture. The list is made when the menu opens. */
-    private Menu camerasMenu() {
-        EditorModel model = editor.model();
-        String name = texts.of("kind.camera");
-        Menu menu = menu("view-menu.cameras");
-        List<MenuItem> commands = List.of(new SeparatorMenuItem(),
-                command("view-menu.next-camera", () -> cameras(Label.Edit.CAMERA, Cameras::next)).keys("Shortcut+K").menuItem(),
-                command("view-menu.new-camera", () -> cameras(Label.Edit.ADD, state -> Cameras.add(state, name))).keys("Shortcut+Shift+K").menuItem(),
-                command("view-menu.remove-camera", () -> cameras(Label.Edit.DELETE, Cameras::remove)).menuItem(), new SeparatorMenuItem(),
-                command("view-menu.focus", () -> views.focus(editor)).keys("Shortcut+Shift+F").menuItem());
-        menu.getItems().setAll(commands);
-        menu.setOnShowing(event -> {
-            List<MenuItem> items = new ArrayList<>();
-            for (int i = 0; i < model.scene().cameras().size(); i++) {
-                int camera = i;
-                RadioMenuItem item = new RadioMenuItem(ItemNames.of(model.scene(), Item.camera(i), texts));
-                item.setId("camera-" + i);
-                item.setMnemonicParsing(false);
-                item.setSelected(i == 0);
-                item.setOnAction(chosen -> cameras(Label.Edit.CAMERA, state -> Cameras.through(state, camera)));
-                items.add(item);
-            }
-            items.addAll(commands);
-            menu.getItems().setAll(items);
-        });
-        return menu;
-    }
-
-    private void cameras(Label.Edit edit, UnaryOperator<EditorState> change) {
-        editor.model().editState(Label.of(edit, texts.of("item.camera")), change);
+                views.cameras().menu(), new SeparatorMenuItem(), theme, language);
     }
 
     private Menu renderMenu() {

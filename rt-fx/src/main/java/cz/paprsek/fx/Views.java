@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.view.camera.CameraPane;
+import cz.paprsek.fx.view.command.CameraCommands;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.explain.ExplainMode;
 import cz.paprsek.fx.view.explain.ExplainPane;
@@ -36,6 +37,7 @@ final class Views {
     private final List<TitledView> titled;
     private final PaneGrid grid;
     private final ExplainMode explaining;
+    private final CameraCommands cameras;
     private Node last;
     private Optional<ProjectionPane> active = Optional.empty();
 
@@ -54,6 +56,8 @@ final class Views {
                 titled("front", texts.of("view.front"), texts, front), titled("right", texts.of("view.right"), texts, right));
         grid = new PaneGrid(titled);
         explaining = new ExplainMode(model, camera, projections, new ExplainPane(texts, theme, editor.treeChooser()));
+        cameras = new CameraCommands(commands.edits(), () -> focus(editor));
+        titled.get(1).addTool(cameras.chooser());
         titled.get(1).addTool(explainButton(texts));
         camera.acceptMaterials(commands.edits());
         projections.forEach(pane -> pane.acceptMaterials(commands.edits()));
@@ -88,12 +92,18 @@ final class Views {
         return button;
     }
 
+    /** Through which camera the user looks. */
+    CameraCommands cameras() {
+        return cameras;
+    }
+
     /** Asks for a click into the picture of the camera: on what shall be sharp. */
-    void focus(Editor editor) {
+    private void focus(Editor editor) {
         editor.say(editor.texts().of("view.focus-click"));
         camera.awaitClick(point -> point.pick().ifPresentOrElse(
                 pick -> {
-                    model.edit(Label.of(Label.Edit.CAMERA), scene -> Cameras.focused(scene, pick.point()));
+                    int eye = model.state().eye();
+                    model.edit(Label.of(Label.Edit.CAMERA), scene -> Cameras.changed(scene, eye, now -> Cameras.focused(now, pick.point())));
                     editor.say(editor.texts().of("view.focus-done", ItemNames.of(point.scene().scene(), PicturePoint.item(pick), editor.texts())));
                 },
                 () -> editor.say(editor.texts().of("view.focus-nothing"))));
@@ -144,7 +154,7 @@ final class Views {
 
     /** Where new things are put: in the middle of the projection used last, at the depth of what the camera looks at. */
     Sight sight() {
-        Sight gaze = Sight.of(model.scene());
+        Sight gaze = Sight.of(model.state());
         return active.map(pane -> pane.sight(gaze.point())).orElse(gaze);
     }
 

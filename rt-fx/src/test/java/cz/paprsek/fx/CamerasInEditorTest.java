@@ -3,14 +3,19 @@ package cz.paprsek.fx;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Scene;
 import java.nio.file.Path;
 import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
 import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -58,20 +63,73 @@ class CamerasInEditorTest {
     @Test
     void camerasAreAddedChangedAndSwitched() {
         editor.menu("view-menu-new-camera");
-        assertThat(editor.model().scene().cameras()).extracting(Camera::name).containsExactly("camera 2", "camera");
-        assertThat(editor.model().selection()).containsExactly(Item.CAMERA);
+        assertThat(editor.model().scene().cameras()).extracting(Camera::name).containsExactly("camera", "camera 2");
+        assertThat(editor.model().selection()).containsExactly(Item.camera(1));
         ComboBox<Class<?>> projection = choice();
         editor.gui.act(() -> projection.setValue(Lens.Orthographic.class));
-        assertThat(editor.model().scene().camera().lens()).isInstanceOf(Lens.Orthographic.class);
+        assertThat(editor.model().state().camera().lens()).isInstanceOf(Lens.Orthographic.class);
         assertThat(editor.gui.node("#lens-height").isVisible()).isTrue();
         assertThat(editor.gui.stage().getScene().lookup("#lens-fovy")).as("only what the projection has").isNull();
         editor.gui.until("the picture is complete", editor.editor::isPictureComplete);
         assertThat(Screenshots.save(editor.gui, "camera-orthographic")).isNotEmptyFile();
+        Scene before = editor.model().scene();
         editor.menu("view-menu-next-camera");
-        assertThat(editor.model().scene().camera()).matches(camera -> camera.name().equals("camera") && camera.lens() instanceof Lens.Perspective);
+        assertThat(editor.model().state().camera()).isEqualTo(before.camera());
+        assertThat(editor.model().scene()).as("looking changes nothing").isSameAs(before);
         editor.menu("view-menu-next-camera");
+        editor.menu("view-menu-first-camera");
+        assertThat(editor.model().scene().cameras()).extracting(Camera::name).containsExactly("camera 2", "camera");
         editor.menu("view-menu-remove-camera");
         assertThat(editor.model().scene().cameras()).extracting(Camera::name).containsExactly("camera");
+    }
+
+    @Test
+    void theTitleOfThePictureChoosesTheCamera() {
+        editor.menu("view-menu-new-camera");
+        MenuButton chooser = (MenuButton) editor.gui.node("#camera-chooser");
+        assertThat(Gui.on(chooser::getText)).isEqualTo("camera 2");
+        editor.gui.click(chooser);
+        editor.gui.until("the list is open", chooser::isShowing);
+        assertThat(Gui.on(() -> chooser.getItems().stream().limit(2).map(MenuItem::getText).toList())).containsExactly("camera", "camera 2");
+        editor.gui.keys(KeyCode.ESCAPE);
+        editor.gui.act(() -> chooser.getItems().get(0).fire());
+        assertThat(editor.model().state().eye()).isZero();
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.K);
+        assertThat(editor.model().state().eye()).as("the key works beside the list").isEqualTo(1);
+    }
+
+    @Test
+    void camerasAreNamedCopiedAndDeletedInTheTree() {
+        editor.gui.act(() -> editor.model().select(Item.CAMERA));
+        editor.gui.act(() -> editor.gui.node("#tree-list").requestFocus());
+        editor.gui.keys(KeyCode.F2);
+        TextInputControl field = (TextInputControl) editor.gui.node("#tree-rename");
+        editor.gui.act(() -> field.setText("left"));
+        editor.gui.keys(KeyCode.ENTER);
+        assertThat(editor.model().scene().camera().name()).isEqualTo("left");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.D);
+        assertThat(editor.model().scene().cameras()).extracting(Camera::name).containsExactly("left", "left 2");
+        editor.menu("object-look");
+        assertThat(editor.model().state().eye()).isEqualTo(1);
+        editor.gui.keys(KeyCode.DELETE);
+        assertThat(editor.model().scene().cameras()).extracting(Camera::name).containsExactly("left");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(editor.model().scene().cameras()).hasSize(2);
+        assertThat(editor.model().state().eye()).isEqualTo(1);
+    }
+
+    @Test
+    void everyCameraIsDrawnAndDraggedByItsAim() {
+        editor.menu("view-menu-new-camera");
+        editor.menu("view-menu-next-camera");
+        ProjectionPane top = editor.projection("top");
+        Camera second = editor.model().scene().cameras().get(1);
+        Vec3 target = ((Camera.Target) second.aim()).point();
+        Point2D from = EditorGui.place(top, target.x(), target.y(), target.z());
+        Point2D to = EditorGui.place(top, target.x() + 1, target.y(), target.z());
+        editor.gui.drag(top, from.getX(), from.getY(), to.getX(), to.getY());
+        assertThat(((Camera.Target) editor.model().scene().cameras().get(1).aim()).point().x()).isGreaterThan(target.x());
+        assertThat(editor.model().scene().camera().aim()).as("the other stays").isEqualTo(second.aim());
     }
 
     @SuppressWarnings("unchecked") // The sheet has kinds of lenses there.

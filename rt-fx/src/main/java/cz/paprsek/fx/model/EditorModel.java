@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  * the same; all changes go through here. For JavaFX's thread only.
  */
 public final class EditorModel {
-    private final History<EditorState> history = new History<>((now, from, to) -> to);
+    private final History<EditorState> history = new History<>(EditorModel::step);
     private final ReadOnlyObjectWrapper<EditorState> state;
     private final ReadOnlyObjectWrapper<Scene> scene;
     private final ReadOnlyObjectWrapper<Set<Item>> selection;
@@ -135,6 +135,16 @@ public final class EditorModel {
         select(new LinkedHashSet<>(List.of(items)));
     }
 
+    /** Looks through another camera of the scene, counted from 0: no step of the history, and nothing changes but the view. */
+    public void look(int camera) {
+        commitGesture();
+        EditorState now = state();
+        EditorState next = now.through(camera);
+        if (next.eye() != now.eye()) {
+            show(next);
+        }
+    }
+
     /** Undoes the last step, or cancels the gesture under way. */
     public void undo() {
         if (gesture != null) {
@@ -212,6 +222,12 @@ public final class EditorModel {
         if (gesture != null) {
             gesture.commit();
         }
+    }
+
+    /** A step leads to its other end, but one goes on looking through the camera one looks through, unless the step was about that. */
+    private static EditorState step(EditorState now, EditorState from, EditorState to) {
+        boolean isAboutCameras = from.eye() != to.eye() || from.scene().cameras().size() != to.scene().cameras().size();
+        return isAboutCameras ? to : to.through(now.eye());
     }
 
     /** Selecting alone is no step. */

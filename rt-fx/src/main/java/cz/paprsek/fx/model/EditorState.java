@@ -1,10 +1,11 @@
 package cz.paprsek.fx.model;
 
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
 import java.util.Collections;
 import java.util.LinkedHashSet;
@@ -20,39 +21,57 @@ import java.util.stream.Collectors;
  * @param selection in the order of selecting
  * @param hidden what the editor does not show; files and renders have it all the same
  * @param locked what cannot be picked or moved in the editor
+ * @param eye which of the scene's cameras is looked through, counted from 0; the scene does not know. One that is not there means the first
  */
-public record EditorState(Scene scene, Set<Item> selection, Set<Item> hidden, Set<Item> locked) {
+public record EditorState(Scene scene, Set<Item> selection, Set<Item> hidden, Set<Item> locked, int eye) {
 
     public EditorState {
         selection = existing(scene, selection);
         hidden = existing(scene, hidden);
         locked = existing(scene, locked);
+        eye = eye >= 0 && eye < scene.cameras().size() ? eye : 0;
     }
 
     /** A scene of which nothing is selected, hidden or locked. */
     public static EditorState of(Scene scene) {
-        return new EditorState(scene, Set.of(), Set.of(), Set.of());
+        return new EditorState(scene, Set.of(), Set.of(), Set.of(), 0);
     }
 
     public EditorState withScene(Scene value) {
-        return new EditorState(value, selection, hidden, locked);
+        return new EditorState(value, selection, hidden, locked, eye);
     }
 
     public EditorState withSelection(Set<? extends Item> value) {
-        return new EditorState(scene, new LinkedHashSet<>(value), hidden, locked);
+        return new EditorState(scene, new LinkedHashSet<>(value), hidden, locked, eye);
     }
 
     public EditorState withHidden(Set<Item> value) {
-        return new EditorState(scene, selection, value, locked);
+        return new EditorState(scene, selection, value, locked, eye);
     }
 
     public EditorState withLocked(Set<Item> value) {
-        return new EditorState(scene, selection, hidden, value);
+        return new EditorState(scene, selection, hidden, value, eye);
+    }
+
+    /** Looking through another camera, counted from 0: the scene stays as it is. */
+    public EditorState through(int value) {
+        return value == eye ? this : new EditorState(scene, selection, hidden, locked, value);
+    }
+
+    /** The camera that is looked through. */
+    public Camera camera() {
+        return scene.cameras().get(eye);
+    }
+
+    /** The scene as it is looked at: the camera that is looked through comes first. */
+    public Scene seen() {
+        return eye == 0 ? scene : scene.through(eye);
     }
 
     /** Another scene, with each item taken to where it is now; one without a place is dropped. */
     public EditorState moved(Scene value, Function<Item, Optional<Item>> place) {
-        return new EditorState(value, moved(selection, place), moved(hidden, place), moved(locked, place));
+        int looking = place.apply(Item.camera(eye)).filter(CameraAt.class::isInstance).map(item -> ((CameraAt) item).index()).orElse(0);
+        return new EditorState(value, moved(selection, place), moved(hidden, place), moved(locked, place), looking);
     }
 
     /** Whether an item, or an operation around it, is hidden. */

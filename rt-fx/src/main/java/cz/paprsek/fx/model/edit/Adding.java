@@ -35,7 +35,7 @@ public final class Adding {
 
     /** Adds a light of a kind above, beside and before what the user looks at, which it shines at, as brightly as its intensity says. */
     public static EditorState light(EditorState state, Light kind, String name, Sight sight) {
-        Camera camera = state.scene().camera();
+        Camera camera = state.camera();
         Vec3 away = camera.right().times(-1).plus(Vec3.Y.times(2)).minus(camera.forward()).times(sight.size());
         Vec3 place = Sight.at(sight.point().plus(away), 4 * sight.size()).point();
         return Structure.add(state, light(kind, place, sight).named(name));

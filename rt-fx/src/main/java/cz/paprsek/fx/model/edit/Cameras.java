@@ -1,8 +1,8 @@
 package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.CameraAt;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
@@ -10,68 +10,88 @@ import cz.paprsek.scene.Scene;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.IntUnaryOperator;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
-/** Changes of which cameras there are, which of them takes the picture, and of what it is focused on. */
+/** Changes of which cameras there are, in which order, and of what they are focused on. */
 public final class Cameras {
     /** Of the distance that is sharp: the radius of a lens that had none. */
     private static final double APERTURE = 0.02;
 
     private Cameras() {}
 
-    /** Looks through another camera: it comes first. */
-    public static EditorState through(EditorState state, int camera) {
-        return selecting(state, state.scene().through(camera), i -> i == camera ? 0 : i < camera ? i + 1 : i);
-    }
-
-    /** Looks through the camera that has waited longest: the last. */
-    public static EditorState next(EditorState state) {
-        return through(state, state.scene().cameras().size() - 1);
-    }
-
-    /** Adds a camera that sees what the first sees, and looks through it. */
-    public static EditorState add(EditorState state, String name) {
-        Scene scene = state.scene();
-        Set<String> taken = scene.cameras().stream().map(Camera::name).collect(Collectors.toSet());
+    /** Changes one of a scene's cameras, counted from 0. */
+    public static Scene changed(Scene scene, int camera, UnaryOperator<Camera> change) {
         List<Camera> cameras = new ArrayList<>(scene.cameras());
-        if (cameras.get(0).name().isEmpty()) {
+        cameras.set(camera, change.apply(cameras.get(camera)));
+        return scene.withCameras(cameras);
+    }
+
+    /** Makes a camera the first, whose picture is rendered where none is named. */
+    public static EditorState first(EditorState state, int camera) {
+        return state.moved(state.scene().through(camera),
+                place -> Optional.of(place instanceof CameraAt at ? Item.camera(at.index() == camera ? 0 : at.index() < camera ? at.index() + 1 : at.index()) : place));
+    }
+
+    /** Adds a camera that sees what the one looked through sees, selects it and looks through it. */
+    public static EditorState add(EditorState state, String name) {
+        Set<String> taken = names(state);
+        List<Camera> cameras = new ArrayList<>(state.scene().cameras());
+        if (state.camera().name().isEmpty()) {
             // Told apart by their names from now on.
-            String first = Names.free(name, taken);
-            cameras.set(0, cameras.get(0).named(first));
-            taken.add(first);
+            String seeing = Names.free(name, taken);
+            cameras.set(state.eye(), state.camera().named(seeing));
+            taken.add(seeing);
         }
-        cameras.add(0, scene.camera().named(Names.free(name, taken)));
-        return selecting(state, scene.withCameras(cameras), i -> i + 1);
+        cameras.add(state.camera().named(Names.free(name, taken)));
+        return state.withScene(state.scene().withCameras(cameras)).withSelection(Set.of(Item.camera(cameras.size() - 1))).through(cameras.size() - 1);
     }
 
-    /** Takes the first camera away; the last stays. */
-    public static EditorState remove(EditorState state) {
-        List<Camera> cameras = state.scene().cameras();
-        return cameras.size() == 1 ? state : selecting(state, state.scene().withCameras(cameras.subList(1, cameras.size())), i -> i - 1);
+    /** Adds copies of cameras, with free names, and selects them too. */
+    static EditorState withCopies(EditorState state, Collection<CameraAt> originals) {
+        Set<String> taken = names(state);
+        Set<Item> selection = new LinkedHashSet<>(state.selection());
+        List<Camera> cameras = new ArrayList<>(state.scene().cameras());
+        for (CameraAt at : originals) {
+            Camera copy = cameras.get(at.index()).named(Names.free(cameras.get(at.index()).name(), taken));
+            taken.add(copy.name());
+            selection.add(Item.camera(cameras.size()));
+            cameras.add(copy);
+        }
+        return originals.isEmpty() ? state : state.withScene(state.scene().withCameras(cameras)).withSelection(selection);
     }
 
-    /** Makes a point sharp, by a thin lens. One that has no size gets a small one; other projections become perspective. */
-    public static Scene focused(Scene scene, Vec3 point) {
-        Camera camera = scene.camera();
+    /** Takes cameras away. Of all of them, the one that is looked through stays: a picture needs one. */
+    public static EditorState remove(EditorState state, Collection<CameraAt> removed) {
+        List<Integer> kept = IntStream.range(0, state.scene().cameras().size()).boxed().filter(i -> !removed.contains(Item.camera(i))).toList();
+        List<Integer> staying = kept.isEmpty() ? List.of(state.eye()) : kept;
+        return removed.isEmpty() ? state : state.moved(state.scene().withCameras(staying.stream().map(state.scene().cameras()::get).toList()),
+                place -> Optional.of(place).filter(item -> !(item instanceof CameraAt at) || staying.contains(at.index()))
+                        .map(item -> item instanceof CameraAt at ? Item.camera(staying.indexOf(at.index())) : item));
+    }
+
+    /** Makes a point sharp for a camera, by a thin lens. One that has no size gets a small one; other projections become perspective. */
+    public static Camera focused(Camera camera, Vec3 point) {
         double distance = round(point.minus(camera.position()).dot(camera.forward()));
         if (!(distance > 0)) {
-            return scene;
+            return camera;
         }
         Lens.Perspective lens = camera.lens() instanceof Lens.Perspective perspective ? perspective : Lens.Perspective.DEFAULT;
         Lens.Perspective open = lens.aperture() > 0 ? lens : lens.withAperture(round(APERTURE * distance));
-        return scene.withCamera(camera.withLens(open.withFocus(distance)));
+        return camera.withLens(open.withFocus(distance));
+    }
+
+    private static Set<String> names(EditorState state) {
+        return state.scene().cameras().stream().map(Camera::name).collect(Collectors.toSet());
     }
 
     private static double round(double value) {
         return new BigDecimal(value).round(new MathContext(4)).doubleValue();
-    }
-
-    private static EditorState selecting(EditorState state, Scene scene, IntUnaryOperator place) {
-        return state.moved(scene, item -> item instanceof CameraAt camera
-                ? Optional.of(place.applyAsInt(camera.index())).filter(i -> i >= 0).map(Item::camera) : Optional.of(item)).withSelection(Set.of(Item.CAMERA));
     }
 }

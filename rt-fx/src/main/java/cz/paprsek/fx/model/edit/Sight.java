@@ -1,9 +1,10 @@
 package cz.paprsek.fx.model.edit;
 
+import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Camera.Target;
+import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
 import java.util.function.Predicate;
 
@@ -17,10 +18,10 @@ public record Sight(Vec3 point, double size) {
     /** The share of the picture's height that a new thing takes. */
     private static final double SHARE = 0.25;
 
-    /** What the scene's camera looks at: its target, or else the point of its view nearest to the middle of all there is. */
-    public static Sight of(Scene scene) {
-        Camera camera = scene.camera();
-        Vec3 aim = camera.aim() instanceof Target target ? target.point() : middle(bounds(scene));
+    /** What the camera looks at through which the user does: its target, or else the point of its view nearest to the middle of all there is. */
+    public static Sight of(EditorState state) {
+        Camera camera = state.camera();
+        Vec3 aim = camera.aim() instanceof Target target ? target.point() : middle(bounds(state.scene()));
         double ahead = aim.minus(camera.position()).dot(camera.forward());
         double distance = ahead > 0 ? ahead : camera.position().length() + 1;
         double height = camera.lens().heightAt(distance);

@@ -4,9 +4,10 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.SceneTree.Node;
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.math.Affine;
@@ -60,15 +61,15 @@ public final class Structure {
         return tree.resultSelecting(nodes, places);
     }
 
-    /** Deletes objects, operands and lights. An operation that loses its last operand goes too; the camera stays. */
+    /** Deletes objects, operands, lights and cameras. An operation that loses its last operand goes too; one camera stays. */
     public static EditorState delete(EditorState state, Collection<? extends Item> items) {
         SceneTree tree = new SceneTree(state);
         tree.nodes(items).forEach(tree::remove);
         Items.lights(items).forEach(tree::removeLight);
-        return tree.result();
+        return Cameras.remove(tree.result(), Items.cameras(items));
     }
 
-    /** Copies objects, operands and lights, each right after its original and moved by an offset in world space; selects the copies. */
+    /** Copies objects, operands, lights and cameras, each right after its original or last, moved by an offset in world space; selects the copies. */
     public static EditorState duplicate(EditorState state, Collection<? extends Item> items, Vec3 offset) {
         SceneTree tree = new SceneTree(state);
         List<Node> copies = new ArrayList<>();
@@ -84,7 +85,7 @@ public final class Structure {
             lights.add(tree.lightCount());
             tree.insertLight(tree.lightCount(), light.named(Names.free(light.name(), tree.lightNames())), -1);
         }
-        EditorState copied = tree.resultSelecting(copies, lights);
+        EditorState copied = Cameras.withCopies(tree.resultSelecting(copies, lights), Items.cameras(items));
         return copied.withScene(Moves.translated(copied.scene(), copied.selection(), offset));
     }
 
@@ -189,12 +190,15 @@ public final class Structure {
         return operands;
     }
 
-    /** Gives an object, operand or light another name; empty for none. */
+    /** Gives an object, operand, light or camera another name; empty for none. */
     public static EditorState rename(EditorState state, Item item, String name) {
         if (item instanceof LightAt at) {
             List<Light> lights = new ArrayList<>(state.scene().lights());
             lights.set(at.index(), lights.get(at.index()).named(name));
             return state.withScene(state.scene().withLights(lights));
+        }
+        if (item instanceof CameraAt at) {
+            return state.withScene(Cameras.changed(state.scene(), at.index(), camera -> camera.named(name)));
         }
         return item instanceof BodyAt at ? state.withScene(Bodies.with(state.scene(), at, body -> body.named(name))) : state;
     }

@@ -1,9 +1,9 @@
 package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -19,14 +19,14 @@ import java.util.stream.IntStream;
 /**
  * A scene without what is hidden in the editor. Of a difference without its first operand, from which the others are taken, nothing is left.
  *
- * @param scene what is to be seen; the very scene if nothing is hidden
+ * @param scene what is to be seen, by the camera looked through, which comes first; the very scene if that is its first and nothing is hidden
  * @param places where in the scene itself stands what is at a place here; what is not in it stands at the same place
  * @param lights where in the scene itself stand the lights of this one; empty if all are where they were
  */
 public record Visible(Scene scene, Map<BodyAt, BodyAt> places, List<LightAt> lights) {
 
     public static Visible of(EditorState state) {
-        Scene whole = state.scene();
+        Scene whole = state.seen();
         if (state.hidden().isEmpty()) {
             return new Visible(whole, Map.of(), List.of());
         }

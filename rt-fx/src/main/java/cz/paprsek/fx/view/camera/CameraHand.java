@@ -4,12 +4,13 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.CameraMoves;
+import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderScene.Pick;
-import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Camera.Target;
+import cz.paprsek.scene.Camera;
 import java.util.function.UnaryOperator;
 import javafx.animation.PauseTransition;
 import javafx.scene.input.KeyCode;
@@ -166,7 +167,8 @@ final class CameraHand {
         endWheel();
         Kind kind = !event.getCode().isArrowKey() ? Kind.DOLLY : event.isShiftDown() ? Kind.PAN : Kind.ORBIT;
         Vec3 pivot = pivot();
-        model.edit(Label.of(Label.Edit.CAMERA), scene -> scene.withCamera(moved(scene.camera(), kind, pivot, right, down)));
+        int eye = model.state().eye();
+        model.edit(Label.of(Label.Edit.CAMERA), scene -> Cameras.changed(scene, eye, camera -> moved(camera, kind, pivot, right, down)));
     }
 
     /** Is told when the camera should move, but is locked. */
@@ -175,7 +177,7 @@ final class CameraHand {
     }
 
     private boolean isLocked() {
-        boolean locked = model.state().isLocked(Item.CAMERA);
+        boolean locked = model.state().isLocked(Item.camera(model.state().eye()));
         if (locked) {
             onLocked.run();
         }
@@ -183,7 +185,7 @@ final class CameraHand {
     }
 
     private static void preview(Gesture gesture, UnaryOperator<Camera> change) {
-        gesture.preview(scene -> scene.withCamera(change.apply(scene.camera())));
+        gesture.preview(scene -> Cameras.changed(scene, gesture.start().eye(), change));
     }
 
     /** The scene follows the mouse; the camera therefore goes the other way. */
@@ -208,7 +210,7 @@ final class CameraHand {
 
     /** What the camera looks at: its target, or the surface in the middle of the picture, or else the point nearest to the world's origin. */
     private Vec3 pivot() {
-        Camera camera = model.scene().camera();
+        Camera camera = model.state().camera();
         if (camera.aim() instanceof Target target) {
             return target.point();
         }

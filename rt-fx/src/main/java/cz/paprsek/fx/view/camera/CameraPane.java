@@ -3,9 +3,9 @@ package cz.paprsek.fx.view.camera;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Visible;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
@@ -78,7 +78,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
                 + (picture.completeProperty().get() ? "" : " …"));
         picture.completeProperty().addListener((property, old, now) -> caption.run());
         onState = (property, old, now) -> {
-            if (!old.scene().equals(now.scene()) || !old.hidden().equals(now.hidden())) {
+            if (old.eye() != now.eye() || !old.scene().equals(now.scene()) || !old.hidden().equals(now.hidden())) {
                 visible = Visible.of(now);
                 picture.show(visible.scene());
                 caption.run();

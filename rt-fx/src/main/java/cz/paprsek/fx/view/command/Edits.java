@@ -2,17 +2,17 @@ package cz.paprsek.fx.view.command;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Adding;
+import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.Clipboard;
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.edit.Structure;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.texts.ItemNames;
 import cz.paprsek.fx.view.texts.Texts;
@@ -24,6 +24,7 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.xml.SceneFileException;
 import java.util.Collection;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
@@ -89,14 +90,29 @@ public final class Edits {
         edit(Edit.DISSOLVE, model.selection(), state -> Structure.dissolve(state, state.selection()));
     }
 
-    /** Deletes what is selected, but for the camera and what is locked. */
+    /** Adds a camera that sees what the one looked through sees. */
+    public void addCamera() {
+        String kind = texts.of("kind.camera");
+        edit(Label.of(Edit.ADD, kind), state -> Cameras.add(state, kind));
+    }
+
+    /** Makes a camera the first. */
+    void makeFirst(int camera) {
+        edit(Edit.REORDER, Set.of(Item.camera(camera)), state -> Cameras.first(state, camera));
+    }
+
+    void removeCamera(int camera) {
+        edit(Edit.DELETE, Set.of(Item.camera(camera)), state -> Cameras.remove(state, List.of(Item.camera(camera))));
+    }
+
+    /** Deletes what is selected, but for the last camera and what is locked. */
     public void delete() {
         remove(Edit.DELETE);
     }
 
     private void remove(Edit edit) {
         Set<Item> items = new LinkedHashSet<>(model.selection());
-        items.removeIf(item -> item instanceof CameraAt || model.state().isLocked(item));
+        items.removeIf(model.state()::isLocked);
         if (!items.isEmpty()) {
             edit(edit, items, state -> Structure.delete(state, items));
         }
@@ -104,7 +120,7 @@ public final class Edits {
 
     /** Copies what is selected, beside it. */
     void duplicate() {
-        double aside = ASIDE * Sight.of(model.scene()).size();
+        double aside = ASIDE * Sight.of(model.state()).size();
         edit(Edit.DUPLICATE, model.selection(), state -> Structure.duplicate(state, state.selection(), new Vec3(aside, 0, aside)));
     }
 

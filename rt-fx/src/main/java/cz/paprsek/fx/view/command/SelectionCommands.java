@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.function.IntConsumer;
 import java.util.function.Predicate;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
@@ -30,6 +31,9 @@ public final class SelectionCommands {
     private final Command duplicate;
     private final Command delete;
     private final Command rename;
+    private final Command look;
+    private final Command makeFirst;
+    private final Command addCamera;
     private final Command union;
     private final Command difference;
     private final Command intersection;
@@ -50,8 +54,12 @@ public final class SelectionCommands {
         paste = command("edit-menu.paste", items -> true, edits::paste).keys("Shortcut+V").icon(MaterialDesignC.CONTENT_PASTE);
         duplicate = command("edit-menu.duplicate", any, edits::duplicate).keys("Shortcut+D").icon(MaterialDesignC.CONTENT_DUPLICATE);
         delete = command("edit-menu.delete", any, edits::delete).keys("Delete").icon(MaterialDesignD.DELETE_OUTLINE);
-        rename = command("object.rename", items -> items.size() == 1 && Items.cameras(items).isEmpty(), () -> onRename.run()).keys("F2")
+        rename = command("object.rename", items -> items.size() == 1, () -> onRename.run()).keys("F2")
                 .icon(MaterialDesignF.FORM_TEXTBOX);
+        Predicate<Set<Item>> camera = items -> items.size() == 1 && !Items.cameras(items).isEmpty();
+        look = command("object.look", camera, () -> selectedCamera(at -> edits.model().look(at)));
+        makeFirst = command("object.first-camera", items -> camera.test(items) && !items.contains(Item.CAMERA), () -> selectedCamera(edits::makeFirst));
+        addCamera = command("view-menu.new-camera", items -> true, edits::addCamera);
         union = command("object.union", several, () -> edits.combine(Operation.UNION)).keys("Shortcut+Shift+U").icon(MaterialDesignV.VECTOR_UNION);
         difference = command("object.difference", several, () -> edits.combine(Operation.DIFFERENCE)).keys("Shortcut+Shift+D")
                 .icon(MaterialDesignV.VECTOR_DIFFERENCE_AB);
@@ -92,9 +100,15 @@ public final class SelectionCommands {
                 command("edit-menu.select-none", items -> true, () -> edits.model().select()).keys("Shortcut+Shift+A"));
     }
 
-    /** Names, operations, hiding and locking. */
+    private void selectedCamera(IntConsumer action) {
+        Items.cameras(edits.model().selection()).stream().findFirst().ifPresent(camera -> action.accept(camera.index()));
+    }
+
+    /** Names, operations, cameras, hiding and locking. */
     public List<MenuItem> objectItems() {
         List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve));
+        items.add(new SeparatorMenuItem());
+        items.addAll(items(look, makeFirst, addCamera));
         items.add(new SeparatorMenuItem());
         items.addAll(items(hide, showAll, lock, unlockAll));
         return items;

@@ -28,6 +28,8 @@ public final class Icons {
             Map.entry("difference", "mdi2v-vector-difference-ba"),
             Map.entry("intersection", "mdi2v-vector-intersection"));
 
+    /** The camera that is looked through. */
+    public static final String LOOKING = "mdi2v-video";
     public static final String CAMERA = "mdi2v-video-outline";
     public static final String DISSOLVE = "mdi2u-ungroup";
 

@@ -1,12 +1,14 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.Gesture;
+import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 
-/** Turns the camera by the point it looks at. */
+/** Turns a camera by the point it looks at. */
 final class AimDrag implements Drag {
     private final Gesture gesture;
+    private final int index;
     private final Axes axes;
     private final Viewport view;
     private final Vec3 aim;
@@ -14,9 +16,13 @@ final class AimDrag implements Drag {
     private final double startX;
     private final double startY;
 
-    /** @param aim the point it looks at now */
-    AimDrag(Gesture gesture, Axes axes, Viewport view, Vec3 aim, boolean snaps, double startX, double startY) {
+    /**
+     * @param index of the camera
+     * @param aim the point it looks at now
+     */
+    AimDrag(Gesture gesture, int index, Axes axes, Viewport view, Vec3 aim, boolean snaps, double startX, double startY) {
         this.gesture = gesture;
+        this.index = index;
         this.axes = axes;
         this.view = view;
         this.aim = aim;
@@ -33,11 +39,11 @@ final class AimDrag implements Drag {
         boolean snap = snaps && !keys.free();
         Vec3 by = axes.vector((snap ? Snapping.toGrid(u, step) : u) - axes.u(aim), (snap ? Snapping.toGrid(v, step) : v) - axes.v(aim));
         Vec3 point = aim.plus(by);
-        Camera camera = gesture.start().scene().camera();
+        Camera camera = gesture.start().scene().cameras().get(index);
         Vec3 direction = point.minus(camera.position());
         // Looking straight along its own up, or at itself, a camera has no view: the last one stays until the mouse has moved on.
         if (direction.cross(camera.up()).length() > 1e-6 * direction.length()) {
-            gesture.preview(scene -> scene.withCamera(camera.withAim(
+            gesture.preview(scene -> Cameras.changed(scene, index, old -> old.withAim(
                     camera.aim() instanceof Camera.Target ? new Camera.Target(point) : new Camera.Direction(direction))));
         }
     }

@@ -26,11 +26,12 @@ record CameraSketch(Vec3 eye, Vec3 aim, List<List<Vec3>> lines, List<List<Vec3>>
     /** Just within a circle's rim, where rounding does not matter. */
     private static final double INSIDE = 1 - 1e-9;
 
-    static CameraSketch of(Scene scene) {
-        Camera camera = scene.camera();
+    /** Draws one of a scene's cameras, counted from 0. */
+    static CameraSketch of(Scene scene, int index) {
+        Camera camera = scene.cameras().get(index);
         double width = scene.settings().width();
         double height = scene.settings().height();
-        double distance = camera.aim() instanceof Camera.Target target ? target.point().minus(camera.position()).length() : distance(scene);
+        double distance = camera.aim() instanceof Camera.Target target ? target.point().minus(camera.position()).length() : distance(scene, camera);
         Vec3 aim = camera.aim() instanceof Camera.Target target ? target.point() : camera.position().plus(camera.forward().times(distance));
         CameraView view = new CameraView(camera, width, height);
         List<List<Vec3>> lines = new ArrayList<>();
@@ -76,13 +77,13 @@ record CameraSketch(Vec3 eye, Vec3 aim, List<List<Vec3>> lines, List<List<Vec3>>
     }
 
     /** About as far as the nearest things that have an end; 5 without any. */
-    private static double distance(Scene scene) {
+    private static double distance(Scene scene, Camera camera) {
         double nearest = Double.POSITIVE_INFINITY;
         for (SceneObject object : scene.objects()) {
             Bounds box = object.shape().bounds().transformed(object.placement().toParent());
             if (box.isFinite() && !box.isEmpty()) {
                 Vec3 middle = new Vec3((box.minX() + box.maxX()) / 2, (box.minY() + box.maxY()) / 2, (box.minZ() + box.maxZ()) / 2);
-                double ahead = middle.minus(scene.camera().position()).dot(scene.camera().forward());
+                double ahead = middle.minus(camera.position()).dot(camera.forward());
                 nearest = ahead > 1e-6 ? Math.min(nearest, ahead) : nearest;
             }
         }

@@ -2,10 +2,10 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Sight;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
@@ -58,7 +58,7 @@ final class Figures {
         return of(scene.objects().get(at.path().get(0))).at(at.path().subList(1, at.path().size()));
     }
 
-    /** The box around an item; a point for the camera and lights without a size. */
+    /** The box around an item; a point for cameras and lights without a size. */
     Box box(Item item) {
         if (item instanceof LightAt light) {
             LightSketch sketch = LightSketch.of(scene.lights().get(light.index()), axes);
@@ -83,10 +83,13 @@ final class Figures {
 
     /** The box around all that is not hidden, and around the place where the next thing would be put. */
     Box boxOfAll(EditorState state) {
-        Sight sight = Sight.of(scene);
+        Sight sight = Sight.of(state);
         double u = axes.u(sight.point());
         double v = axes.v(sight.point());
-        Box box = box(Item.CAMERA).with(u - sight.size(), v - sight.size()).with(u + sight.size(), v + sight.size());
+        Box box = box(Item.camera(state.eye())).with(u - sight.size(), v - sight.size()).with(u + sight.size(), v + sight.size());
+        for (int i = 0; i < scene.cameras().size(); i++) {
+            box = state.isHidden(Item.camera(i)) ? box : box.union(box(Item.camera(i)));
+        }
         for (int i = 0; i < scene.objects().size(); i++) {
             box = state.isHidden(Item.body(i)) ? box : box.union(of(scene.objects().get(i)).box());
         }

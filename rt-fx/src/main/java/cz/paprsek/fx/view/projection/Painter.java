@@ -17,7 +17,7 @@ import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 import javafx.scene.text.Font;
 
-/** Draws figures, lights and the camera. */
+/** Draws figures, lights and cameras. */
 final class Painter {
     private static final Font NAME_FONT = Font.font("System", 11);
     /** Smaller things are drawn as a dot, pixels. */
@@ -237,26 +237,34 @@ final class Painter {
         g.strokeLine(x, y - 8, x, y + 8);
     }
 
-    /** The camera and what it sees; with the point it looks at, to be grabbed, if it is selected. */
-    void camera(Scene scene, boolean isSelected) {
-        CameraSketch sketch = CameraSketch.of(scene);
+    /**
+     * A camera and what it sees; with the point it looks at, to be grabbed, if it is selected. All but the one looked through are thin.
+     *
+     * @param name beside it; empty for none
+     */
+    void camera(EditorState state, int index, String name) {
+        CameraSketch sketch = CameraSketch.of(state.scene(), index);
+        boolean isSelected = state.selection().contains(Item.camera(index));
+        boolean isThin = !isSelected && index != state.eye();
         double x = x(sketch.eye());
         double y = y(sketch.eye());
         g.setStroke(isSelected ? palette.selected() : palette.camera());
-        g.setLineWidth(1);
-        g.setGlobalAlpha(isSelected ? 1 : 0.55);
+        g.setLineWidth(isThin ? 0.7 : 1);
+        g.setGlobalAlpha(isSelected ? 1 : isThin ? 0.3 : 0.55);
         sketch.lines().forEach(this::polyline);
         g.setLineDashes(5, 3);
         sketch.lens().forEach(this::polyline);
         g.setLineDashes();
         g.setGlobalAlpha(1);
-        g.setLineWidth(1.5);
+        g.setLineWidth(isThin ? 1 : 1.5);
         g.setFill(palette.background());
         g.fillRect(x - 7, y - 5, 14, 10);
         g.strokeRect(x - 7, y - 5, 14, 10);
         g.strokeOval(x - 3, y - 3, 6, 6);
         if (isSelected) {
             cross(sketch.aim());
+        } else if (!name.isEmpty() && x >= 0 && x <= view.width() && y >= 0 && y <= view.height()) {
+            Plate.draw(g, view, NAME_FONT, name, new Point2D(x + 14, y + 4), palette.camera(), palette.background());
         }
     }
 

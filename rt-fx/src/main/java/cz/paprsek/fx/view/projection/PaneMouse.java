@@ -1,14 +1,15 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.texts.ItemNames;
 import cz.paprsek.math.Vec3;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -156,9 +157,11 @@ final class PaneMouse {
             Edit edit = onLight.get().kind() == LightDrag.Kind.AIM ? Edit.ROTATE : Edit.RESIZE;
             return new LightDrag(model.begin(label(edit, Set.of(Item.light(light)))), light, onLight.get(), pane.axes(), pane.view(), pane.snaps(), pressX, pressY);
         }
-        if (isOnAim(pressX, pressY)) {
-            return new AimDrag(model.begin(Label.of(Edit.CAMERA)), pane.axes(), pane.view(), CameraSketch.of(model.scene()).aim(), pane.snaps(),
-                    pressX, pressY);
+        OptionalInt aimed = aimAt(pressX, pressY);
+        if (aimed.isPresent()) {
+            int camera = aimed.getAsInt();
+            return new AimDrag(model.begin(label(Edit.ROTATE, Set.of(Item.camera(camera)))), camera, pane.axes(), pane.view(),
+                    CameraSketch.of(model.scene(), camera).aim(), pane.snaps(), pressX, pressY);
         }
         if (pressedOn.isEmpty()) {
             Set<Item> before = event.isShiftDown() ? model.selection() : Set.of();
@@ -215,9 +218,9 @@ final class PaneMouse {
                 .filter(handle -> pane.toPane(handle.place()).distance(x, y) <= 8).findFirst());
     }
 
-    private boolean isOnAim(double x, double y) {
-        Vec3 aim = CameraSketch.of(model.scene()).aim();
-        return pane.movable().contains(Item.CAMERA) && pane.toPane(aim).distance(x, y) <= 8;
+    /** The selected camera whose aim is at a point of the pane. */
+    private OptionalInt aimAt(double x, double y) {
+        return pane.grabbedCameras().filter(camera -> pane.toPane(CameraSketch.of(model.scene(), camera).aim()).distance(x, y) <= 8).findFirst();
     }
 
     private void moved(MouseEvent event) {
@@ -225,7 +228,7 @@ final class PaneMouse {
         lastX = event.getX();
         lastY = event.getY();
         Optional<Handle> handle = pane.handleAt(lastX, lastY);
-        pane.setHoverCursor(spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElse(isOnAim(lastX, lastY) || lightHandle(lastX, lastY).isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT));
+        pane.setHoverCursor(spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElse(aimAt(lastX, lastY).isPresent() || lightHandle(lastX, lastY).isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT));
     }
 
     private void point(MouseEvent event) {

@@ -2,8 +2,8 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
@@ -26,7 +26,7 @@ import java.util.function.IntFunction;
 final class Picker {
     /** How near the mouse must come to a line, pixels. */
     private static final double LINE = 4;
-    /** How near the mouse must come to a light or the camera, pixels. */
+    /** How near the mouse must come to a light or a camera, pixels. */
     private static final double MARK = 9;
     /** Where rays start that look for what has no end, scene units. */
     private static final double FAR = 1e6;
@@ -43,7 +43,7 @@ final class Picker {
     }
 
     /**
-     * All that can be picked at a point, in the order in which clicks reach it: lights and the camera, objects whose lines are under the
+     * All that can be picked at a point, in the order in which clicks reach it: lights and cameras, objects whose lines are under the
      * mouse, objects whose inside is, from the viewer to the back, and last the operands within.
      */
     List<Item> at(EditorState state, Viewport view, double x, double y) {
@@ -82,7 +82,9 @@ final class Picker {
 
     private List<Item> marks(EditorState state, Viewport view, double x, double y) {
         List<Item> marks = new ArrayList<>();
-        marks.add(Item.CAMERA);
+        for (int i = figures.scene().cameras().size() - 1; i >= 0; i--) {
+            marks.add(Item.camera(i));
+        }
         for (int i = figures.scene().lights().size() - 1; i >= 0; i--) {
             marks.add(Item.light(i));
         }

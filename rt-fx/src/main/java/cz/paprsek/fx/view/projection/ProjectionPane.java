@@ -4,8 +4,9 @@ import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Sight;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.CameraAt;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
@@ -22,6 +23,7 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import javafx.beans.InvalidationListener;
 import javafx.beans.WeakInvalidationListener;
 import javafx.beans.property.BooleanProperty;
@@ -38,7 +40,7 @@ import javafx.scene.shape.Rectangle;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The scene seen along an axis, without perspective. What is selected, and the camera, is drawn on a canvas of its own above that of the
+ * The scene seen along an axis, without perspective. What is selected, and cameras, are drawn on a canvas of its own above that of the
  * rest, so that selecting and dragging among ten thousand objects need not draw them all anew.
  */
 public final class ProjectionPane extends Region {
@@ -249,6 +251,11 @@ public final class ProjectionPane extends Region {
                 && !model.state().isHidden(light) ? Optional.of(light.index()) : Optional.empty();
     }
 
+    /** The cameras, counted from 0, whose aims are shown to be grabbed: those that are selected. */
+    IntStream grabbedCameras() {
+        return Items.cameras(movable()).stream().filter(camera -> EditorState.exists(model.scene(), camera) && !model.state().isHidden(camera)).mapToInt(CameraAt::index);
+    }
+
     /** The box of the handles; empty if there is nothing to resize. */
     Box handleBox() {
         Set<Item> items = movable();
@@ -340,7 +347,7 @@ public final class ProjectionPane extends Region {
         GraphicsContext g = upper.getGraphicsContext2D();
         g.clearRect(0, 0, upper.getWidth(), upper.getHeight());
         Painter painter = new Painter(g, view, axes, theme().palette());
-        painter.camera(state.scene(), state.selection().contains(Item.CAMERA));
+        drawCameras(state, painter);
         highlighted.filter(body -> EditorState.exists(state.scene(), body)).ifPresent(body -> painter.highlighted(figures.of(body)));
         if (!state.selection().isEmpty()) {
             painter.selected(state, figures);
@@ -355,6 +362,17 @@ public final class ProjectionPane extends Region {
         if (drag != null) {
             drag.draw(g);
             Plate.beside(g, view, drag.figures(texts.locale()), mouse, theme().palette());
+        }
+    }
+
+    /** The one looked through is drawn last, above the others. */
+    private void drawCameras(EditorState state, Painter painter) {
+        int count = state.scene().cameras().size();
+        for (int i = 1; i <= count; i++) {
+            int camera = (state.eye() + i) % count;
+            if (!state.isHidden(Item.camera(camera))) {
+                painter.camera(state, camera, count > 1 ? ItemNames.of(state.scene(), Item.camera(camera), texts) : "");
+            }
         }
     }
 

@@ -2,6 +2,8 @@ package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.item.Item.CameraAt;
+import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.Optional;
 import javafx.beans.InvalidationListener;
@@ -81,6 +83,9 @@ final class RowCell extends ListCell<TreeRow> {
         boolean shown = row != null && !isEmpty();
         EditorState state = model.state();
         pseudoClassStateChanged(SELECTED, shown && state.selection().contains(row.item()));
+        if (shown && row.item() instanceof CameraAt camera) {
+            icon.setIconLiteral(camera.index() == state.eye() ? Icons.LOOKING : Icons.CAMERA);
+        }
         boolean hidden = shown && state.isHidden(row.item());
         boolean locked = shown && state.isLocked(row.item());
         pseudoClassStateChanged(DIMMED, hidden);

@@ -2,9 +2,10 @@ package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.command.Edits;
 import java.util.List;
@@ -18,7 +19,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.input.PickResult;
 import org.jspecify.annotations.Nullable;
 
-/** The tree by mouse: clicks select, open, hide and lock; drags reorder and regroup. */
+/** The tree by mouse: clicks select, open, hide and lock, on the icon of a camera look through it; drags reorder and regroup. */
 final class TreeMouse {
     private static final double THRESHOLD = 4;
 
@@ -73,6 +74,9 @@ final class TreeMouse {
             edits.hide(affected(row), !model.state().hidden().contains(row.item()));
         } else if (isOn(event, "row-lock")) {
             edits.lock(affected(row), !model.state().locked().contains(row.item()));
+        } else if (isOn(event, "row-icon") && row.item() instanceof CameraAt camera && event.getClickCount() == 1) {
+            selection.only(row);
+            model.look(camera.index());
         } else if (event.getClickCount() == 2) {
             state.rename(row.item());
         } else {

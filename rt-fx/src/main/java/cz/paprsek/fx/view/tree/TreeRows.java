@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.model.item.Item.BodyAt;
+import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Body;
@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 
-/** Lays a scene out as lines: the cameras, that of the picture first, the lights, the objects, and within expanded operations their operands. */
+/** Lays a scene out as lines: the cameras, the lights, the objects, and within expanded operations their operands. */
 final class TreeRows {
     private final Texts texts;
     private final Set<BodyAt> expanded;
@@ -30,7 +30,7 @@ final class TreeRows {
         for (int i = 0; i < scene.cameras().size(); i++) {
             String name = scene.cameras().get(i).name();
             String kind = texts.of("kind.camera");
-            add(rows, new TreeRow(Item.camera(i), 0, name.isEmpty() ? kind : name, i == 0, Icons.CAMERA, false, false), kind);
+            add(rows, new TreeRow(Item.camera(i), 0, name.isEmpty() ? kind : name, !name.isEmpty(), Icons.CAMERA, false, false), kind);
         }
         for (int i = 0; i < scene.lights().size(); i++) {
             String name = scene.lights().get(i).name();

@@ -1,7 +1,6 @@
 package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Item.CameraAt;
 import cz.paprsek.fx.view.command.Edits;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyObjectProperty;
@@ -32,11 +31,9 @@ final class TreeState {
         drop.set(place);
     }
 
-    /** Begins to rename an item; cameras are named in the sheet. */
+    /** Begins to rename an item. */
     void rename(Item item) {
-        if (!(item instanceof CameraAt)) {
-            renamed.set(Optional.of(item));
-        }
+        renamed.set(Optional.of(item));
     }
 
     /** Ends renaming; an unchanged name is no step. */

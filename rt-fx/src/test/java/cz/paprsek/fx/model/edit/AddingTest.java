@@ -21,13 +21,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 class AddingTest {
     @Test
     void middleOfAnEmptySceneIsSeenByTheFirstCamera() {
-        assertThat(Sight.of(Scene.EMPTY)).isEqualTo(new Sight(new Vec3(0, 1, 0), 1));
+        assertThat(Sight.of(EditorState.of(Scene.EMPTY))).isEqualTo(new Sight(new Vec3(0, 1, 0), 1));
     }
 
     @Test
     void targetOfTheCameraIsWhereTheUserLooks() {
         Scene scene = Scene.EMPTY.withCamera(Camera.lookingAt(new Vec3(0, 0, 10), new Vec3(2, 3, 0)));
-        assertThat(Sight.of(scene).point()).isEqualTo(new Vec3(2, 3, 0));
+        assertThat(Sight.of(EditorState.of(scene)).point()).isEqualTo(new Vec3(2, 3, 0));
     }
 
     @ParameterizedTest
@@ -35,7 +35,7 @@ class AddingTest {
     void newThingsAreAsLargeAsTheSceneIs(double scale) {
         Scene scene = Scene.EMPTY.withCamera(Camera.looking(new Vec3(0, 0, 5 * scale), new Vec3(0, 0, -1)))
                 .plus(SceneObject.of(new Sphere(scale)));
-        assertThat(Sight.of(scene).size() / scale).isBetween(0.5, 2.0);
+        assertThat(Sight.of(EditorState.of(scene)).size() / scale).isBetween(0.5, 2.0);
     }
 
     @Test
@@ -48,7 +48,7 @@ class AddingTest {
     @Test
     void planeIsTheGroundUnderWhatThereIs() {
         EditorState state = EditorState.of(Scene.EMPTY.plus(SceneObject.of(new Sphere(2)).at(0, 1, 0)));
-        EditorState after = Adding.shape(state, new Plane(), "ground", Sight.of(state.scene()));
+        EditorState after = Adding.shape(state, new Plane(), "ground", Sight.of(state));
         assertThat(after.scene().objects().get(1).placement().position()).isEqualTo(new Vec3(0, -1, 0));
     }
 

@@ -2,11 +2,14 @@ package cz.paprsek.fx.model.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.Set;
@@ -19,32 +22,69 @@ class CamerasTest {
     private static final EditorState THREE = EditorState.of(Scene.EMPTY.withCameras(List.of(FRONT, TOP, SIDE))).withLocked(Set.of(Item.camera(1)));
 
     @Test
-    void aCameraThatIsLookedThroughComesFirstAndLocksGoWithTheirs() {
-        EditorState state = Cameras.through(THREE, 2);
-        assertThat(state.scene().cameras()).containsExactly(SIDE, FRONT, TOP);
-        assertThat(state.locked()).containsExactly(Item.camera(2));
-        assertThat(state.selection()).containsExactly(Item.CAMERA);
+    void lookingThroughAnotherCameraChangesNothingButTheView() {
+        EditorModel model = new EditorModel(THREE.scene());
+        model.look(2);
+        assertThat(model.state().camera()).isEqualTo(SIDE);
+        assertThat(model.state().seen().cameras()).containsExactly(SIDE, FRONT, TOP);
+        assertThat(model.scene()).isSameAs(THREE.scene());
+        assertThat(model.undoableProperty().get()).isEmpty();
+        assertThat(model.unsavedProperty().get()).isFalse();
     }
 
     @Test
-    void goingOnLeadsThroughAllAndBack() {
-        EditorState state = Cameras.next(Cameras.next(Cameras.next(THREE)));
-        assertThat(state.scene()).isEqualTo(THREE.scene());
+    void undoAndOtherEditsGoOnLookingThroughTheSameCamera() {
+        EditorModel model = new EditorModel(THREE.scene());
+        model.edit(Label.of(Label.Edit.ADD), scene -> scene.plus(Light.at(1, 2, 3)));
+        model.look(1);
+        model.undo();
+        assertThat(model.state().camera()).isEqualTo(TOP);
+        model.redo();
+        assertThat(model.state().camera()).isEqualTo(TOP);
+        model.open(Scene.EMPTY);
+        assertThat(model.state().eye()).as("another document, another view").isZero();
+    }
+
+    @Test
+    void aCameraIsMadeTheFirstAndLocksAndTheViewGoWithTheirs() {
+        EditorModel model = new EditorModel(THREE.scene());
+        model.editState(Label.of(Label.Edit.LOCK), state -> state.withLocked(Set.of(Item.camera(1))));
+        model.look(2);
+        model.editState(Label.of(Label.Edit.REORDER), state -> Cameras.first(state, 2));
+        assertThat(model.scene().cameras()).containsExactly(SIDE, FRONT, TOP);
+        assertThat(model.state().locked()).containsExactly(Item.camera(2));
+        assertThat(model.state().camera()).isEqualTo(SIDE);
+        model.undo();
+        assertThat(model.scene()).isEqualTo(THREE.scene());
+        assertThat(model.state().camera()).isEqualTo(SIDE);
     }
 
     @Test
     void aNewCameraSeesTheSameAndTheOldOneGetsANameIfItHasNone() {
         EditorState state = Cameras.add(EditorState.of(Scene.EMPTY.withCamera(FRONT.named(""))), "camera");
-        assertThat(state.scene().cameras()).containsExactly(FRONT.named("camera 2"), FRONT.named("camera"));
-        assertThat(Cameras.remove(state).scene().cameras()).containsExactly(FRONT.named("camera"));
-        assertThat(Cameras.remove(Cameras.remove(state)).scene().cameras()).as("the last stays").hasSize(1);
+        assertThat(state.scene().cameras()).containsExactly(FRONT.named("camera"), FRONT.named("camera 2"));
+        assertThat(state.camera().name()).isEqualTo("camera 2");
+        assertThat(state.selection()).containsExactly(Item.camera(1));
+    }
+
+    @Test
+    void camerasAreCopiedNamedAndDeletedLikeEverythingElse() {
+        EditorState state = Structure.duplicate(THREE.through(1), Set.of(Item.camera(0)), Vec3.X);
+        assertThat(state.scene().cameras()).extracting(Camera::name).containsExactly("front", "top", "side", "front 2");
+        assertThat(state.selection()).containsExactly(Item.camera(3));
+        EditorState renamed = Structure.rename(state, Item.camera(3), "near");
+        EditorState left = Structure.delete(renamed, Set.of(Item.camera(0), Item.camera(2)));
+        assertThat(left.scene().cameras()).extracting(Camera::name).containsExactly("top", "near");
+        assertThat(left.camera()).as("still looked through").isEqualTo(TOP);
+        assertThat(left.selection()).containsExactly(Item.camera(1));
+        assertThat(Structure.delete(left, Set.of(Item.camera(0), Item.camera(1))).scene().cameras()).as("the one looked through stays").containsExactly(TOP);
     }
 
     @Test
     void whatIsClickedBecomesSharp() {
-        Scene focused = Cameras.focused(Scene.EMPTY.withCamera(FRONT), new Vec3(1, 1, 2));
-        assertThat(focused.camera().lens()).isEqualTo(new Lens.Perspective(45, 0.06, 3));
-        assertThat(Cameras.focused(focused, new Vec3(0, 0, -1)).camera().lens()).isEqualTo(new Lens.Perspective(45, 0.06, 6));
+        Camera focused = Cameras.focused(FRONT, new Vec3(1, 1, 2));
+        assertThat(focused.lens()).isEqualTo(new Lens.Perspective(45, 0.06, 3));
+        assertThat(Cameras.focused(focused, new Vec3(0, 0, -1)).lens()).isEqualTo(new Lens.Perspective(45, 0.06, 6));
         assertThat(Cameras.focused(focused, new Vec3(0, 0, 9))).as("behind the eye").isEqualTo(focused);
     }
 }
