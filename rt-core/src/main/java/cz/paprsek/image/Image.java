@@ -90,7 +90,7 @@ public final class Image {
     }
 
     private static float clamped(double light) {
-        return (float) Math.min(light, Float.MAX_VALUE);
+        return light > Float.MAX_VALUE ? Float.MAX_VALUE : (float) light;
     }
 
     /** @throws IllegalArgumentException if there is no such pixel: a column too many would be one of the next row */

@@ -45,9 +45,25 @@ public final class Bundle {
         highZ = Double.NEGATIVE_INFINITY;
     }
 
+    /** Makes this the bundle of the lines from a point, to wherever the lines of another, which start at the origin, end at t = 1. */
+    public void lead(double x, double y, double z, Bundle ends) {
+        start(x, y, z);
+        lowX = ends.lowX - x;
+        lowY = ends.lowY - y;
+        lowZ = ends.lowZ - z;
+        highX = ends.highX - x;
+        highY = ends.highY - y;
+        highZ = ends.highZ - z;
+    }
+
+    /** A length that no d is longer than: at most √3 times as long as the longest can be. */
+    public double longest() {
+        return Math.max(Math.abs(lowX), Math.abs(highX)) + Math.max(Math.abs(lowY), Math.abs(highY)) + Math.max(Math.abs(lowZ), Math.abs(highZ));
+    }
+
     /** Widens the bundle to hold a direction. */
     public void add(double dx, double dy, double dz) {
-        // Not Math.min: a comparison that mostly goes one way costs next to nothing, and this is done for every hit and light.
+        // Not Math.min: a comparison that mostly goes one way costs next to nothing, and this is done for every hit.
         if (dx < lowX) {
             lowX = dx;
         }

@@ -35,6 +35,8 @@ final class Lighting {
     private static final double MIDDLE = 0.5;
 
     private final Witness witness;
+    /** Whether lights behind a surface are passed over. */
+    private final boolean isBrief;
     private final BooleanSupplier stop;
     private final Sampler sampler;
     private final Bodies bodies;
@@ -49,6 +51,9 @@ final class Lighting {
     private final Arrival arrival = new Arrival();
     /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
     private final @Nullable Surface[] lastOccluder;
+    private final Bundle hits = new Bundle();
+    /** The least {@link Hit#size} of those hits. */
+    private double smallest;
     private final Bundle bundle = new Bundle();
     private final Entries[] towardsLamp;
     /** Where shadow rays of the block look for what stands in their way, by light. */
@@ -67,6 +72,7 @@ final class Lighting {
 
     Lighting(World scene, int maxDepth, Intersector intersector, Spans spans, Sampler sampler, Witness witness, BooleanSupplier stop) {
         this.witness = witness;
+        this.isBrief = !witness.hearsAll();
         this.stop = stop;
         this.sampler = sampler;
         this.bodies = scene.bodies();
@@ -91,8 +97,12 @@ final class Lighting {
 
     /** Finds out what can stand between each light and the hits of a block, once for all: to be called before these are lit, on level 0. */
     void prepare(Level[] block, int count) {
+        gather(block, count);
         for (int light = 0; light < lamps.length; light++) {
-            if (gather(lamps[light], block, count)) {
+            if (lamps[light].bundle(hits, bundle)) {
+                // Not the last bit before a hit, which keeps the surfaces that were hit out: a shadow ray begins at TOUCH · size, and a tenth
+                // less leaves room for rounding.
+                bundle.end(1 - 0.9 * Ray.TOUCH * smallest / bundle.longest());
                 bodies.enter(bundle, towardsLamp[light]);
                 between[light] = towardsLamp[light];
             } else {
@@ -108,27 +118,17 @@ final class Lighting {
         }
     }
 
-    /**
-     * Bundles the lines from a lamp to all hits, as far as shadow rays look: not the last bit before a hit, which keeps the surfaces that
-     * were hit out of the bundle. False if these lines cannot be bundled.
-     */
-    private boolean gather(Lamp lamp, Level[] first, int count) {
-        if (!lamp.start(bundle)) {
-            return false;
-        }
-        double smallest = Double.POSITIVE_INFINITY;
-        double farthest = 0;
+    /** Bundles the lines from the origin to all hits. */
+    private void gather(Level[] first, int count) {
+        hits.start(0, 0, 0);
+        smallest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < count; i++) {
-            Hit hit = first[i].hit;
             if (first[i].ray.part >= 0) {
-                double reach = lamp.add(hit, bundle);
+                Hit hit = first[i].hit;
+                hits.add(hit.px, hit.py, hit.pz);
                 smallest = hit.size < smallest ? hit.size : smallest;
-                farthest = reach > farthest ? reach : farthest;
             }
         }
-        // A shadow ray begins at TOUCH · size; a tenth less leaves room for rounding.
-        bundle.end(1 - 0.9 * Ray.TOUCH * smallest / farthest);
-        return true;
     }
 
     /**
@@ -142,6 +142,9 @@ final class Lighting {
         for (int light = 0; light < lamps.length; light++) {
             Lamp lamp = lamps[light];
             if (lamp instanceof PointLamp point) {
+                if (isBrief && point.isBehind(level.hit)) {
+                    continue;
+                }
                 point.sample(level.hit, MIDDLE, MIDDLE, arrival);
                 add(look(depth, light, true, level, finish, leaving, mirrorX, mirrorY, mirrorZ), level);
             } else if (lamp.samples() == 1) {

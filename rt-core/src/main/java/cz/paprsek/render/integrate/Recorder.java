@@ -63,6 +63,11 @@ public final class Recorder extends Whitted {
     }
 
     @Override
+    public boolean hearsAll() {
+        return true;
+    }
+
+    @Override
     public void following(boolean refracted, double share) {
         kind = refracted ? TracedRay.Kind.REFRACTED : TracedRay.Kind.REFLECTED;
         weight = share;

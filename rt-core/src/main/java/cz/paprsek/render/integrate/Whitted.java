@@ -98,12 +98,20 @@ public class Whitted extends Witness implements Integrator {
     public void block(Eye eye, int x, int y, int width, int height, Film film) {
         Level[] rays = trace(eye, x, y, width, height);
         for (int i = 0; i < width * height && !cancelled; i++) {
-            sums.clear();
-            add(rays, i * sampling.rays(), sampling.rays());
-            complete(eye, x + i % width, y + i / width);
-            sums.mean();
-            film.set(x + i % width, y + i / width, sums.red, sums.green, sums.blue);
+            if (sampling.isPlain()) {
+                film.set(x + i % width, y + i / width, rays[i].red, rays[i].green, rays[i].blue);
+            } else {
+                develop(rays, i, eye, x + i % width, y + i / width, film);
+            }
         }
+    }
+
+    private void develop(Level[] rays, int pixel, Eye eye, int x, int y, Film film) {
+        sums.clear();
+        add(rays, pixel * sampling.rays(), sampling.rays());
+        complete(eye, x, y);
+        sums.mean();
+        film.set(x, y, sums.red, sums.green, sums.blue);
     }
 
     /** Traces all rays of a pixel, and says what they come to. */
@@ -187,8 +195,9 @@ public class Whitted extends Witness implements Integrator {
         }
         primary += rays;
         lighting.prepare(first, rays);
+        boolean isRandom = lighting.isRandom();
         for (i = 0; i < rays; i++) {
-            if (lighting.isRandom()) {
+            if (isRandom) {
                 int pixel = i / perPixel;
                 sampler.start(x + pixel % width, y + pixel / width, sample + i % perPixel);
             }

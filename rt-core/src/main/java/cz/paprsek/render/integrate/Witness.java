@@ -11,6 +11,11 @@ import cz.paprsek.render.surface.Level;
  * account of a ray, {@link #ended} ends that of one that has met an object. What a level holds is only valid during the call.
  */
 public abstract class Witness {
+    /** Whether every light that was looked for is to be told, even if it is behind the surface and nobody need look. */
+    public boolean hearsAll() {
+        return false;
+    }
+
     /** The next ray is mirrored, or goes on beyond the surface; its light will be added times the weight. */
     public void following(boolean refracted, double weight) {}
 

@@ -75,18 +75,13 @@ public abstract class Lamp {
      */
     public abstract boolean sample(Hit from, double u, double v, Arrival out);
 
-    /** Starts a bundle of the lines from the light to many hits; false if they do not start in one place, and cannot be bundled. */
-    public boolean start(Bundle bundle) {
-        return false;
-    }
-
     /**
-     * Adds the line from the light to a hit to a bundle that was started.
+     * Makes a bundle of the lines from the light to many hits; false if they do not start in one place, and cannot be bundled.
      *
-     * @return at least the length of the line, at most √3 times that
+     * @param hits the lines from the origin to the hits
      */
-    public double add(Hit hit, Bundle bundle) {
-        throw new IllegalStateException("the lines from this light cannot be bundled");
+    public boolean bundle(Bundle hits, Bundle bundle) {
+        return false;
     }
 
     /** Makes its own light, times a factor, what arrives. */

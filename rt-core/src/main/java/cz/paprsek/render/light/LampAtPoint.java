@@ -5,7 +5,9 @@ import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.tree.Bundle;
 
 /** A light of no size. */
-abstract class LampAtPoint extends Lamp {
+public abstract class LampAtPoint extends Lamp {
+    private static final double ROUNDING = 1e-13;
+
     final double x;
     final double y;
     final double z;
@@ -23,17 +25,19 @@ abstract class LampAtPoint extends Lamp {
     }
 
     @Override
-    public final boolean start(Bundle bundle) {
-        bundle.start(x, y, z);
+    public final boolean bundle(Bundle hits, Bundle bundle) {
+        bundle.lead(x, y, z, hits);
         return true;
     }
 
-    @Override
-    public final double add(Hit hit, Bundle bundle) {
-        double dx = hit.px - x;
-        double dy = hit.py - y;
-        double dz = hit.pz - z;
-        bundle.add(dx, dy, dz);
-        return Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
+    /**
+     * Whether the light is behind a surface beyond doubt, and need not be looked for: told without a square root. What rounding does to N·L is
+     * a hundred times less.
+     */
+    public final boolean isBehind(Hit hit) {
+        double lx = x - hit.px;
+        double ly = y - hit.py;
+        double lz = z - hit.pz;
+        return hit.sx * lx + hit.sy * ly + hit.sz * lz < -ROUNDING * (Math.abs(lx) + Math.abs(ly) + Math.abs(lz));
     }
 }

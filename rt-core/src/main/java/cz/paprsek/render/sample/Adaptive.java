@@ -23,6 +23,11 @@ final class Adaptive extends Sampling {
     }
 
     @Override
+    public boolean isPlain() {
+        return false;
+    }
+
+    @Override
     public int rays() {
         return least;
     }

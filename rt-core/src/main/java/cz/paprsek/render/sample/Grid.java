@@ -19,6 +19,11 @@ final class Grid extends Sampling {
     }
 
     @Override
+    public boolean isPlain() {
+        return places.length == 1;
+    }
+
+    @Override
     public int rays() {
         return places.length;
     }

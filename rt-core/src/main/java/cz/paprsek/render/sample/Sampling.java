@@ -44,6 +44,9 @@ public abstract class Sampling {
         return strewing.reach();
     }
 
+    /** Whether every pixel gets one ray, and is what this brings. */
+    public abstract boolean isPlain();
+
     /** How many rays every pixel gets. */
     public abstract int rays();
 
