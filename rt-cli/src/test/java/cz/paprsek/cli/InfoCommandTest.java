@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -34,7 +35,7 @@ class InfoCommandTest {
                 "background 0 0 0",
                 "ambient 0 0 0",
                 "lights 1",
-                "key point-light: position 2 3 4, color 255 255 255, intensity 0.5, reference-distance 0",
+                "key point-light: position 2 3 4, color 255 255 255, intensity 0.5",
                 "materials 1",
                 "red color 255 0 0, diffusion 0.8, specular 0, shininess 30, reflection 0, transparency 0, refractive-index 1",
                 "objects 3, with 2 operands",
@@ -50,10 +51,28 @@ class InfoCommandTest {
         assertThat(Run.cli("info", file, "--json").out())
                 .startsWith("{\"file\":\"")
                 .contains("\"render\":{\"width\":16,\"height\":8,\"max-depth\":5,\"samples\":1,\"filter\":\"box\"}")
-                .contains("\"lights\":[{\"name\":\"key\",\"kind\":\"point-light\",\"position\":[2,3,4],\"color\":[255,255,255],\"intensity\":0.5,\"reference-distance\":0}]")
+                .contains("\"lights\":[{\"name\":\"key\",\"kind\":\"point-light\",\"position\":[2,3,4],\"color\":[255,255,255],\"intensity\":0.5}]")
                 .contains("\"objects\":3,\"kinds\":{\"block\":{\"objects\":0,\"operands\":1},")
                 .endsWith("\"unbounded\":1,\"bounds\":{\"min\":[-3,0,-1],\"max\":[1,2,1]}}\n")
                 .hasLineCount(1);
+    }
+
+    @Test
+    void whatCountsIsTold_notWhatStandsForNothingGiven() throws IOException {
+        Path scene = folder.resolve("b.xml");
+        Files.writeString(scene, "<scene xmlns=\"urn:paprsek:scene:1\"><camera name=\"down\" position=\"0 5 0\" direction=\"0 -1 0\"/>"
+                + "<camera name=\"sharp\" position=\"0 3 4\" target=\"0 0 0\" aperture=\"0.1\"/>"
+                + "<spot-light name=\"narrow\" position=\"1 1 1\" target=\"0 0 0\" outer-angle=\"20\"/>"
+                + "<spot-light name=\"wide\" position=\"1 1 1\" target=\"0 0 0\" reference-distance=\"2\"/></scene>");
+        assertThat(Run.cli("info", scene).out().lines().map(line -> line.strip().replaceAll(" +", " "))).contains(
+                "down position 0 5 0, direction 0 -1 0, up 0 0 -1, fovy 45",
+                "sharp position 0 3 4, target 0 0 0, up 0 1 0, fovy 45, aperture 0.1, focus 5",
+                "narrow spot-light: position 1 1 1, target 0 0 0, color 255 255 255, intensity 1, inner-angle 20, outer-angle 20",
+                "wide spot-light: position 1 1 1, target 0 0 0, color 255 255 255, intensity 1, reference-distance 2, inner-angle 30, outer-angle 45");
+        assertThat(Run.cli("info", "--json", scene).out()).contains("\"up\":[0,0,-1],\"fovy\":45,\"aperture\":0}", "\"aperture\":0.1,\"focus\":5}",
+                "\"intensity\":1,\"inner-angle\":20,\"outer-angle\":20}");
+        assertThat(Run.cli("db", "show", "light", scene, "--csv").text()).contains("20,20").doesNotContain(",0,");
+        assertThat(Run.cli("db", "list", scene, "--where", "not most-samples >= 0 and not error > 0 and exists(camera where focus = 5)").text()).contains("b");
     }
 
     @Test

@@ -29,4 +29,10 @@ public @interface Attribute {
 
     /** Its name, if that is not the component's. Two components in a row that have one name are one attribute of two numbers. */
     String name() default "";
+
+    /**
+     * The method of the element's record that says what counts, where the component may hold a number that stands for nothing given: what stands in
+     * for it, or an empty optional or an infinite number for nothing. Empty if the component itself says.
+     */
+    String inForce() default "";
 }

@@ -1,6 +1,7 @@
 package cz.paprsek.attribute;
 
 import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -9,6 +10,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.stream.Stream;
 
 /**
@@ -67,6 +71,11 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
         return INLINE.get(type);
     }
 
+    /** Of those {@link #inline}, the ones of records of a kind that is a component. */
+    public static List<Described> inline(Class<?> type, Class<?> kind) {
+        return inline(type).stream().filter(one -> kind.isAssignableFrom(one.component().getDeclaringRecord())).toList();
+    }
+
     private static RecordComponent[] componentsOf(Class<?> type) {
         return Objects.requireNonNull(type.getRecordComponents(), type + " is no record");
     }
@@ -106,6 +115,12 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
         return words;
     }
 
+    /** Its numbers apart, each by the name of its own component; itself if it is one. */
+    public List<Described> apart() {
+        return components.size() == 1 ? List.of(this) : components.stream()
+                .map(one -> new Described(name(one), within, List.of(one), Objects.requireNonNullElse(one.getAnnotation(Attribute.class), says))).toList();
+    }
+
     /** The component that has the value, or its first number. */
     public RecordComponent component() {
         return components.get(0);
@@ -128,11 +143,31 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
                 : components.stream().mapToDouble(component -> ((Number) get(component, owner)).doubleValue()).toArray();
     }
 
-    private static Object get(RecordComponent component, Object record) {
+    /** What counts for a record, for people and programs who want to know how it is and not how it was written; empty if nothing does. */
+    public Optional<Object> inForce(Object record) {
+        Object value = says.inForce().isEmpty() ? value(record) : get(method(record), record);
+        return value instanceof OptionalDouble number ? (number.isPresent() ? Optional.of(number.getAsDouble()) : Optional.empty())
+                : value instanceof OptionalInt number ? (number.isPresent() ? Optional.of(number.getAsInt()) : Optional.empty())
+                : value instanceof Double number && number.isInfinite() ? Optional.empty() : Optional.of(value);
+    }
+
+    private Method method(Object record) {
         try {
-            return Objects.requireNonNull(component.getAccessor().invoke(record), component.getName());
+            return record.getClass().getMethod(says.inForce());
+        } catch (NoSuchMethodException e) {
+            throw new IllegalStateException(record.getClass() + " does not say what counts of " + name, e);
+        }
+    }
+
+    private static Object get(RecordComponent component, Object record) {
+        return get(component.getAccessor(), record);
+    }
+
+    private static Object get(Method getter, Object record) {
+        try {
+            return Objects.requireNonNull(getter.invoke(record), getter.getName());
         } catch (IllegalAccessException | InvocationTargetException e) {
-            throw new IllegalStateException("a record does not give out what it has: " + component, e);
+            throw new IllegalStateException("a record does not give out what it has: " + getter, e);
         }
     }
 

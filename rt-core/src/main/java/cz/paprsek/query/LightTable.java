@@ -24,7 +24,8 @@ final class LightTable {
         columns.put("scene", Column.text("scene", row -> row.scene().name()));
         columns.put("name", Column.text("name", row -> row.part().name()));
         columns.put("kind", Column.text("kind", row -> row.part().kind()));
-        ElementTable.of(Light.class).flatMap(kind -> Described.inline(kind).stream()).forEach(one -> columns.computeIfAbsent(one.name(), name -> column(one)));
+        ElementTable.of(Light.class).flatMap(kind -> Described.inline(kind).stream())
+                .forEach(one -> columns.computeIfAbsent(one.name(), name -> MaterialColumns.column(one, row -> value(row.part(), name))));
         columns.put("direction", Column.vectors("direction", row -> direction(row.part())));
         columns.remove("size");
         columns.put("width", Column.numbers("width", row -> number(size(row.part()).map(AreaLight.Size::width))));
@@ -32,18 +33,8 @@ final class LightTable {
         return new Table<>("light", new ArrayList<>(columns.values()), List.of());
     }
 
-    private static Column<InScene<Light>> column(Described one) {
-        String name = one.name();
-        return switch (one.says().value().form()) {
-            case NUMBER, WHOLE -> Column.numbers(name, row -> number(value(row.part(), name)));
-            case VECTOR -> Column.vectors(name, row -> value(row.part(), name).map(Vec3.class::cast));
-            case COLOR -> Column.color(name, row -> value(row.part(), name).map(Rgb.class::cast));
-            default -> Column.texts(name, row -> value(row.part(), name).map(String::valueOf).stream().toList());
-        };
-    }
-
     private static Optional<Object> value(Light light, String name) {
-        return Described.inline(light.getClass()).stream().filter(one -> one.name().equals(name) && one.isOf(light)).map(one -> one.value(light)).findFirst();
+        return Described.inline(light.getClass()).stream().filter(one -> one.name().equals(name) && one.isOf(light)).findFirst().flatMap(one -> one.inForce(light));
     }
 
     private static OptionalDouble number(Optional<?> value) {

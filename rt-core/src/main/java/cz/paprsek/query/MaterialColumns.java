@@ -11,8 +11,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 /** What the table of materials and those of objects have in common. */
 final class MaterialColumns {
@@ -28,24 +26,23 @@ final class MaterialColumns {
 
     /** A column for each attribute of a record, whatever its form; two for one of two numbers. */
     static <R, T> List<Column<R>> attributes(Class<T> record, Function<R, T> of) {
-        return Described.of(record).stream().flatMap(one -> columns(one, of)).toList();
+        return Described.of(record).stream().flatMap(one -> one.apart().stream()).<Column<R>>map(one -> column(one, row -> one.inForce(of.apply(row)))).toList();
     }
 
-    private static <R, T> Stream<Column<R>> columns(Described one, Function<R, T> of) {
-        Function<R, Object> value = row -> one.value(of.apply(row));
-        if (one.type() == double[].class) {
-            return IntStream.range(0, one.components().size()).mapToObj(i ->
-                    Column.number(Described.name(one.components().get(i)), row -> ((double[]) value.apply(row))[i]));
-        }
-        return Stream.of(switch (one.says().value().form()) {
-            case NUMBER, WHOLE -> one.isNumber() ? Column.number(one.name(), row -> one.number(of.apply(row)))
-                    : Column.numbers(one.name(), row -> (OptionalDouble) value.apply(row));
-            case VECTOR, SCALE -> Column.vector(one.name(), row -> (Vec3) value.apply(row));
-            case COLOR -> Column.color(one.name(), row -> Optional.of((Rgb) value.apply(row)));
-            case WORDS -> Column.texts(one.name(), row -> ((List<?>) value.apply(row)).stream().map(String::valueOf).toList());
-            case WORD -> Column.text(one.name(), row -> Described.word((Enum<?>) value.apply(row)));
-            default -> Column.text(one.name(), row -> String.valueOf(value.apply(row)));
-        });
+    /** The column of an attribute of one value, of what counts. */
+    static <R> Column<R> column(Described one, Function<R, Optional<Object>> of) {
+        return switch (one.says().value().form()) {
+            case NUMBER, WHOLE, FROM_TO, PAIR -> Column.numbers(one.name(), row -> number(of.apply(row)));
+            case VECTOR, SCALE -> Column.vectors(one.name(), row -> of.apply(row).map(Vec3.class::cast));
+            case COLOR -> Column.color(one.name(), row -> of.apply(row).map(Rgb.class::cast));
+            case WORDS -> Column.texts(one.name(), row -> of.apply(row).stream().flatMap(list -> ((List<?>) list).stream()).map(String::valueOf).toList());
+            case WORD -> Column.texts(one.name(), row -> of.apply(row).map(Described::word).stream().toList());
+            case TEXT, FLAG -> Column.texts(one.name(), row -> of.apply(row).map(String::valueOf).stream().toList());
+        };
+    }
+
+    private static OptionalDouble number(Optional<Object> value) {
+        return value.isPresent() ? OptionalDouble.of(((Number) value.get()).doubleValue()) : OptionalDouble.empty();
     }
 
     /** The kind of a material's pattern, as its element in a scene file: {@code checker}; {@code plain} for one colour. */

@@ -13,7 +13,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.stream.Stream;
 
 /** The tables that scenes are seen as: scenes, cameras, lights, materials, all objects, and the objects of each kind. */
@@ -84,11 +83,8 @@ public final class SceneTables {
                 Column.vector("position", row -> row.part().position()),
                 Column.vector("direction", row -> row.part().forward()),
                 Column.vectors("target", row -> row.part().aim() instanceof Camera.Target target ? Optional.of(target.point()) : Optional.empty()),
-                Column.vector("up", row -> row.part().up())));
-        for (Class<?> lens : Lens.class.getPermittedSubclasses()) {
-            Described.of(lens).forEach(one -> columns.add(Column.numbers(one.name(),
-                    row -> lens.isInstance(row.part().lens()) ? OptionalDouble.of(one.number(row.part().lens())) : OptionalDouble.empty())));
-        }
+                Column.vector("up", row -> row.part().upwards())));
+        Described.inline(Camera.class, Lens.class).forEach(one -> columns.add(MaterialColumns.column(one, row -> one.isOf(row.part()) ? one.inForce(row.part()) : Optional.empty())));
         return new Table<>("camera", columns, List.of());
     }
 

@@ -22,7 +22,7 @@ public record Camera(
         @Attribute(value = Kind.NAME, means = "What the camera is called; unique among the cameras", otherwise = Attribute.NOTHING) String name,
         @Attribute(value = Kind.VECTOR, means = "Where it stands") Vec3 position,
         Aim aim,
-        @Attribute(value = Kind.VECTOR,
+        @Attribute(value = Kind.VECTOR, inForce = "upwards",
                 means = "The direction that is up in the picture, not parallel to the view (if not given, and the view goes straight down, 0 0 -1; straight up, 0 0 1)",
                 otherwise = "0 1 0") Vec3 up,
         @Attribute(value = Kind.WORD, name = "projection", means = "How the world comes onto the picture; spherical: all around", otherwise = "perspective")
@@ -136,8 +136,8 @@ public record Camera(
         return right().cross(forward());
     }
 
-    /** What is up: as given, or what stands in for it. */
-    private Vec3 upwards() {
+    /** What is up: as given, or what stands in for it; world space, of any length but 0. */
+    public Vec3 upwards() {
         Vec3 d = forward();
         return !up.equals(Vec3.Y) || !isAlong(d, up) ? up : d.y() < 0 ? Vec3.Z.negated() : Vec3.Z;
     }

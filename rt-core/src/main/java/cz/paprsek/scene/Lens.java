@@ -26,7 +26,8 @@ public sealed interface Lens permits Lens.Perspective, Lens.Orthographic, Lens.S
     record Perspective(
             @Attribute(value = Kind.FOVY, means = "Vertical field of view in degrees; perspective only", otherwise = "45") double fovy,
             @Attribute(value = Kind.NOT_NEGATIVE, means = "Radius of the lens: what is not in focus blurs; perspective only", otherwise = "0") double aperture,
-            @Attribute(value = Kind.NOT_NEGATIVE, means = "Distance along the view of what is sharp, or 0 for that of the target; perspective only", otherwise = "0")
+            @Attribute(value = Kind.NOT_NEGATIVE, inForce = "focus", otherwise = "0",
+                    means = "Distance along the view of what is sharp, or 0 for that of the target; perspective only")
             double focus) implements Lens {
         /** A pinhole, 45° high. */
         public static final Perspective DEFAULT = new Perspective(45, 0, 0);

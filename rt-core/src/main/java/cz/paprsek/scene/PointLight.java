@@ -6,6 +6,7 @@ import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import java.util.OptionalDouble;
 
 /**
  * A point that shines evenly in all directions.
@@ -22,11 +23,17 @@ public record PointLight(
         @Attribute(value = Kind.VECTOR, means = "Where it is") Vec3 position,
         @Attribute(value = Kind.COLOR, means = "sRGB, 0-255", otherwise = "255 255 255") Rgb color,
         @Attribute(value = Kind.INTENSITY, means = "Factor on the colour", otherwise = "1") double intensity,
-        @Attribute(value = Kind.NOT_NEGATIVE, means = "Light falls with the square of the distance, and the intensity arrives at this one; at 0 it does not fall", otherwise = "0")
+        @Attribute(value = Kind.NOT_NEGATIVE, inForce = "fallOff", otherwise = "0",
+                means = "Light falls with the square of the distance, and the intensity arrives at this one; at 0 it does not fall")
         double referenceDistance) implements PlacedLight {
     public PointLight {
         LightRules.check(name, position, color, intensity);
         Require.sizeOrZero("light reference-distance", referenceDistance);
+    }
+
+    /** The distance at which the intensity arrives; empty for light that does not fall. */
+    public OptionalDouble fallOff() {
+        return referenceDistance > 0 ? OptionalDouble.of(referenceDistance) : OptionalDouble.empty();
     }
 
     @Override

@@ -7,6 +7,8 @@ import cz.paprsek.math.Require;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.stream.Stream;
 
 /**
@@ -29,10 +31,10 @@ public record RenderSettings(
         @Attribute(value = Kind.DEPTH, means = "Levels of rays, the eye ray being level 1", otherwise = "5") int maxDepth,
         @Attribute(value = Kind.SAMPLES, name = "samples", means = "Rays along each side of a pixel: N for a grid of N x N, A..B for A x A random ones and "
                 + "more, at most B x B, until the error is small", otherwise = "1") int samples,
-        @Attribute(value = Kind.MOST_SAMPLES, name = "samples", means = "") int mostSamples,
-        @Attribute(value = Kind.POSITIVE, means = "With samples A..B, how far the value shown of a pixel may be from the true one; 1 is from black to white",
+        @Attribute(value = Kind.MOST_SAMPLES, inForce = "allowedSamples", name = "samples", means = "") int mostSamples,
+        @Attribute(value = Kind.POSITIVE, inForce = "allowedError", means = "With samples A..B, how far the value shown of a pixel may be from the true one; 1 is from black to white",
                 otherwise = "0.01") double error,
-        @Attribute(value = Kind.CONFIDENCE, means = "How probable it is to be that close", otherwise = "0.95") double confidence,
+        @Attribute(value = Kind.CONFIDENCE, inForce = "wantedConfidence", means = "How probable it is to be that close", otherwise = "0.95") double confidence,
         @Attribute(value = Kind.WORD, means = "How a pixel's rays are strewn around its centre", otherwise = "box") PixelFilter filter) {
     public static final int LARGEST_SIDE = 32_768;
     public static final int DEEPEST = 250;
@@ -66,6 +68,21 @@ public record RenderSettings(
     public int mostRays() {
         int side = Math.max(samples, mostSamples);
         return side * side;
+    }
+
+    /** The square root of how many rays a pixel gets if it needs them; empty for a grid, whose pixels are not judged. */
+    public OptionalInt allowedSamples() {
+        return isAdaptive() ? OptionalInt.of(mostSamples) : OptionalInt.empty();
+    }
+
+    /** The error by which pixels are judged; empty for a grid. */
+    public OptionalDouble allowedError() {
+        return isAdaptive() ? OptionalDouble.of(error) : OptionalDouble.empty();
+    }
+
+    /** Likewise the confidence. */
+    public OptionalDouble wantedConfidence() {
+        return isAdaptive() ? OptionalDouble.of(confidence) : OptionalDouble.empty();
     }
 
     public RenderSettings withSize(int newWidth, int newHeight) {

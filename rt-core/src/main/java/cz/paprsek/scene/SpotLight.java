@@ -8,6 +8,7 @@ import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.text.Numbers;
 import java.util.Objects;
+import java.util.OptionalDouble;
 
 /**
  * A point that shines into a cone: all its light within the inner angle, none beyond the outer one, and between them 3t² − 2t³ of it, with t
@@ -30,9 +31,10 @@ public record SpotLight(
         Camera.Aim aim,
         @Attribute(value = Kind.COLOR, means = "sRGB, 0-255", otherwise = "255 255 255") Rgb color,
         @Attribute(value = Kind.INTENSITY, means = "Factor on the colour", otherwise = "1") double intensity,
-        @Attribute(value = Kind.NOT_NEGATIVE, means = "Light falls with the square of the distance, and the intensity arrives at this one; at 0 it does not fall", otherwise = "0")
+        @Attribute(value = Kind.NOT_NEGATIVE, inForce = "fallOff", otherwise = "0",
+                means = "Light falls with the square of the distance, and the intensity arrives at this one; at 0 it does not fall")
         double referenceDistance,
-        @Attribute(value = Kind.CONE_ANGLE, means = "Degrees from the middle within which all light arrives; at most the outer angle (if not given, 30 or the outer angle, whichever is smaller)", otherwise = "30")
+        @Attribute(value = Kind.CONE_ANGLE, inForce = "fullAngle", means = "Degrees from the middle within which all light arrives; at most the outer angle (if not given, 30 or the outer angle, whichever is smaller)", otherwise = "30")
         double innerAngle,
         @Attribute(value = Kind.CONE_ANGLE, means = "Degrees from the middle beyond which none does; above 0", otherwise = "45")
         double outerAngle) implements PlacedLight {
@@ -75,6 +77,11 @@ public record SpotLight(
     /** The way the light in the middle goes, of length 1, world space. */
     public Vec3 direction() {
         return (aim instanceof Camera.Target target ? target.point().minus(position) : ((Camera.Direction) aim).vector()).normalized();
+    }
+
+    /** The distance at which the intensity arrives; empty for light that does not fall. */
+    public OptionalDouble fallOff() {
+        return referenceDistance > 0 ? OptionalDouble.of(referenceDistance) : OptionalDouble.empty();
     }
 
     @Override

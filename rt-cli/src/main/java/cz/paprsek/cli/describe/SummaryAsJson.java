@@ -9,6 +9,7 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -54,14 +55,16 @@ public final class SummaryAsJson {
         if (camera.aim() instanceof Camera.Target target) {
             json.with("target", target.point());
         }
-        json.with("up", camera.up());
-        Described.of(camera.lens().getClass()).forEach(one -> json.with(one.name(), one.number(camera.lens())));
+        json.with("up", camera.upwards());
+        Described.inline(Camera.class, Lens.class).stream().filter(one -> one.isOf(camera))
+                .forEach(one -> one.inForce(camera).ifPresent(value -> json.withValue(one.name(), value)));
         return json;
     }
 
     private static Json of(Light light) {
         Json json = new Json().with("name", light.name()).with("kind", light.kind());
-        Described.inline(light.getClass()).stream().filter(one -> one.isOf(light) && one.says().value() != Kind.NAME).forEach(one -> with(json, one.name(), one.value(light)));
+        Described.inline(light.getClass()).stream().filter(one -> one.isOf(light) && one.says().value() != Kind.NAME)
+                .forEach(one -> one.inForce(light).ifPresent(value -> with(json, one.name(), value)));
         return json;
     }
 
@@ -80,7 +83,7 @@ public final class SummaryAsJson {
         } else {
             json.with("pattern", material.pattern().kind());
         }
-        Described.of(Material.class).forEach(one -> json.withValue(one.name(), one.value(material)));
+        Described.of(Material.class).forEach(one -> one.inForce(material).ifPresent(value -> json.withValue(one.name(), value)));
         return json;
     }
 

@@ -17,6 +17,7 @@ import cz.paprsek.text.Numbers;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** A summary for people: a heading and its value a line, what belongs to it indented below. */
 public final class SummaryAsText {
@@ -55,8 +56,12 @@ public final class SummaryAsText {
     }
 
     private static String text(Light light) {
-        return Described.inline(light.getClass()).stream().filter(one -> one.isOf(light) && one.says().value() != Kind.NAME)
-                .map(one -> one.name() + " " + text(one.value(light))).collect(Collectors.joining(", "));
+        return text(Described.inline(light.getClass()).stream().filter(one -> one.isOf(light) && one.says().value() != Kind.NAME), light);
+    }
+
+    /** What counts of attributes, each with its name. */
+    private static String text(Stream<Described> attributes, Object record) {
+        return attributes.flatMap(one -> one.inForce(record).map(value -> one.name() + " " + text(value)).stream()).collect(Collectors.joining(", "));
     }
 
     private static String text(Object value) {
@@ -97,9 +102,14 @@ public final class SummaryAsText {
     private static String text(Camera camera) {
         Lens lens = camera.lens();
         return (lens instanceof Lens.Perspective ? "" : lens.projection() + ", ") + "position " + Numbers.text(camera.position()) + ", " + aim(camera)
-                + ", up " + Numbers.text(camera.up()) + Described.of(lens.getClass()).stream()
-                        .filter(one -> one.isRequired() || !Numbers.text(one.number(lens)).equals("0"))
-                        .map(one -> ", " + one.name() + " " + Numbers.text(one.number(lens))).collect(Collectors.joining());
+                + ", up " + Numbers.text(camera.upwards()) + lens(camera);
+    }
+
+    /** A pinhole is not worth a word. */
+    private static String lens(Camera camera) {
+        String text = text(Described.inline(Camera.class, Lens.class).stream()
+                .filter(one -> one.isOf(camera) && !(one.name().equals("aperture") && one.number(camera) == 0)), camera);
+        return text.isEmpty() ? "" : ", " + text;
     }
 
     private static String rays(RenderSettings settings) {
@@ -123,7 +133,6 @@ public final class SummaryAsText {
     private static String text(Material material) {
         String color = material.pattern() instanceof Pattern.Plain plain ? text(plain.color())
                 : material.pattern().kind();
-        return "color " + color + Described.of(Material.class).stream().map(one -> ", " + one.name() + " " + text(one.value(material)))
-                .collect(Collectors.joining());
+        return "color " + color + ", " + text(Described.of(Material.class).stream(), material);
     }
 }

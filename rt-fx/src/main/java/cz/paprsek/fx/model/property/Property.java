@@ -1,5 +1,6 @@
 package cz.paprsek.fx.model.property;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -33,11 +34,11 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
         return new Property(target, longer, double.class, trait);
     }
 
-    /** The value that all the things have in common; empty if they differ. */
+    /** The value that all the things have in common, as it counts; empty if they differ. */
     public Optional<Object> read(Scene scene) {
         Optional<Object> common = Optional.empty();
         for (Record record : target.read(scene)) {
-            Optional<Object> value = value(record, path);
+            Optional<Object> value = value(record, path).map(own -> inForce(record, own));
             if (value.isEmpty() || (common.isPresent() && !common.equals(value))) {
                 return Optional.empty();
             }
@@ -85,6 +86,17 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
         Object fresh = path.size() == 1
                 ? change.apply(record, old.get()) : changed((Record) old.get(), path.subList(1, path.size()), change);
         return fresh.equals(old.get()) ? record : Records.with(record, name, fresh);
+    }
+
+    /** What stands in for a value that means none given; itself if nothing does, to say that nothing does. */
+    private Object inForce(Record record, Object own) {
+        List<Described> attributes = path.size() == 1 ? Described.of(record.getClass()) : List.of();
+        for (Described one : attributes) {
+            if (!one.says().inForce().isEmpty() && one.component().getName().equals(name())) {
+                return one.inForce(record).orElse(own);
+            }
+        }
+        return own;
     }
 
     private static Optional<Object> value(Record record, List<String> path) {

@@ -17,6 +17,7 @@ import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SpotLight;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
@@ -67,6 +68,18 @@ class SectionsTest {
         assertThat(read("radius", both)).isEmpty();
         assertThat(read("scale", both)).contains(Vec3.ONE);
         assertThat(names(Set.of(Item.body(0), Item.light(1)))).contains("radius", "intensity");
+    }
+
+    @Test
+    void whatCountsIsShown_notWhatStandsForNoneGiven() {
+        Camera down = Camera.looking(new Vec3(0, 5, 0), new Vec3(0, -1, 0));
+        SpotLight narrow = SpotLight.from(new Vec3(0, 3, 0), Vec3.ZERO).withAngles(30, 20);
+        Scene other = scene.withLights(List.of(narrow)).withCamera(down);
+        assertThat(property("innerAngle", Set.of(Item.light(0)), other).read(other)).contains(20.0);
+        assertThat(property("outerAngle", Set.of(Item.light(0)), other).write(other, 40.0).lights()).containsExactly(narrow.withAngles(30, 40));
+        assertThat(property("up", Set.of(Item.CAMERA), other).read(other)).contains(Vec3.Z.negated());
+        assertThat(property("referenceDistance", Set.of(Item.light(0)), other).read(other)).contains(0.0);
+        assertThat(property("mostSamples", Set.of()).read(scene)).contains(0);
     }
 
     @Test
@@ -148,7 +161,11 @@ class SectionsTest {
     }
 
     private List<Section> sections(Set<? extends Item> items) {
-        return Sections.of(EditorState.of(scene).withSelection(items));
+        return sections(items, scene);
+    }
+
+    private static List<Section> sections(Set<? extends Item> items, Scene of) {
+        return Sections.of(EditorState.of(of).withSelection(items));
     }
 
     private List<String> titles(Set<? extends Item> items) {
@@ -160,7 +177,11 @@ class SectionsTest {
     }
 
     private Property property(String name, Set<? extends Item> items) {
-        return sections(items).stream().flatMap(section -> section.properties().stream())
+        return property(name, items, scene);
+    }
+
+    private static Property property(String name, Set<? extends Item> items, Scene of) {
+        return sections(items, of).stream().flatMap(section -> section.properties().stream())
                 .filter(property -> property.name().equals(name)).findFirst().orElseThrow();
     }
 
