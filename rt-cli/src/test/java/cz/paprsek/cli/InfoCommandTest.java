@@ -60,7 +60,7 @@ class InfoCommandTest {
     @Test
     void whatCountsIsTold_notWhatStandsForNothingGiven() throws IOException {
         Path scene = folder.resolve("b.xml");
-        Files.writeString(scene, "<scene xmlns=\"urn:paprsek:scene:1\"><camera name=\"down\" position=\"0 5 0\" direction=\"0 -1 0\"/>"
+        Files.writeString(scene, "<scene xmlns=\"urn:paprsek:scene:1\" name=\"lit from above\"><camera name=\"down\" position=\"0 5 0\" direction=\"0 -1 0\"/>"
                 + "<camera name=\"sharp\" position=\"0 3 4\" target=\"0 0 0\" aperture=\"0.1\"/>"
                 + "<spot-light name=\"narrow\" position=\"1 1 1\" target=\"0 0 0\" outer-angle=\"20\"/>"
                 + "<spot-light name=\"wide\" position=\"1 1 1\" target=\"0 0 0\" reference-distance=\"2\"/></scene>");
@@ -72,7 +72,7 @@ class InfoCommandTest {
         assertThat(Run.cli("info", "--json", scene).out()).contains("\"up\":[0,0,-1],\"fovy\":45,\"aperture\":0}", "\"aperture\":0.1,\"focus\":5}",
                 "\"intensity\":1,\"inner-angle\":20,\"outer-angle\":20}");
         assertThat(Run.cli("db", "show", "light", scene, "--csv").text()).contains("20,20").doesNotContain(",0,");
-        assertThat(Run.cli("db", "list", scene, "--where", "not most-samples >= 0 and not error > 0 and exists(camera where focus = 5)").text()).contains("b");
+        assertThat(Run.cli("db", "list", scene, "--where", "not most-samples >= 0 and not error > 0 and exists(camera where focus = 5)").out()).contains("lit from above");
     }
 
     @Test
