@@ -133,7 +133,9 @@ final class RenderJob implements Workers.Work {
         }
         if (fault != null) {
             String place = faultRow == NOWHERE ? "" : " at pixel " + faultColumn + ", " + faultRow;
-            throw new IllegalStateException("rendering failed" + place + ": " + fault, fault);
+            // What we say ourselves is a sentence, and needs no name before it.
+            String what = fault instanceof IllegalStateException ? String.valueOf(fault.getMessage()) : fault.toString();
+            throw new IllegalStateException("rendering failed" + place + ": " + what, fault);
         }
     }
 

@@ -2,12 +2,15 @@ package cz.paprsek.shape;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
 import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
+import cz.paprsek.text.Numbers;
 
 /** A figure made in code, in the world. */
 final class PlacedFigure extends Surface implements Part {
@@ -19,8 +22,17 @@ final class PlacedFigure extends Surface implements Part {
     PlacedFigure(int part, Affine toWorld, CustomShape shape) {
         this.part = part;
         this.toLocal = toWorld.inverse();
-        this.bounds = shape.bounds().transformed(toWorld);
+        this.bounds = bounds(shape).transformed(toWorld);
         this.shape = shape;
+    }
+
+    /** The bounds of a shape, if it says them and its cost in numbers. */
+    static Bounds bounds(CustomShape shape) {
+        Bounds box = shape.bounds();
+        boolean isBox = !Double.isNaN(box.minX() + box.minY() + box.minZ()) && !Double.isNaN(box.maxX() + box.maxY() + box.maxZ());
+        Require.that(isBox, "the bounds of a " + shape.kind() + " must be of numbers, but are " + box);
+        Require.positive("cost of a " + shape.kind(), shape.cost());
+        return box;
     }
 
     @Override
@@ -71,6 +83,11 @@ final class PlacedFigure extends Surface implements Part {
         Line line = ray.in(toLocal);
         line.clear();
         shape.cross(line);
+        for (int i = 0; i < line.crossings(); i++) {
+            if (Double.isNaN(line.t(i))) {
+                throw new IllegalStateException("a " + shape.kind() + " says that a line crosses it at " + line.t(i));
+            }
+        }
         return line;
     }
 
@@ -106,6 +123,12 @@ final class PlacedFigure extends Surface implements Part {
         shape.normal(face, hit);
         place(hit, x, y, z);
         hit.normal(toLocal, hit.nx, hit.ny, hit.nz);
+        double square = hit.nx * hit.nx + hit.ny * hit.ny + hit.nz * hit.nz;
+        // Not <: false for what is not a number.
+        if (!(square > 0)) {
+            throw new IllegalStateException("a " + shape.kind() + " has a normal that is no direction, of its face " + face + " at "
+                    + Numbers.text(new Vec3(x, y, z)) + " in the world");
+        }
     }
 
     /** Has a shape map a hit in its own space, and takes the answer to the world. */
@@ -117,6 +140,10 @@ final class PlacedFigure extends Surface implements Part {
         shape.map(face, hit);
         place(hit, x, y, z);
         hit.tangentFrom(toLocal);
+        if (!(Math.abs(hit.u) <= Double.MAX_VALUE && Math.abs(hit.v) <= Double.MAX_VALUE)) {
+            throw new IllegalStateException("a " + shape.kind() + " has a u of " + hit.u + " and a v of " + hit.v + ", which are no numbers, on its face " + face + " at "
+                    + Numbers.text(new Vec3(x, y, z)) + " in the world");
+        }
     }
 
     /**

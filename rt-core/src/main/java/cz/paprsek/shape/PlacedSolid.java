@@ -19,7 +19,7 @@ final class PlacedSolid extends Volume implements Part {
     PlacedSolid(int part, Affine toWorld, CustomSolid shape) {
         this.part = part;
         this.toLocal = toWorld.inverse();
-        this.bounds = shape.bounds().transformed(toWorld);
+        this.bounds = PlacedFigure.bounds(shape).transformed(toWorld);
         this.shape = shape;
     }
 

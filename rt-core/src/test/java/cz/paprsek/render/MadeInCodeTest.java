@@ -2,6 +2,7 @@ package cz.paprsek.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.material.CustomPattern;
@@ -26,6 +27,7 @@ import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.CustomShape;
 import cz.paprsek.shape.CustomSolid;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
@@ -35,9 +37,14 @@ import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** Shapes, patterns and lights that an embedder makes are rendered, explained and listed like ours; files refuse them with a sentence. */
 class MadeInCodeTest {
@@ -164,6 +171,77 @@ class MadeInCodeTest {
         assertThat(Renderer.render(scene.withLights(List.of(new Bulb(position, 16)))).toArgb()).as("the mean of what is the same").isEqualTo(ours);
         assertThatThrownBy(() -> RenderScene.of(scene.withLights(List.of(new Bulb(position, 0))))).isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith("samples of a bulb must be");
+    }
+
+    /** Answers that are no numbers, from whatever asks first. */
+    static Stream<Arguments> brokenScenes() {
+        return Stream.of(
+                arguments("the light \"burnt\", which is made in code, sends NaN 1.0 1.0 from the direction", lit(out -> out.light(Double.NaN, 1, 1))),
+                arguments("the light \"burnt\", which is made in code, sends 1.0 1.0 Infinity", lit(out -> out.light(1, 1, Double.POSITIVE_INFINITY))),
+                arguments("light must be finite, a direction of length 1", lit(out -> out.along(0, 2, 0))),
+                arguments("light must be finite, a direction of length 1", lit(out -> out.distance = Double.NaN)),
+                arguments("the pattern \"smudge\", which is made in code, has the colour 0.5 NaN 0.5 at ", patterned(new Smudge(Double.NaN))),
+                arguments("the pattern \"smudge\", which is made in code, has the colour 0.5 -Infinity 0.5 at ", patterned(new Smudge(Double.NEGATIVE_INFINITY))),
+                arguments("a veil has a normal that is no direction, of its face 0 at ", Scenes.empty().plus(SceneObject.of(new Veil(0, 0, 1)))),
+                arguments("a veil says that a line crosses it at NaN", Scenes.empty().plus(SceneObject.of(new Veil(1, Double.NaN, 1)))),
+                arguments("a veil has a u of NaN and a v of 0.0, which are no numbers, on its face 0 at ",
+                        Scenes.empty().plus(SceneObject.of(new Veil(1, 0, 1)).madeOf(Material.DEFAULT.withPattern(new ByPlace())))));
+    }
+
+    @ParameterizedTest
+    @MethodSource("brokenScenes")
+    void whatIsNoNumberIsToldOnceAndByName(String sentence, Scene scene) {
+        assertThatThrownBy(() -> Renderer.render(scene)).isInstanceOf(IllegalStateException.class).message().contains(sentence).doesNotContain("Exception").hasLineCount(1);
+    }
+
+    @Test
+    void aShapeWithoutBoundsInNumbersIsRefusedBeforeItIsRendered() {
+        assertThatThrownBy(() -> RenderScene.of(Scenes.empty().plus(SceneObject.of(new Veil(1, 0, Double.NaN))))).isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith("the bounds of a veil must be of numbers, but are ");
+    }
+
+    private static Scene lit(Consumer<Arrival> broken) {
+        return around(new Block(new Vec3(-0.6, -0.6, -0.6), new Vec3(0.6, 0.6, 0.6))).withLights(List.of(new Burnt(broken)));
+    }
+
+    private record Burnt(Consumer<Arrival> broken) implements CustomLight {
+        @Override
+        public boolean sample(Hit from, double u, double v, Arrival out) {
+            out.towards(from, 3, 6, 9);
+            out.light(1, 1, 1);
+            broken.accept(out);
+            return true;
+        }
+    }
+
+    private record Smudge(double green) implements CustomPattern {
+        @Override
+        public void color(double x, double y, double z, Hit hit) {
+            hit.color(0.5, green, 0.5);
+        }
+    }
+
+    /** The plane z = 0, with a normal of some length, crossed a little aside. */
+    private record Veil(double length, double aside, double edge) implements CustomShape {
+        @Override
+        public Bounds bounds() {
+            return new Bounds(-edge, -edge, -edge, edge, edge, edge);
+        }
+
+        @Override
+        public void cross(Line line) {
+            line.cross(-line.oz / line.dz + aside);
+        }
+
+        @Override
+        public void normal(int face, Hit hit) {
+            hit.normal(0, 0, length);
+        }
+
+        @Override
+        public void map(int face, Hit hit) {
+            hit.map(Double.NaN, 0, 1, 0, 0);
+        }
     }
 
     @Test

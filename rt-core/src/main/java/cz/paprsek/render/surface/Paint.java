@@ -6,6 +6,7 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.text.Numbers;
 
 /** A pattern ready to be asked for its colour at a point. */
 public abstract class Paint {
@@ -123,6 +124,9 @@ public abstract class Paint {
     }
 
     private static final class Custom extends Paint {
+        /** More would not be finite once it is lit. */
+        private static final double BRIGHTEST = 1e20;
+
         private final CustomPattern pattern;
         private final Affine toPattern;
 
@@ -136,6 +140,11 @@ public abstract class Paint {
         public void color(Level level) {
             Hit hit = level.hit;
             pattern.color(toPattern.pointX(hit.px, hit.py, hit.pz), toPattern.pointY(hit.px, hit.py, hit.pz), toPattern.pointZ(hit.px, hit.py, hit.pz), hit);
+            // Also false for what is not a number.
+            if (!(Math.abs(hit.red) <= BRIGHTEST && Math.abs(hit.green) <= BRIGHTEST && Math.abs(hit.blue) <= BRIGHTEST)) {
+                throw new IllegalStateException("the pattern \"" + pattern.kind() + "\", which is made in code, has the colour " + hit.red + " " + hit.green + " " + hit.blue
+                        + " at " + Numbers.text(new Vec3(hit.px, hit.py, hit.pz)) + " in the world; it must be of finite numbers");
+            }
             level.colorRed = hit.red;
             level.colorGreen = hit.green;
             level.colorBlue = hit.blue;
