@@ -5,6 +5,7 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import java.util.Objects;
+import java.util.function.Consumer;
 
 /**
  * How a surface answers light.
@@ -16,6 +17,7 @@ import java.util.Objects;
  * @param reflection share of mirrored light kR, 0–1
  * @param transparency share of transmitted light kT, 0–1
  * @param refractiveIndex index of the medium inside relative to the vacuum, above 0 and at most 100
+ * @param fresnel how what is mirrored and what is let through depends on the angle
  */
 @Element("How a surface answers light. A pattern inside takes the place of the colour.")
 public record Material(
@@ -25,10 +27,31 @@ public record Material(
         @Attribute(value = Kind.EXPONENT, means = "Exponent of the highlight", otherwise = "30") double shininess,
         @Attribute(value = Kind.SHARE, means = "Share of mirrored light", otherwise = "0") double reflection,
         @Attribute(value = Kind.SHARE, means = "Share of transmitted light", otherwise = "0") double transparency,
-        @Attribute(value = Kind.REFRACTIVE_INDEX, means = "Index of the medium inside", otherwise = "1") double refractiveIndex) implements MaterialSource {
+        @Attribute(value = Kind.REFRACTIVE_INDEX, means = "Index of the medium inside", otherwise = "1") double refractiveIndex,
+        @Attribute(value = Kind.WORD, means = "How reflection depends on the angle: not, as that of glass or water, as that of metals", otherwise = "false") Fresnel fresnel)
+        implements MaterialSource {
 
     /** Matte white: what an object without a material is made of. */
     public static final Material DEFAULT = new Material(new Pattern.Plain(Rgb.WHITE), 0.8, 0, 30, 0, 0, 1);
+
+    /** How reflection depends on the angle θ between the ray and the normal. */
+    public enum Fresnel {
+        /** Not at all. */
+        FALSE,
+        /**
+         * As of surfaces that do not conduct: of the share R = ½((n₁·cos θ₁ − n₂·cos θ₂)/(n₁·cos θ₁ + n₂·cos θ₂))² + ½((n₁·cos θ₂ − n₂·cos θ₁)/(n₁·cos θ₂ +
+         * n₂·cos θ₁))², kR·R is mirrored, kT·(1 − kR·R) let through; and kR + kT·(1 − kR) mirrored where no light is let through.
+         *
+         * @source Fresnel, Mémoire sur la loi des modifications que la réflexion imprime à la lumière polarisée, 1823, for light of no polarisation
+         */
+        TRUE,
+        /**
+         * As of metals of colour C: kR·(C + (1 − C)·(1 − cos θ)⁵) is mirrored.
+         *
+         * @source Schlick, An Inexpensive BRDF Model for Physically-based Rendering, Computer Graphics Forum 13(3), 1994
+         */
+        METAL
+    }
 
     /** @throws IllegalArgumentException if a number is outside its range */
     public Material {
@@ -40,6 +63,12 @@ public record Material(
         Require.within("transparency", transparency, 0, 1);
         Require.positive("refractive-index", refractiveIndex);
         Require.within("refractive-index", refractiveIndex, 0, 100);
+        Objects.requireNonNull(fresnel, "fresnel");
+    }
+
+    /** A material whose reflection does not depend on the angle. */
+    public Material(Pattern pattern, double diffusion, double specular, double shininess, double reflection, double transparency, double refractiveIndex) {
+        this(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, Fresnel.FALSE);
     }
 
     /** The default material in a colour of sRGB channels 0–255. */
@@ -53,24 +82,67 @@ public record Material(
     }
 
     public Material withPattern(Pattern value) {
-        return new Material(value, diffusion, specular, shininess, reflection, transparency, refractiveIndex);
+        return with(it -> it.pattern = value);
     }
 
     public Material withDiffusion(double value) {
-        return new Material(pattern, value, specular, shininess, reflection, transparency, refractiveIndex);
+        return with(it -> it.diffusion = value);
     }
 
     /** With a highlight of the given strength and exponent. */
     public Material withHighlight(double strength, double exponent) {
-        return new Material(pattern, diffusion, strength, exponent, reflection, transparency, refractiveIndex);
+        return with(it -> {
+            it.specular = strength;
+            it.shininess = exponent;
+        });
     }
 
     public Material withReflection(double value) {
-        return new Material(pattern, diffusion, specular, shininess, value, transparency, refractiveIndex);
+        return with(it -> it.reflection = value);
     }
 
     /** Letting the given share of light through, bent by the given refractive index. */
     public Material withTransparency(double share, double index) {
-        return new Material(pattern, diffusion, specular, shininess, reflection, share, index);
+        return with(it -> {
+            it.transparency = share;
+            it.refractiveIndex = index;
+        });
+    }
+
+    public Material withFresnel(Fresnel value) {
+        return with(it -> it.fresnel = value);
+    }
+
+    private Material with(Consumer<Parts> change) {
+        Parts parts = new Parts(this);
+        change.accept(parts);
+        return parts.together();
+    }
+
+    /** What a material is made of while it is being changed. */
+    private static final class Parts {
+        private Pattern pattern;
+        private double diffusion;
+        private double specular;
+        private double shininess;
+        private double reflection;
+        private double transparency;
+        private double refractiveIndex;
+        private Fresnel fresnel;
+
+        Parts(Material of) {
+            pattern = of.pattern;
+            diffusion = of.diffusion;
+            specular = of.specular;
+            shininess = of.shininess;
+            reflection = of.reflection;
+            transparency = of.transparency;
+            refractiveIndex = of.refractiveIndex;
+            fresnel = of.fresnel;
+        }
+
+        Material together() {
+            return new Material(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, fresnel);
+        }
     }
 }

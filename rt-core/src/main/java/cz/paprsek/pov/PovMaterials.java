@@ -4,6 +4,7 @@ import static cz.paprsek.pov.PovText.vector;
 import static cz.paprsek.text.Numbers.text;
 
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
@@ -14,7 +15,7 @@ import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.text.MadeInCode;
-import java.util.List;
+import java.util.Comparator;
 import java.util.Set;
 
 /**
@@ -23,7 +24,7 @@ import java.util.Set;
  */
 final class PovMaterials {
     /** The attributes that words are found for here. */
-    static final Set<String> TOLD = Set.of("color", "diffusion", "specular", "shininess", "reflection", "transparency", "refractive-index");
+    static final Set<String> TOLD = Set.of("color", "diffusion", "specular", "shininess", "reflection", "transparency", "refractive-index", "fresnel");
 
     /** 1 − 2⁻²⁰: the most that is written as shining through, so that diffuse light is not multiplied by 0. No step of 16 bits. */
     private static final double MOST = 1 - 0x1p-20;
@@ -51,15 +52,33 @@ final class PovMaterials {
 
     /** What is inside of an object: nothing special, unless light shines through. */
     static String interior(Scene scene, SceneObject object) {
-        List<Material> materials = object.shape() instanceof Solid ? PovWarnings.transparent(scene, object) : List.of();
-        return materials.isEmpty() ? "" : "interior { ior " + text(materials.get(0).refractiveIndex()) + " }";
+        boolean isSolid = object.shape() instanceof Solid;
+        return PovWarnings.materials(scene, object).stream()
+                .filter(material -> material.transparency() > 0 ? isSolid : material.fresnel() == Fresnel.TRUE)
+                .max(Comparator.comparing(material -> material.transparency() > 0))
+                .map(material -> "interior { ior " + text(material.refractiveIndex()) + " }").orElse("");
     }
 
     private static String texture(Material material, String pigment) {
         double weakened = 1 - transmit(material);
         return "texture { pigment { " + pigment + " } finish { ambient " + text(1 / weakened) + " diffuse " + text(material.diffusion() / weakened)
                 + (material.specular() > 0 ? " phong " + text(material.specular()) + " phong_size " + text(material.shininess()) : "")
-                + (material.reflection() > 0 ? " reflection " + text(material.reflection()) : "") + " } }";
+                + reflection(material) + " } }";
+    }
+
+    private static String reflection(Material material) {
+        String share = text(material.reflection());
+        if (material.fresnel() == Fresnel.TRUE) {
+            return " reflection { 0, " + share + " fresnel on } conserve_energy";
+        }
+        return material.reflection() == 0 ? "" : material.fresnel() == Fresnel.FALSE ? " reflection " + share
+                : " reflection { " + rgb(metal(material.pattern()), material.reflection()) + ", " + share + " falloff 5 }";
+    }
+
+    /** A metal's colour as POV-Ray is told it: one for all of its surface. */
+    private static Rgb metal(Pattern pattern) {
+        return pattern instanceof Pattern.Plain plain ? plain.color() : pattern instanceof Pattern.Checker checker ? checker.even()
+                : pattern instanceof Pattern.Checkerboard board ? board.even() : Rgb.WHITE;
     }
 
     private static double transmit(Material material) {

@@ -4,8 +4,10 @@ import static cz.paprsek.text.Numbers.text;
 
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.render.light.FixedPoints;
 import cz.paprsek.scene.Lens;
@@ -45,12 +47,16 @@ final class PovWarnings {
         return List.copyOf(warnings.sentences);
     }
 
-    /** The different materials of an object that light shines through, in the order of its parts. */
-    static List<Material> transparent(Scene scene, SceneObject object) {
+    /** The different materials of an object, in the order of its parts. */
+    static List<Material> materials(Scene scene, SceneObject object) {
         Set<Material> found = new LinkedHashSet<>();
         collect(scene, object.shape(), own(scene, object.material(), Material.DEFAULT), found);
-        found.removeIf(material -> material.transparency() == 0);
         return List.copyOf(found);
+    }
+
+    /** Those that light shines through. */
+    private static List<Material> transparent(Scene scene, SceneObject object) {
+        return materials(scene, object).stream().filter(material -> material.transparency() > 0).toList();
     }
 
     private static void collect(Scene scene, Shape shape, Material material, Set<Material> found) {
@@ -151,9 +157,10 @@ final class PovWarnings {
     }
 
     private void checkMaterials(String name, SceneObject object) {
-        Set<Material> all = new LinkedHashSet<>();
-        collect(scene, object.shape(), own(scene, object.material(), Material.DEFAULT), all);
-        for (Material material : all) {
+        for (Material material : materials(scene, object)) {
+            if (material.fresnel() == Fresnel.METAL && material.reflection() > 0 && !(material.pattern() instanceof Pattern.Plain)) {
+                sentences.add(name + " is a metal of several colours; POV-Ray lets it mirror in one");
+            }
             Untold.of(material).forEach(attribute -> sentences.add(name + ": POV-Ray is not told the " + attribute + " of its material"));
         }
     }
@@ -168,10 +175,14 @@ final class PovWarnings {
                     + text(indices.get(0)));
         }
         for (Material material : materials) {
-            double both = material.reflection() + material.transparency();
+            boolean isGlass = material.fresnel() == Fresnel.TRUE;
+            double both = material.reflection() + material.transparency() * (isGlass ? 1 - material.reflection() : 1);
             if (solid && material.refractiveIndex() != 1 && Math.abs(both - 1) > 1e-9) {
-                sentences.add(name + ": where light is totally reflected POV-Ray gives back all of it, we give back reflection + transparency = "
-                        + rounded(both));
+                sentences.add(name + ": where light is totally reflected POV-Ray gives back all of it, we give back "
+                        + (isGlass ? "reflection + transparency · (1 − reflection) = " : "reflection + transparency = ") + rounded(both));
+            }
+            if (!solid && isGlass) {
+                sentences.add(name + " mirrors on both sides as a pane of glass does; POV-Ray does not know that of a figure without an inside");
             }
             if (!solid || material.refractiveIndex() == 1) {
                 sentences.add(name + ": POV-Ray does not count rays that go straight through as a level of max-depth");

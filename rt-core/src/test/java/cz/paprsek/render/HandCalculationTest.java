@@ -173,7 +173,7 @@ class HandCalculationTest {
         assertThat(top.refracted()).isEmpty();
 
         TracedRay second = top.reflected().orElseThrow();
-        assertThat(second.weight()).isEqualTo(0.75);
+        assertThat(second.weight()).isEqualTo(LinearRgb.WHITE.times(0.75));
         assertIsAt(second.direction(), 0.8, -0.6, 0);
         Encounter bottom = second.encounter().orElseThrow();
         assertThat(bottom.place().distance()).isCloseTo(10, EXACT);

@@ -103,7 +103,8 @@ public final class RandomScenes {
         return new Csg(pick(Csg.Operation.UNION, Csg.Operation.DIFFERENCE, Csg.Operation.INTERSECTION), List.of(operands));
     }
 
-    private Csg.Operation pick(Csg.Operation... from) {
+    @SafeVarargs
+    private <T> T pick(T... from) {
         return from[random.nextInt(from.length)];
     }
 
@@ -123,7 +124,7 @@ public final class RandomScenes {
     private Material material() {
         Pattern pattern = random.nextBoolean() ? new Pattern.Plain(color()) : new Pattern.Checker(number(), vector(), color(), color());
         return new Material(pattern, random.nextDouble(), random.nextDouble(), number(), random.nextDouble(), random.nextDouble(),
-                1 + random.nextDouble());
+                1 + random.nextDouble()).withFresnel(pick(Material.Fresnel.values()));
     }
 
     /** Of a body of operands and of operands: many of them within each other must not add up to something flat. */

@@ -1,6 +1,7 @@
 package cz.paprsek.cli.describe;
 
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
@@ -131,9 +132,11 @@ public final class SceneWarnings {
         if (material.pattern() instanceof Pattern.Plain plain) {
             color(what, place, plain.color());
         }
-        double sum = material.diffusion() + material.reflection() + material.transparency();
+        // What glass does not mirror it lets through.
+        boolean isGlass = material.fresnel() == Fresnel.TRUE;
+        double sum = material.diffusion() + (isGlass ? Math.max(material.reflection(), material.transparency()) : material.reflection() + material.transparency());
         if (sum > 1 + SLACK) {
-            add("energy", what, place, what + ": diffusion, reflection and transparency add up to " + Numbers.text(Math.rint(sum * 1e6) / 1e6)
+            add("energy", what, place, what + (isGlass ? ": diffusion and the greater of reflection and transparency" : ": diffusion, reflection and transparency") + " add up to " + Numbers.text(Math.rint(sum * 1e6) / 1e6)
                     + "; above 1 a surface gives back more light than it gets");
         }
     }

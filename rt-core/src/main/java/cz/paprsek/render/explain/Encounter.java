@@ -20,6 +20,7 @@ import java.util.Optional;
  * @param ambient the ambient term, A·C
  * @param lights the term of each light; empty if the material shows no light that falls on it
  * @param refraction what becomes of the ray at a transparent surface; empty at an opaque one, and where the depth ends
+ * @param split how much is mirrored at this angle; empty if that does not depend on the angle, and where the depth ends
  * @param reflected the mirrored ray
  * @param refracted the ray that goes on beyond the surface
  * @param cutOff whether there would be more rays, had the depth allowed for them
@@ -32,6 +33,7 @@ public record Encounter(
         LinearRgb ambient,
         List<LightTerm> lights,
         Optional<Refraction> refraction,
+        Optional<Split> split,
         Optional<TracedRay> reflected,
         Optional<TracedRay> refracted,
         boolean cutOff) {
@@ -43,6 +45,7 @@ public record Encounter(
         Objects.requireNonNull(ambientLight, "ambientLight");
         Objects.requireNonNull(ambient, "ambient");
         Objects.requireNonNull(refraction, "refraction");
+        Objects.requireNonNull(split, "split");
         Objects.requireNonNull(reflected, "reflected");
         Objects.requireNonNull(refracted, "refracted");
         lights = List.copyOf(lights);
@@ -130,6 +133,21 @@ public record Encounter(
         /** The angle from which on all light is reflected; not a number if n₁ ≤ n₂. */
         public double criticalAngleDegrees() {
             return from > to ? Math.toDegrees(StrictMath.asin(to / from)) : Double.NaN;
+        }
+    }
+
+    /**
+     * How much a surface mirrors at an angle.
+     *
+     * @param from n₁, refractive index before it
+     * @param to n₂, refractive index beyond it
+     * @param cosine cos θ₁, of the angle between the ray and the normal
+     * @param beyond cos θ₂; 0 if there is no such angle
+     * @param mirrored F, of what the material mirrors; of metals it has a colour
+     */
+    public record Split(double from, double to, double cosine, double beyond, LinearRgb mirrored) {
+        public Split {
+            Objects.requireNonNull(mirrored, "mirrored");
         }
     }
 }

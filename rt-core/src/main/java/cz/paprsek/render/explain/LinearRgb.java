@@ -6,12 +6,29 @@ import cz.paprsek.material.Rgb;
 public record LinearRgb(double red, double green, double blue) {
     public static final LinearRgb BLACK = new LinearRgb(0, 0, 0);
 
+    public static final LinearRgb WHITE = new LinearRgb(1, 1, 1);
+
     public LinearRgb plus(LinearRgb other) {
         return new LinearRgb(red + other.red, green + other.green, blue + other.blue);
     }
 
     public LinearRgb times(double factor) {
         return new LinearRgb(factor * red, factor * green, factor * blue);
+    }
+
+    /** Channel by channel. */
+    public LinearRgb times(LinearRgb other) {
+        return new LinearRgb(red * other.red, green * other.green, blue * other.blue);
+    }
+
+    /** Whether all channels are the same. */
+    public boolean isGrey() {
+        return red == green && green == blue;
+    }
+
+    /** The most that one of the channels is. */
+    public double most() {
+        return Math.max(red, Math.max(green, blue));
     }
 
     /** As a picture shows it: sRGB, clamped to 0–255. */

@@ -14,7 +14,7 @@ import java.util.stream.Stream;
  *
  * @param kind what made it
  * @param level 1 for a ray from the eye, 2 for those that it gives rise to, and so on
- * @param weight what its light is multiplied by where it is added to that of the ray before; 1 for a ray from the eye
+ * @param weight what its light is multiplied by where it is added to that of the ray before, channel by channel; 1 for a ray from the eye
  * @param origin world space
  * @param direction of length 1, world space
  * @param medium what it travels through
@@ -24,10 +24,11 @@ import java.util.stream.Stream;
  * @param light what it brings back, the exact sum of the encounter's {@linkplain Encounter#terms terms}
  */
 public record TracedRay(
-        Kind kind, int level, double weight, Vec3 origin, Vec3 direction, Medium medium, Optional<Encounter> encounter,
+        Kind kind, int level, LinearRgb weight, Vec3 origin, Vec3 direction, Medium medium, Optional<Encounter> encounter,
         Optional<SeenLight> seen, Optional<Sight> sight, LinearRgb light) {
     public TracedRay {
         Objects.requireNonNull(kind, "kind");
+        Objects.requireNonNull(weight, "weight");
         Objects.requireNonNull(origin, "origin");
         Objects.requireNonNull(direction, "direction");
         Objects.requireNonNull(medium, "medium");

@@ -5,6 +5,7 @@ import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Encounter.Refraction;
+import cz.paprsek.render.explain.Encounter.Split;
 import cz.paprsek.render.explain.LightTerm.ShadowRay;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.TracedRay;
@@ -40,7 +41,7 @@ public final class Recorder extends Whitted {
     private final List<TracedRay> trees = new ArrayList<>();
     private final Deque<Draft> open = new ArrayDeque<>();
     private TracedRay.Kind kind = TracedRay.Kind.PRIMARY;
-    private double weight = 1;
+    private LinearRgb weight = LinearRgb.WHITE;
     /** What makes the rays, if an eye does. */
     private Optional<Eye> eye = Optional.empty();
 
@@ -68,9 +69,9 @@ public final class Recorder extends Whitted {
     }
 
     @Override
-    public void following(boolean refracted, double share) {
+    public void following(boolean refracted, double red, double green, double blue) {
         kind = refracted ? TracedRay.Kind.REFRACTED : TracedRay.Kind.REFLECTED;
-        weight = share;
+        weight = new LinearRgb(red, green, blue);
     }
 
     @Override
@@ -135,6 +136,11 @@ public final class Recorder extends Whitted {
     }
 
     @Override
+    public void split(double from, double to, double cosine, double beyond, double red, double green, double blue) {
+        open.element().split = Optional.of(new Split(from, to, cosine, beyond, new LinearRgb(red, green, blue)));
+    }
+
+    @Override
     public void ended(Level level) {
         deliver(open.pop().finished(light(level), maxDepth));
     }
@@ -163,7 +169,7 @@ public final class Recorder extends Whitted {
         if (open.isEmpty()) {
             trees.add(ray);
             kind = TracedRay.Kind.PRIMARY;
-            weight = 1;
+            weight = LinearRgb.WHITE;
         } else {
             open.element().add(ray);
         }

@@ -41,6 +41,8 @@ public class Whitted extends Witness implements Integrator {
     private final Intersector intersector;
     private final CameraRays cameraRays;
     private final Level[] levels;
+    /** For each level but the first: how the ray came about, if that takes more than two shares. */
+    private final Scatter[] scatters;
     private final Sampling sampling;
     /** What is random: started for a sample of a pixel before its ray is, and anew before the block's hits are shaded, if there is a light that asks. */
     private final Sampler sampler;
@@ -70,8 +72,10 @@ public class Whitted extends Witness implements Integrator {
         this.sums = sampling.newSums();
         this.lighting = new Lighting(scene, maxDepth, intersector, spans, sampler, this, this::isToStop);
         this.levels = new Level[maxDepth];
+        this.scatters = new Scatter[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
             levels[i] = new Level(spans);
+            scatters[i] = new Scatter(this);
         }
         levels[0].path = Sampler.EYE;
         background = linear(scene.background());
@@ -319,7 +323,11 @@ public class Whitted extends Witness implements Integrator {
             lighting.illuminate(depth, level, finish, leaving, mirrorX, mirrorY, mirrorZ);
         }
         if (depth + 1 < levels.length && (finish.reflection > 0 || finish.transparency > 0)) {
-            spawn(level, levels[depth + 1], depth + 1, finish, leaving, c, mirrorX, mirrorY, mirrorZ, size);
+            if (finish.isPlain) {
+                spawn(level, levels[depth + 1], depth + 1, finish, leaving, c, mirrorX, mirrorY, mirrorZ, size);
+            } else {
+                scatter(level, levels[depth + 1], depth + 1, finish, leaving, c, size);
+            }
         }
         ended(level);
     }
@@ -378,27 +386,58 @@ public class Whitted extends Witness implements Integrator {
             }
         }
         if (reflection > 0) {
-            next.ray.start(hit.px, hit.py, hit.pz, mirrorX, mirrorY, mirrorZ, size, Double.POSITIVE_INFINITY, ray.part, leaving != ray.face < 0);
-            next.beyond = false;
-            next.path = Sampler.mirrored(level.path);
-            Lighting.backFrom(level, next.ray);
-            next.media.set(level.media);
-            reflected++;
-            following(false, reflection);
+            sendBack(level, next, leaving, mirrorX, mirrorY, mirrorZ, size);
+            following(false, reflection, reflection, reflection);
             trace(depth);
             level.add(reflection, next);
         }
         if (refracts) {
             double k = e * c - root;
-            next.ray.start(hit.px, hit.py, hit.pz, e * ray.dx + k * hit.sx, e * ray.dy + k * hit.sy, e * ray.dz + k * hit.sz,
-                    size, Double.POSITIVE_INFINITY, ray.part, leaving == ray.face < 0);
-            next.beyond = true;
-            next.path = Sampler.refracted(level.path);
-            scene.enterBeyond(level, finish, leaving, next.media);
-            refracted++;
-            following(true, finish.transparency);
+            sendOn(level, next, finish, leaving, e * ray.dx + k * hit.sx, e * ray.dy + k * hit.sy, e * ray.dz + k * hit.sz, size);
+            following(true, finish.transparency, finish.transparency, finish.transparency);
             trace(depth);
             level.add(finish.transparency, next);
         }
+    }
+
+    /** The same where shares depend on the angle. */
+    private void scatter(Level level, Level next, int depth, Finish finish, boolean leaving, double c, double size) {
+        Scatter to = scatters[depth];
+        to.decide(scene, level, next, finish, leaving, c);
+        if (to.isMirrored()) {
+            sendBack(level, next, leaving, to.x, to.y, to.z, size);
+            following(false, to.red, to.green, to.blue);
+            trace(depth);
+            level.add(to.red, to.green, to.blue, next);
+        }
+        if (to.through > 0) {
+            sendOn(level, next, finish, leaving, to.throughX, to.throughY, to.throughZ, size);
+            following(true, to.through, to.through, to.through);
+            trace(depth);
+            level.add(to.through, next);
+        }
+    }
+
+    /** Starts a ray on the side of a hit from which that was seen. */
+    private void sendBack(Level level, Level next, boolean leaving, double x, double y, double z, double size) {
+        Ray ray = level.ray;
+        Hit hit = level.hit;
+        next.ray.start(hit.px, hit.py, hit.pz, x, y, z, size, Double.POSITIVE_INFINITY, ray.part, leaving != ray.face < 0);
+        next.beyond = false;
+        next.path = Sampler.mirrored(level.path);
+        Lighting.backFrom(level, next.ray);
+        next.media.set(level.media);
+        reflected++;
+    }
+
+    /** Starts a ray beyond the surface of a hit. */
+    private void sendOn(Level level, Level next, Finish finish, boolean leaving, double x, double y, double z, double size) {
+        Ray ray = level.ray;
+        Hit hit = level.hit;
+        next.ray.start(hit.px, hit.py, hit.pz, x, y, z, size, Double.POSITIVE_INFINITY, ray.part, leaving == ray.face < 0);
+        next.beyond = true;
+        next.path = Sampler.refracted(level.path);
+        scene.enterBeyond(level, finish, leaving, next.media);
+        refracted++;
     }
 }

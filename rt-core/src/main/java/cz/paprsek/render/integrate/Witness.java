@@ -16,8 +16,8 @@ public abstract class Witness {
         return false;
     }
 
-    /** The next ray is mirrored, or goes on beyond the surface; its light will be added times the weight. */
-    public void following(boolean refracted, double weight) {}
+    /** The next ray is mirrored, or goes on beyond the surface; its light will be added times the weight of each channel. */
+    public void following(boolean refracted, double red, double green, double blue) {}
 
     /** The level's ray hits nothing and brings the background's light. */
     public void missed(Level level) {}
@@ -67,6 +67,17 @@ public abstract class Witness {
      * @param radicand cosine, squared, of the angle beyond it; below 0 if all light is reflected
      */
     public void bent(double from, double to, double radicand) {}
+
+    /**
+     * How much a surface mirrors depends on the angle.
+     *
+     * @param from refractive index before it
+     * @param to refractive index beyond it
+     * @param cosine of the angle between the ray and the normal, 0–1
+     * @param beyond cosine of the angle beyond it; 0 if there is none
+     * @param red the share that is mirrored at this angle, of what the material mirrors
+     */
+    public void split(double from, double to, double cosine, double beyond, double red, double green, double blue) {}
 
     /** The level's light is complete. */
     public void ended(Level level) {}

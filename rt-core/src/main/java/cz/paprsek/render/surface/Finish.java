@@ -1,6 +1,7 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.Fresnel;
 
 /** A material ready for shading. */
 public final class Finish {
@@ -11,6 +12,9 @@ public final class Finish {
     public final double reflection;
     public final double transparency;
     public final double refractiveIndex;
+    public final Fresnel fresnel;
+    /** Whether it mirrors and lets through the same shares at every angle: nearly all surfaces do, and are shaded by a shorter way. */
+    public final boolean isPlain;
     private final double shininess;
     /** The exponent if it is a whole number, else −1. */
     private final int wholeShininess;
@@ -25,6 +29,8 @@ public final class Finish {
         reflection = material.reflection();
         transparency = material.transparency();
         refractiveIndex = material.refractiveIndex();
+        fresnel = material.fresnel();
+        isPlain = fresnel == Fresnel.FALSE;
     }
 
     /** Whether light that falls on it shows: if not, no shadow ray is needed. */

@@ -44,4 +44,9 @@ public final class Level {
     public void add(double weight, Level other) {
         add(weight * other.red, weight * other.green, weight * other.blue);
     }
+
+    /** Adds another level's light times a weight for each channel. */
+    public void add(double r, double g, double b, Level other) {
+        add(r * other.red, g * other.green, b * other.blue);
+    }
 }

@@ -1,6 +1,8 @@
 package cz.paprsek.xml.bind;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
@@ -9,7 +11,9 @@ import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlAttribute;
 import jakarta.xml.bind.annotation.XmlElement;
+import jakarta.xml.bind.annotation.adapters.CollapsedStringAdapter;
 import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
 /** {@code <material>}, named or within an object. */
@@ -23,11 +27,13 @@ final class MaterialBean extends Located {
     @XmlAttribute double reflection = Material.DEFAULT.reflection();
     @XmlAttribute double transparency = Material.DEFAULT.transparency();
     @XmlAttribute(name = "refractive-index") double refractiveIndex = Material.DEFAULT.refractiveIndex();
+    @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String fresnel = Described.word(Material.DEFAULT.fresnel());
     @XmlElement @Nullable CheckerboardBean checkerboard;
     @XmlElement @Nullable CheckerBean checker;
 
     Material toMaterial() {
-        return new Material(pattern(), diffusion, specular, shininess, reflection, transparency, refractiveIndex);
+        return new Material(pattern(), diffusion, specular, shininess, reflection, transparency, refractiveIndex,
+                Fresnel.valueOf(fresnel.toUpperCase(Locale.ROOT)));
     }
 
     private Pattern pattern() {

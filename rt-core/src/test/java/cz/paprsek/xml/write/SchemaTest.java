@@ -147,6 +147,7 @@ class SchemaTest {
                     : component == AreaLight.Form.class ? new AreaLight.Radius(1)
                     : component == Vec3.class ? new Vec3(1, 1, 1)
                     : component == String.class ? ""
+                    : component.isEnum() ? component.getEnumConstants()[0]
                     : component == Pattern.class ? Material.DEFAULT.pattern()
                     : component == Camera.Aim.class ? new Camera.Direction(Vec3.X)
                     : component == Lens.class ? Lens.Perspective.DEFAULT

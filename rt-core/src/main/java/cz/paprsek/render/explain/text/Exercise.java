@@ -1,6 +1,7 @@
 package cz.paprsek.render.explain.text;
 
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.TracedRay.SeenLight;
@@ -105,7 +106,8 @@ final class Exercise {
                 + (material.specular() > 0 ? ", kS " + Figures.of(material.specular()) + ", n " + Figures.of(material.shininess()) : "")
                 + (material.reflection() > 0 ? ", kR " + Figures.of(material.reflection()) : "")
                 + (material.transparency() > 0
-                        ? ", kT " + Figures.of(material.transparency()) + words.of("medium", Figures.of(material.refractiveIndex())) : ""));
+                        ? ", kT " + Figures.of(material.transparency()) + words.of("medium", Figures.of(material.refractiveIndex())) : "")
+                + (material.fresnel() == Fresnel.FALSE ? "" : words.of(material.fresnel() == Fresnel.TRUE ? "as-glass" : "as-metal")));
     }
 
     private void say(Topic topic, String what, String words) {

@@ -25,6 +25,11 @@ final class Figures {
         return triple(light.red(), light.green(), light.blue());
     }
 
+    /** One number if it is the same in all channels. */
+    static String share(LinearRgb share) {
+        return share.isGrey() ? of(share.red()) : of(share);
+    }
+
     static String pair(double a, double b) {
         return "(" + of(a, COMPONENT) + ", " + of(b, COMPONENT) + ")";
     }

@@ -1,7 +1,9 @@
 package cz.paprsek.render.explain.text;
 
+import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Encounter.Refraction;
+import cz.paprsek.render.explain.Encounter.Split;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.text.Step.Topic;
 import cz.paprsek.words.Words;
@@ -15,15 +17,61 @@ record OpticsSteps(String name, Encounter met, Words words, List<Step> steps) {
         if (isTotal) {
             total(met.refraction().orElseThrow());
         }
+        if (!isTotal) {
+            met.split().ifPresent(this::fresnel);
+        }
         met.reflected().ifPresent(child -> {
             step(Topic.REFLECTION, isTotal ? "" : words.of("name.reflection"), "R = d + 2·cos θ₁·N", "d + " + Figures.of(2 * met.place().cosine()) + "·N",
                     Figures.of(child.direction()));
-            weighted(Topic.REFLECTION, isTotal ? "(kR + kT)" : "kR", "R", child);
+            weighted(Topic.REFLECTION, mirroredShare(isTotal), "R", child);
         });
         met.refracted().ifPresent(child -> {
-            refracted(met.refraction().orElseThrow(), child);
-            weighted(Topic.REFRACTION, "kT", "T", child);
+            met.refraction().ifPresent(bend -> refracted(bend, child));
+            weighted(Topic.REFRACTION, isGlass() ? "kT·(1 − kR·" + letter() + ")" : "kT", "T", child);
         });
+    }
+
+    private String mirroredShare(boolean isTotal) {
+        if (isTotal) {
+            return isGlass() ? "(kR + kT·(1 − kR))" : met.split().isPresent() ? "(kR·F + kT)" : "(kR + kT)";
+        }
+        return met.split().isPresent() ? "kR·" + letter() : "kR";
+    }
+
+    private boolean isGlass() {
+        return met.material().fresnel() == Fresnel.TRUE;
+    }
+
+    private String letter() {
+        return isPane() ? "F'" : "F";
+    }
+
+    /** Whether it mirrors on both sides. */
+    private boolean isPane() {
+        return isGlass() && met.refraction().isEmpty() && met.material().transparency() > 0;
+    }
+
+    /** How much is mirrored at this angle. */
+    private void fresnel(Split split) {
+        if (!isGlass()) {
+            step(Topic.REFLECTION, words.of("name.fresnel"), "F = C + (1 − C)·(1 − cos θ₁)⁵",
+                    Figures.of(met.color()) + " + (1 − C)·" + Figures.power(1 - split.cosine(), 5), Figures.of(split.mirrored()));
+            return;
+        }
+        double n1 = split.from();
+        double n2 = split.to();
+        double c1 = split.cosine();
+        double c2 = split.beyond();
+        step(Topic.REFLECTION, words.of("name.fresnel"), words.of("beyond", "cos θ₂"), "√(1 − (" + Figures.of(n1) + " / " + Figures.of(n2) + ")²·(1 − " + Figures.of(c1) + "²))",
+                Figures.of(c2));
+        double s = amplitude(n1 * c1, n2 * c2);
+        double p = amplitude(n1 * c2, n2 * c1);
+        step(Topic.REFLECTION, "", "s = (n₁c₁ − n₂c₂)/(n₁c₁ + n₂c₂)", quotient(n1, c1, n2, c2), Figures.of(s));
+        step(Topic.REFLECTION, "", "p = (n₁c₂ − n₂c₁)/(n₁c₂ + n₂c₁)", quotient(n1, c2, n2, c1), Figures.of(p));
+        step(Topic.REFLECTION, "", "F = ½s² + ½p²", "½·" + Figures.power(s, 2) + " + ½·" + Figures.power(p, 2), Figures.of((s * s + p * p) / 2));
+        if (isPane()) {
+            step(Topic.REFLECTION, "", words.of("both-sides", "F' = 2F/(1 + F)"), "", Figures.share(split.mirrored()));
+        }
     }
 
     private void refracted(Refraction bend, TracedRay child) {
@@ -44,6 +92,16 @@ record OpticsSteps(String name, Encounter met, Words words, List<Step> steps) {
                 Figures.degrees(bend.criticalAngleDegrees()) + words.of("all-mirrored"));
     }
 
+    private static double amplitude(double first, double second) {
+        return (first - second) / (first + second);
+    }
+
+    private static String quotient(double n1, double c1, double n2, double c2) {
+        String first = Figures.of(n1) + "·" + Figures.of(c1);
+        String second = Figures.of(n2) + "·" + Figures.of(c2);
+        return "(" + first + " − " + second + ")/(" + first + " + " + second + ")";
+    }
+
     private static double ratio(Refraction bend) {
         return bend.from() / bend.to();
     }
@@ -57,7 +115,7 @@ record OpticsSteps(String name, Encounter met, Words words, List<Step> steps) {
     }
 
     private void weighted(Topic topic, String share, String letter, TracedRay child) {
-        step(topic, "", share + " · " + words.of("name.light-of", name + letter), Figures.of(child.weight()) + "·" + Figures.of(child.light()),
+        step(topic, "", share + " · " + words.of("name.light-of", name + letter), Figures.share(child.weight()) + "·" + Figures.of(child.light()),
                 Figures.of(child.light().times(child.weight())));
     }
 

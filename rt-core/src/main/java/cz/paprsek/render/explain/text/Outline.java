@@ -12,7 +12,7 @@ import java.util.Objects;
  * A ray with a name, and the rays that it gives rise to; each can be written out as a worked exercise.
  *
  * @param name how the ray came about, letter by letter: E from the eye, R reflected, T transmitted
- * @param share of the ray's light in that of the ray from the eye: the product of the weights on the way, 0–1 for most materials
+ * @param share of the ray's light in that of the ray from the eye: the product of the weights on the way, of several channels the greatest, 0–1 for most materials
  * @param children the rays whose light is part of its own
  */
 public record Outline(String name, TracedRay ray, double share, List<Outline> children) {
@@ -30,7 +30,7 @@ public record Outline(String name, TracedRay ray, double share, List<Outline> ch
     private static Outline of(String name, TracedRay ray, double share) {
         List<Outline> children = new ArrayList<>();
         for (TracedRay child : ray.children()) {
-            children.add(of(name + (child.kind() == TracedRay.Kind.REFLECTED ? "R" : "T"), child, share * child.weight()));
+            children.add(of(name + (child.kind() == TracedRay.Kind.REFLECTED ? "R" : "T"), child, share * child.weight().most()));
         }
         return new Outline(name, ray, share, children);
     }

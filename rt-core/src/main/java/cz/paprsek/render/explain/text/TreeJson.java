@@ -5,6 +5,7 @@ import cz.paprsek.io.Json;
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Encounter.Refraction;
+import cz.paprsek.render.explain.Encounter.Split;
 import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LightTerm.ShadowRay;
 import cz.paprsek.render.explain.LightTerm.ShadowRay.Obstacle;
@@ -33,10 +34,9 @@ public final class TreeJson {
     /** A ray and all that it gives rise to. */
     @SuppressWarnings("exports") // Told as it is by its toString; what it is made of is for our own programs.
     public static Json of(TracedRay ray) {
-        Json json = new Json()
+        Json json = share(new Json()
                 .with("kind", ray.kind().name().toLowerCase(Locale.ROOT))
-                .with("level", ray.level())
-                .with("weight", ray.weight())
+                .with("level", ray.level()), "weight", ray.weight())
                 .with("origin", ray.origin())
                 .with("direction", ray.direction())
                 .with("medium", new Json().with("name", ray.medium().solid().map(solid -> solid.part().label(solid.scene())).orElse(""))
@@ -61,6 +61,7 @@ public final class TreeJson {
         color(json, "ambient", met.ambient());
         json.with("lights", met.lights().stream().map(TreeJson::of).toList());
         met.refraction().ifPresent(bend -> json.with("refraction", of(bend)));
+        met.split().ifPresent(split -> json.with("fresnel", of(split)));
         met.reflected().ifPresent(ray -> json.with("reflected", of(ray)));
         met.refracted().ifPresent(ray -> json.with("refracted", of(ray)));
         return json.with("cut-off", met.cutOff());
@@ -146,6 +147,16 @@ public final class TreeJson {
                 .with("angle-beyond-degrees", bend.angleBeyondDegrees())
                 .with("critical-angle-degrees", bend.criticalAngleDegrees())
                 .with("total", bend.isTotal());
+    }
+
+    private static Json of(Split split) {
+        return share(new Json().with("n1", split.from()).with("n2", split.to()).with("cosine", split.cosine()).with("cosine-beyond", split.beyond()),
+                "mirrored", split.mirrored());
+    }
+
+    /** One number if it is the same in all channels. */
+    private static Json share(Json json, String name, LinearRgb share) {
+        return share.isGrey() ? json.with(name, share.red()) : color(json, name, share);
     }
 
     private static Json color(Json json, String name, LinearRgb light) {

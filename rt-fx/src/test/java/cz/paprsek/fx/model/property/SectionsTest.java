@@ -55,7 +55,7 @@ class SectionsTest {
     void componentsOfASelectedThingArePropertiesInOrder() {
         assertThat(titles(Set.of(Item.body(0)))).containsExactly("section.object", "kind.sphere", "section.placement", "section.material");
         assertThat(names(Set.of(Item.body(0)))).containsExactly("name", "radius", "position", "rotation", "scale", "material", "pattern", "color",
-                "diffusion", "specular", "shininess", "reflection", "transparency", "refractiveIndex");
+                "diffusion", "specular", "shininess", "reflection", "transparency", "refractiveIndex", "fresnel");
         assertThat(names(Set.of(Item.light(0)))).containsExactly("name", "position", "color", "intensity", "referenceDistance");
         assertThat(names(Set.of(Item.CAMERA))).containsExactly("name", "position", "aim", "vector", "up", "lens", "fovy", "aperture", "focus");
     }
