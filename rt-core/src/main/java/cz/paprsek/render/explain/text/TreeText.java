@@ -97,6 +97,23 @@ public final class TreeText {
                 + (step.result().isEmpty() ? "" : " = " + decoration.result(step.topic(), step.result()));
     }
 
+    /** What a pixel's light is, in one line: that of its ray, or what its rays make together. */
+    public static String sum(Pixel pixel, Words words) {
+        LinearRgb light = pixel.light();
+        int rays = pixel.rays().size();
+        return (rays > 1 ? words.of(pixel.isSharpened() ? "the-weighted" : "the-average", rays) : words.of("the-light")) + " = " + Figures.of(light)
+                + words.of("srgb", srgb(light.shown().red()) + " " + srgb(light.shown().green()) + " " + srgb(light.shown().blue()));
+    }
+
+    /** What one of a pixel's rays, counted from 0, brings, in one line: its light and how much of it the pixel gets. */
+    public static String sample(Pixel pixel, int ray, Words words) {
+        return words.of("ray-of", ray + 1, pixel.rays().size()) + "  " + weighed(pixel, ray);
+    }
+
+    private static String weighed(Pixel pixel, int ray) {
+        return Figures.of(pixel.rays().get(ray).light()) + " · " + Figures.of(pixel.weights().get(ray));
+    }
+
     private void total(Pixel pixel) {
         LinearRgb light = pixel.light();
         int rays = pixel.rays().size();
@@ -104,9 +121,7 @@ public final class TreeText {
             samples(pixel);
         }
         String patch = decoration.patch(light);
-        lines.add(words.of("pixel", pixel.column(), pixel.row()) + ": " + (rays > 1 ? words.of(pixel.isSharpened() ? "the-weighted" : "the-average", rays) : words.of("the-light"))
-                + " = " + Figures.of(light) + words.of("srgb", srgb(light.shown().red()) + " " + srgb(light.shown().green()) + " "
-                + srgb(light.shown().blue())) + (patch.isEmpty() ? "" : "  " + patch));
+        lines.add(words.of("pixel", pixel.column(), pixel.row()) + ": " + sum(pixel, words) + (patch.isEmpty() ? "" : "  " + patch));
     }
 
     /** The light of each ray and how much of it the pixel gets, a line each. */
@@ -114,7 +129,7 @@ public final class TreeText {
         for (int i = 0; i < pixel.rays().size(); i++) {
             LinearRgb light = pixel.rays().get(i).light();
             String patch = decoration.patch(light);
-            lines.add(padded(words.of("ray-of", i + 1, pixel.rays().size()), nameWidth) + " " + Figures.of(light) + " · " + Figures.of(pixel.weights().get(i))
+            lines.add(padded(words.of("ray-of", i + 1, pixel.rays().size()), nameWidth) + " " + weighed(pixel, i)
                     + (patch.isEmpty() ? "" : "  " + patch));
         }
     }

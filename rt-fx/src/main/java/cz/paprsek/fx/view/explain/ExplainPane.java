@@ -21,6 +21,7 @@ import java.util.stream.Collectors;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.value.ObservableValue;
+import javafx.concurrent.Task;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
@@ -51,13 +52,21 @@ public final class ExplainPane extends BorderPane {
     private final TreeView<Outline> tree = new TreeView<>();
     private final StepTable steps;
     private final SplitPane parts;
+    private final SampleList samples;
     private final ReadOnlyObjectWrapper<Optional<DrawnRays>> drawn = new ReadOnlyObjectWrapper<>(Optional.empty());
     private BiConsumer<Scene, ScenePath.BodyAt> onChosen = (scene, surface) -> {};
     /** All rays of the tree, in the order of the rows. */
     private List<TreeItem<Outline>> rays = List.of();
     private Optional<PicturePoint> explained = Optional.empty();
+    private Optional<Pixel> pixel = Optional.empty();
+    /** The pixel that is to be explained: for some of many rays that takes a while. */
+    private Optional<PicturePoint> asked = Optional.empty();
+    private boolean busy;
+    /** Whether whoever follows what is chosen is to be told as soon as the pixel is explained. */
+    private boolean tells;
     /** Whether it stays at a pixel that was clicked, wherever the mouse goes. */
     private boolean pinned;
+    private int ray;
     private boolean filling;
 
     public ExplainPane(Texts texts, ObservableValue<Theme> theme, TreeChooser chooser) {
@@ -82,9 +91,10 @@ public final class ExplainPane extends BorderPane {
         HBox top = new HBox(10, title, growing, grown, new TreeExport(this, texts, chooser, message::setText));
         top.setAlignment(Pos.CENTER_LEFT);
         top.getStyleClass().add("explain-top");
+        samples = new SampleList(words);
+        samples.setOnChosen(this::choose);
         parts = new SplitPane(tree, steps);
         parts.setOrientation(Orientation.VERTICAL);
-        parts.setDividerPositions(0.32);
         message.managedProperty().bind(message.textProperty().isNotEmpty());
         setId("explain-pane");
         getStylesheets().add(Objects.requireNonNull(ExplainPane.class.getResource("explain.css")).toExternalForm());
@@ -97,7 +107,14 @@ public final class ExplainPane extends BorderPane {
     /** Adds the rays in three projections below, where no other window part draws them. */
     public void addDrawings(ObservableValue<Theme> theme) {
         parts.getItems().add(new RayDrawings(this, words, theme));
-        parts.setDividerPositions(0.25, 0.65);
+        divide();
+    }
+
+    /** Shares the room out: rays of the pixel if they are many, tree, exercise, drawings if they are here. */
+    private void divide() {
+        boolean isMany = parts.getItems().contains(samples);
+        boolean isDrawn = parts.getItems().size() > (isMany ? 3 : 2);
+        parts.setDividerPositions(isMany ? isDrawn ? new double[] {0.2, 0.4, 0.7} : new double[] {0.22, 0.48} : isDrawn ? new double[] {0.25, 0.65} : new double[] {0.32});
     }
 
     /** What drawings show now; empty before anything is explained. */
@@ -132,23 +149,89 @@ public final class ExplainPane extends BorderPane {
         pinned = !pinned;
         show(point);
         if (pinned) {
-            tellChosen();
+            tells = busy;
+            if (!busy) {
+                tellChosen();
+            }
         }
     }
 
     /** Explains the pixel at a point of a picture. */
     public void show(PicturePoint point) {
-        if (explained.filter(now -> now.scene() == point.scene() && now.settings().equals(point.settings())
+        if (asked.filter(now -> now.scene() == point.scene() && now.settings().equals(point.settings())
                 && now.column() == point.column() && now.row() == point.row()).isPresent()) {
             return;
         }
+        asked = Optional.of(point);
+        if (point.settings().mostRays() == 1) {
+            show(point, explanation(point));
+        } else if (!busy) {
+            explain(point);
+        }
+    }
+
+    private static Pixel explanation(PicturePoint point) {
+        return point.scene().explain(point.settings(), point.column(), point.row());
+    }
+
+    /** In the background, as the rays of a pixel may be thousands; then what has been asked for meanwhile. */
+    private void explain(PicturePoint point) {
+        busy = true;
+        Task<Pixel> task = new Task<>() {
+            @Override
+            protected Pixel call() {
+                return explanation(point);
+            }
+        };
+        task.setOnSucceeded(event -> {
+            busy = false;
+            Optional<PicturePoint> next = asked;
+            if (next.equals(Optional.of(point))) {
+                show(point, task.getValue());
+            } else {
+                asked = Optional.empty();
+                next.ifPresent(this::show);
+            }
+        });
+        task.setOnFailed(event -> {
+            busy = false;
+            throw new IllegalStateException("a pixel could not be explained", task.getException());
+        });
+        Thread thread = new Thread(task, "paprsek-explain");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void show(PicturePoint point, Pixel fresh) {
         explained = Optional.of(point);
+        pixel = Optional.of(fresh);
         message.setText("");
-        Outline root = Outline.of(pixel(point).rays().get(0)).pruned(SMALLEST_SHARE);
+        title.setText(texts.of("explain.pixel", point.column(), point.row()));
+        boolean isMany = fresh.rays().size() > 1;
+        if (isMany && !parts.getItems().contains(samples)) {
+            parts.getItems().add(0, samples);
+            divide();
+        } else if (!isMany && parts.getItems().remove(samples)) {
+            divide();
+        }
+        int chosen = SampleList.mostTypical(fresh);
+        if (isMany) {
+            samples.show(fresh, chosen);
+        }
+        choose(chosen);
+        if (tells) {
+            tells = false;
+            tellChosen();
+        }
+    }
+
+    /** Shows the tree of one of the pixel's rays. */
+    private void choose(int sample) {
+        ray = sample;
+        Outline root = Outline.of(pixel.orElseThrow().rays().get(sample)).pruned(SMALLEST_SHARE);
         rays = new ArrayList<>();
         filling = true;
         tree.setRoot(item(root));
-        title.setText(texts.of("explain.pixel", point.column(), point.row()));
         grown.setMax(rays.size());
         grown.setValue(rays.size());
         tree.getSelectionModel().select(0);
@@ -159,6 +242,10 @@ public final class ExplainPane extends BorderPane {
     /** Forgets the pixel. */
     public void clear() {
         explained = Optional.empty();
+        pixel = Optional.empty();
+        asked = Optional.empty();
+        parts.getItems().remove(samples);
+        divide();
         pinned = false;
         rays = List.of();
         tree.setRoot(null);
@@ -169,7 +256,7 @@ public final class ExplainPane extends BorderPane {
 
     /** Goes to the next pixel if an arrow key was pressed. */
     public void step(KeyEvent event) {
-        if (explained.isEmpty() || event.isShortcutDown() || event.isAltDown() || event.isShiftDown()) {
+        if (asked.isEmpty() || event.isShortcutDown() || event.isAltDown() || event.isShiftDown()) {
             return;
         }
         switch (event.getCode()) {
@@ -185,9 +272,14 @@ public final class ExplainPane extends BorderPane {
         event.consume();
     }
 
-    /** The pixel's tree, one ray from the eye. */
-    Pixel pixel(PicturePoint point) {
-        return point.scene().explain(point.settings().withSamples(1), point.column(), point.row());
+    /** What is explained: all rays of the pixel. */
+    Optional<Pixel> pixel() {
+        return pixel;
+    }
+
+    /** Which of the pixel's rays is chosen, counted from 0. */
+    int ray() {
+        return ray;
     }
 
     private TreeItem<Outline> item(Outline outline) {
@@ -249,7 +341,7 @@ public final class ExplainPane extends BorderPane {
     }
 
     private void move(int columns, int rows) {
-        explained.ifPresent(from -> {
+        asked.ifPresent(from -> {
             int column = Math.max(0, Math.min(from.settings().width() - 1, from.column() + columns));
             int row = Math.max(0, Math.min(from.settings().height() - 1, from.row() + rows));
             show(new PicturePoint(from.scene(), from.settings(), column + 0.5, row + 0.5));

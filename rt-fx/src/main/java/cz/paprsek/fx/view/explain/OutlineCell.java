@@ -1,11 +1,9 @@
 package cz.paprsek.fx.view.explain;
 
-import cz.paprsek.material.Rgb;
 import cz.paprsek.render.explain.text.Outline;
 import cz.paprsek.words.Words;
 import java.util.function.Predicate;
 import javafx.scene.control.TreeCell;
-import javafx.scene.paint.Color;
 import javafx.scene.shape.Rectangle;
 
 /** A ray in the outline: the colour of its light, its name, and what it meets; faint if it is still to come. */
@@ -30,8 +28,7 @@ final class OutlineCell extends TreeCell<Outline> {
             setGraphic(null);
             return;
         }
-        Rgb color = outline.ray().light().shown();
-        patch.setFill(Color.rgb((int) Math.rint(color.red()), (int) Math.rint(color.green()), (int) Math.rint(color.blue())));
+        patch.setFill(SampleList.color(outline.ray().light()));
         setGraphic(patch);
         setText(outline.name() + "  " + outline.percent() + "  " + outline.headline(words));
     }

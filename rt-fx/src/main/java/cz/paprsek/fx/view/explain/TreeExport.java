@@ -39,12 +39,12 @@ final class TreeExport extends MenuButton {
     private void save(TreeFiles kind, PicturePoint point) {
         String name = point.scene().scene().name().replaceAll("[\\\\/:*?\"<>|]", "-");
         String suggestion = (name.isBlank() ? "" : name + "-") + point.column() + "-" + point.row() + kind.extension();
-        chooser.choose(getScene().getWindow(), suggestion).ifPresent(file -> write(kind, point, pane.pixel(point), file));
+        chooser.choose(getScene().getWindow(), suggestion).ifPresent(file -> pane.pixel().ifPresent(pixel -> write(kind, point, pixel, file)));
     }
 
     private void write(TreeFiles kind, PicturePoint point, Pixel pixel, Path file) {
         try {
-            kind.write(point, pixel, ExplainPane.SMALLEST_SHARE, texts.words(), file);
+            kind.write(point, pixel, pane.ray(), ExplainPane.SMALLEST_SHARE, texts.words(), file);
             message.accept(texts.of("render.saved", file.getFileName()));
         } catch (IOException e) {
             message.accept(texts.of("render.not-saved", file.getFileName(), Failures.sentence(e)));

@@ -25,12 +25,15 @@ enum TreeFiles {
         };
     }
 
-    /** @param smallestShare rays of a smaller share in the pixel are left out of text and drawing */
-    void write(PicturePoint point, Pixel pixel, double smallestShare, Words words, Path file) throws IOException {
+    /**
+     * @param ray which of the pixel's rays is drawn, counted from 0
+     * @param smallestShare rays of a smaller share in the pixel are left out of text and drawing
+     */
+    void write(PicturePoint point, Pixel pixel, int ray, double smallestShare, Words words, Path file) throws IOException {
         String content = switch (this) {
             case TXT -> String.join("\n", TreeText.lines(pixel, smallestShare, Decoration.NONE, words)) + "\n";
             case JSON -> TreeJson.of(pixel) + "\n";
-            case SVG -> TreeDrawing.svg(point.scene().scene(), pixel.rays().get(0), smallestShare, words);
+            case SVG -> TreeDrawing.svg(point.scene().scene(), pixel.rays().get(ray), smallestShare, words);
         };
         AtomicFile.write(file, out -> out.write(content.getBytes(StandardCharsets.UTF_8)));
     }

@@ -1,10 +1,12 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javafx.beans.Observable;
@@ -18,7 +20,7 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
 
-/** What to render and how: size, samples, depth, threads, what the picture shows, and which lights are lit. */
+/** What to render and how: size, samples, depth, threads, what the picture shows, which lights are lit, and whose picture it is. */
 final class RenderForm extends FlowPane {
     private record Preset(int width, int height, String name) {}
 
@@ -40,6 +42,8 @@ final class RenderForm extends FlowPane {
     private final WholeNumberField depth;
     private final WholeNumberField threads;
     private final ModeBox mode;
+    private final CameraBox camera;
+    private final HBox cameraGroup;
     private final LightBox lights;
     private final BooleanBinding valid;
     private RenderSettings settings = RenderSettings.DEFAULT;
@@ -54,6 +58,8 @@ final class RenderForm extends FlowPane {
         threads.set(Runtime.getRuntime().availableProcessors());
         mode = new ModeBox(texts);
         lights = new LightBox(texts);
+        camera = new CameraBox(texts);
+        cameraGroup = group(new Label(texts.of("render.camera")), camera);
         MenuButton presets = new MenuButton(texts.of("render.size"));
         presets.setId("render-presets");
         PRESETS.forEach(preset -> presets.getItems().add(item(preset)));
@@ -65,11 +71,12 @@ final class RenderForm extends FlowPane {
         setAlignment(Pos.CENTER_LEFT);
         getChildren().addAll(group(presets, width, new Label("×"), height), group(new Label(texts.of("render.samples")), samples, new Label("–"), mostSamples),
                 group(new Label(texts.of("render.depth")), depth), group(new Label(texts.of("render.threads")), threads),
-                group(new Label(texts.of("render.mode")), mode), group(new Label(texts.of("render.lights")), lights));
+                group(new Label(texts.of("render.mode")), mode), group(new Label(texts.of("render.lights")), lights), cameraGroup);
     }
 
-    /** Fills in what a scene asks for. */
-    void set(Scene scene) {
+    /** Fills in what a scene asks for, and the camera that is looked through. */
+    void set(EditorState state) {
+        Scene scene = state.scene();
         settings = scene.settings();
         width.set(settings.width());
         height.set(settings.height());
@@ -78,6 +85,14 @@ final class RenderForm extends FlowPane {
         depth.set(settings.maxDepth());
         mode.reset();
         lights.offer(scene);
+        follow(state);
+    }
+
+    /** Offers the cameras there are now. */
+    void follow(EditorState state) {
+        camera.follow(state);
+        cameraGroup.setVisible(state.scene().cameras().size() > 1);
+        cameraGroup.setManaged(cameraGroup.isVisible());
     }
 
     /** Whether all fields hold numbers within their ranges. */
@@ -91,15 +106,15 @@ final class RenderForm extends FlowPane {
         return RenderOptions.of(wished).withThreads(threads.get()).withMode(mode.mode());
     }
 
-    /** The scene with those of its lights that are to be lit. */
-    Scene lit(Scene scene) {
-        return lights.lit(scene);
+    /** The scene as the chosen camera sees it, with those of its lights that are to be lit. */
+    Scene chosen(Scene scene) {
+        return lights.lit(camera.seen(scene));
     }
 
-    /** What beside its size tells this picture from others; empty for one that shows the light of all lights. */
+    /** What beside its size tells this picture from others; empty for one that shows the light of all lights to the only camera. */
     String remark() {
-        return Stream.of(mode, lights).filter(box -> box.getSelectionModel().getSelectedIndex() > 0).map(box -> " · " + box.getValue())
-                .collect(Collectors.joining());
+        Stream<String> others = Stream.of(mode, lights).filter(box -> box.getSelectionModel().getSelectedIndex() > 0).map(box -> box.getValue().name());
+        return Stream.concat(Stream.of(camera.remark()).filter(Predicate.not(String::isEmpty)), others).map(remark -> " · " + remark).collect(Collectors.joining());
     }
 
     private Stream<WholeNumberField> fields() {

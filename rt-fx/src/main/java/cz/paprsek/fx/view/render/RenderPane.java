@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.render;
 
 import cz.paprsek.drawing.Legend;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.explain.SurfaceSelection;
 import cz.paprsek.fx.view.explain.TreeChooser;
@@ -22,7 +23,9 @@ import java.util.function.Predicate;
 import javafx.beans.binding.Bindings;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.beans.value.ChangeListener;
 import javafx.beans.value.ObservableValue;
+import javafx.beans.value.WeakChangeListener;
 import javafx.concurrent.Task;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -56,6 +59,8 @@ public final class RenderPane extends BorderPane {
     private final ToggleButton explaining = new ToggleButton();
     private final ExplainPane explanation;
     private final SplitPane center;
+    /** Held here, because the model, which may outlive the pane, holds it weakly. */
+    private final ChangeListener<EditorState> onState = (property, old, now) -> follow(old, now);
     private Consumer<Optional<PicturePoint>> onPointed = point -> {};
     private Consumer<PicturePoint> onClicked = point -> {};
     private int count;
@@ -75,7 +80,8 @@ public final class RenderPane extends BorderPane {
         explaining.setId("explain-mode");
         explaining.setMinWidth(Region.USE_PREF_SIZE);
         explaining.setOnAction(event -> explain(explaining.isSelected()));
-        form.set(model.scene());
+        form.set(model.state());
+        model.stateProperty().addListener(new WeakChangeListener<>(onState));
         Button render = button("render.start", () -> render(form.options()));
         render.setDefaultButton(true);
         render.disableProperty().bind(form.valid().not());
@@ -108,7 +114,7 @@ public final class RenderPane extends BorderPane {
 
     /** Fills the form with what the scene asks for, and renders. */
     public void renderAsTheSceneAsks() {
-        form.set(model.scene());
+        form.set(model.state());
         render(form.options());
     }
 
@@ -138,9 +144,15 @@ public final class RenderPane extends BorderPane {
         tabs.getTabs().forEach(tab -> ((RenderTab) tab).task().cancel());
     }
 
+    private void follow(EditorState old, EditorState now) {
+        if (old.eye() != now.eye() || !old.scene().cameras().equals(now.scene().cameras())) {
+            form.follow(now);
+        }
+    }
+
     private void render(RenderOptions options) {
         message.setText("");
-        Scene scene = form.lit(model.scene());
+        Scene scene = form.chosen(model.scene());
         RenderTask task;
         try {
             task = new RenderTask(scene, options);

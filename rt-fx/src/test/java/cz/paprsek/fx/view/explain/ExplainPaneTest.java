@@ -9,6 +9,7 @@ import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.text.Outline;
 import cz.paprsek.render.explain.text.Step;
 import cz.paprsek.xml.SceneFiles;
@@ -17,6 +18,8 @@ import java.util.Locale;
 import java.util.Optional;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.value.ObservableValue;
+import javafx.scene.control.Labeled;
+import javafx.scene.control.ListView;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TableView;
 import javafx.scene.control.TreeView;
@@ -38,7 +41,7 @@ class ExplainPaneTest {
     private static PicturePoint glassBall() {
         try {
             var scene = SceneFiles.read(Path.of("../scenes/showcase.xml"));
-            return new PicturePoint(RenderScene.of(scene), scene.settings().withSize(640, 360), 355.5, 215.5);
+            return new PicturePoint(RenderScene.of(scene), scene.settings().withSize(640, 360).withSamples(1), 355.5, 215.5);
         } catch (Exception e) {
             throw new IllegalStateException(e);
         }
@@ -68,6 +71,23 @@ class ExplainPaneTest {
         gui.act(() -> tree.getSelectionModel().select(2));
         assertThat(steps().getItems()).extracting(Step::name).contains("light of ET");
         assertThat(Screenshots.save(gui, "explain")).isNotEmptyFile();
+    }
+
+    @Test
+    void aPixelOfManyRaysListsThemAndShowsTheTreeOfTheChosenOne() {
+        PicturePoint many = new PicturePoint(point.scene(), point.settings().withSamples(4), point.x(), point.y());
+        Pixel pixel = many.scene().explain(many.settings(), many.column(), many.row());
+        gui.act(() -> pane.show(many));
+        gui.until("all rays are listed", () -> pane.pixel().isPresent());
+        assertThat(pane.pixel()).as("what is rendered, bit for bit").contains(pixel);
+        ListView<?> samples = (ListView<?>) gui.node("#explain-samples");
+        assertThat(samples.getItems()).hasSize(16);
+        assertThat(Gui.on(((Labeled) gui.node("#explain-sum"))::getText)).startsWith("the average of 16 rays = ");
+        gui.act(() -> samples.getSelectionModel().select(15));
+        assertThat(tree().getRoot().getValue().ray()).isEqualTo(pixel.rays().get(15));
+        assertThat(Screenshots.save(gui, "explain-samples")).isNotEmptyFile();
+        gui.act(() -> pane.show(point));
+        assertThat(gui.stage().getScene().lookup("#explain-samples")).as("one ray needs no list").isNull();
     }
 
     @Test

@@ -128,6 +128,24 @@ class RenderPaneTest {
     }
 
     @Test
+    @SuppressWarnings("unchecked")
+    void thePictureOfAnotherCameraIsThatOfTheCommandLine() {
+        Camera side = Camera.lookingAt(new Vec3(6, 1, 0), Vec3.ZERO).named("side");
+        assertThat(gui.stage().getScene().lookup("#render-camera").getParent().isVisible()).as("nothing to choose").isFalse();
+        gui.act(() -> model.edit(CHANGE, scene -> scene.withCameras(List.of(scene.camera().named("front"), side))));
+        ChoiceBox<Object> camera = (ChoiceBox<Object>) gui.node("#render-camera");
+        gui.act(() -> model.look(1));
+        assertThat(Gui.on(() -> camera.getValue().toString())).as("the one looked through").isEqualTo("2: side");
+        gui.click("#render-start");
+        untilDone();
+        assertThat(shown().getText()).isEqualTo("1: 120 × 80 · side");
+        Image expected = Renderer.render(model.scene().through("side"));
+        assertThat(shown().task().image().orElseThrow().red(60, 40)).isEqualTo(expected.red(60, 40));
+        assertThat(shown().task().buffer().image().getPixelReader().getArgb(50, 40)).isEqualTo(expected.argb(50, 40));
+        assertThat(model.scene().camera().name()).as("the scene stays").isEqualTo("front");
+    }
+
+    @Test
     void cancellingKeepsWhatIsDone() {
         enter("#render-width", "2000");
         enter("#render-height", "1500");

@@ -1,0 +1,46 @@
+package cz.paprsek.fx.view.render;
+
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.Scene;
+import java.util.List;
+import java.util.stream.IntStream;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Tooltip;
+
+/** Chooses whose picture is rendered, among the cameras of a scene. */
+final class CameraBox extends ChoiceBox<Named<Integer>> {
+    private static final double WIDTH = 150;
+    private final Texts texts;
+
+    CameraBox(Texts texts) {
+        this.texts = texts;
+        setId("render-camera");
+        // As the names of a scene come after the box has been measured.
+        setPrefWidth(WIDTH);
+        setTooltip(new Tooltip(texts.of("render.camera.hint")));
+    }
+
+    /** Offers the cameras there are now, and chooses the one looked through if that or the cameras have changed. */
+    void follow(EditorState state) {
+        List<Named<Integer>> cameras = IntStream.range(0, state.scene().cameras().size())
+                .mapToObj(i -> new Named<>(i, i + 1 + ": " + ItemNames.of(state.scene(), Item.camera(i), texts))).toList();
+        if (!cameras.equals(getItems())) {
+            getItems().setAll(cameras);
+        }
+        getSelectionModel().select(state.eye());
+    }
+
+    /** The scene as the chosen camera sees it. */
+    Scene seen(Scene scene) {
+        int index = getValue().value();
+        return index > 0 && index < scene.cameras().size() ? scene.through(index) : scene;
+    }
+
+    /** The name of the chosen camera, if there are several; empty for the only one. */
+    String remark() {
+        return getItems().size() > 1 ? getValue().name().substring(getValue().name().indexOf(' ') + 1) : "";
+    }
+}
