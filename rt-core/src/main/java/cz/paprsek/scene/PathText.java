@@ -42,7 +42,7 @@ final class PathText {
         }
     }
 
-    private static final Word CAMERA = new Word("camera", scene -> List.of(""), scene -> CameraAt::new);
+    private static final Word CAMERA = new Word("camera", scene -> scene.cameras().stream().map(Camera::name).toList(), scene -> CameraAt::new);
     private static final Word LIGHT = new Word("light", scene -> scene.lights().stream().map(Light::name).toList(), scene -> LightAt::new);
     private static final Word MATERIAL = new Word("material", scene -> List.copyOf(scene.materials().keySet()),
             scene -> List.copyOf(scene.materials().keySet().stream().map(MaterialAt::new).toList())::get);

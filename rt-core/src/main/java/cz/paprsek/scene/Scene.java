@@ -8,11 +8,14 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.text.Similar;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.BiFunction;
+import java.util.function.UnaryOperator;
 
 /**
  * A whole scene: the one immutable truth that files are read into, the editor edits and the renderer renders.
@@ -153,6 +156,21 @@ public record Scene(
 
     public Scene withObjects(List<SceneObject> value) {
         return new Scene(name, description, tags, settings, background, ambient, cameras, lights, materials, value);
+    }
+
+    /**
+     * With a change of what stands at some places; this very scene if nothing is different afterwards. Of two that are within each other,
+     * the inner is changed first. What does not change stays the very same object; places that lead nowhere are passed over.
+     *
+     * @throws IllegalArgumentException if the change makes a scene that cannot be
+     */
+    public Scene with(Collection<ScenePath.BodyAt> places, BiFunction<ScenePath.BodyAt, Body, Body> change) {
+        return BodyChanges.of(this, places, change);
+    }
+
+    /** As {@link #with(Collection, BiFunction)}, at one place. */
+    public Scene with(ScenePath.BodyAt place, UnaryOperator<Body> change) {
+        return with(List.of(place), (at, body) -> change.apply(body));
     }
 
     /** With one more light. */

@@ -40,14 +40,21 @@ public sealed interface ScenePath {
         return PathText.parse(scene, text);
     }
 
+    /** Whether the scene has something there. */
+    boolean isIn(Scene scene);
+
     /** All objects of a scene, each followed by its operands, in the order of the file. */
     static Stream<BodyAt> bodies(Scene scene) {
         return IntStream.range(0, scene.objects().size()).mapToObj(ScenePath::body).flatMap(object -> object.withOperands(scene));
     }
 
-    /** The scene's camera. */
+    /** The camera whose picture it is: the first. */
     static CameraAt camera() {
-        return new CameraAt(0);
+        return camera(0);
+    }
+
+    static CameraAt camera(int index) {
+        return new CameraAt(index);
     }
 
     static LightAt light(int index) {
@@ -59,10 +66,15 @@ public sealed interface ScenePath {
         return new BodyAt(List.of(numbers));
     }
 
-    /** A camera, by its index. */
+    /** A camera, by its index in the scene. */
     record CameraAt(int index) implements ScenePath {
         public CameraAt {
             Require.that(index >= 0, "an index must not be below 0, but is " + index);
+        }
+
+        @Override
+        public boolean isIn(Scene scene) {
+            return index < scene.cameras().size();
         }
     }
 
@@ -71,12 +83,22 @@ public sealed interface ScenePath {
         public LightAt {
             Require.that(index >= 0, "an index must not be below 0, but is " + index);
         }
+
+        @Override
+        public boolean isIn(Scene scene) {
+            return index < scene.lights().size();
+        }
     }
 
     /** A named material. */
     record MaterialAt(String name) implements ScenePath {
         public MaterialAt {
             Objects.requireNonNull(name, "name");
+        }
+
+        @Override
+        public boolean isIn(Scene scene) {
+            return scene.materials().containsKey(name);
         }
     }
 
@@ -89,6 +111,11 @@ public sealed interface ScenePath {
         public BodyAt {
             numbers = List.copyOf(numbers);
             Require.that(!numbers.isEmpty(), "a path must not be empty");
+        }
+
+        @Override
+        public boolean isIn(Scene scene) {
+            return find(scene).isPresent();
         }
 
         /** How many operations are around it: 0 for an object of the scene. */

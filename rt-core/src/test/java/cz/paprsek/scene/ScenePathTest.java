@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
@@ -49,6 +50,46 @@ class ScenePathTest {
             assertThat(path.text(SCENE)).isEqualTo(text);
             assertThat(ScenePath.parse(SCENE, text)).isEqualTo(path);
         });
+    }
+
+    @Test
+    void camerasOfWhichThereAreSeveralAreToldApart() {
+        Scene scene = SCENE.withCameras(List.of(Camera.DEFAULT, Camera.DEFAULT.named("above")));
+        assertThat(ScenePath.parse(scene, "camera:above")).isEqualTo(ScenePath.camera(1));
+        assertThat(ScenePath.camera(1).text(scene)).isEqualTo("camera:above");
+        assertThat(ScenePath.parse(scene, "camera:#1")).isEqualTo(ScenePath.camera());
+        assertThat(ScenePath.parse(scene, "camera:#2")).isEqualTo(ScenePath.camera(1));
+    }
+
+    @Test
+    void aPlaceIsInASceneOrNot() {
+        assertThat(List.of(ScenePath.camera(), ScenePath.light(1), new MaterialAt("glass"), ScenePath.body(1, 1, 1))).allMatch(at -> at.isIn(SCENE));
+        assertThat(List.of(ScenePath.camera(1), ScenePath.light(2), new MaterialAt("gold"), ScenePath.body(1, 1, 2), ScenePath.body(2)))
+                .noneMatch(at -> at.isIn(SCENE));
+    }
+
+    @Test
+    void whatStandsAtPlacesIsChangedTheInnerFirstAndAllElseStaysTheVerySame() {
+        Scene changed = SCENE.with(List.of(ScenePath.body(1), ScenePath.body(1, 1), ScenePath.body(1, 1, 1), ScenePath.body(7), ScenePath.body(1, 5)),
+                (at, body) -> body.named(body.name() + at.numbers() + body.operands().stream().map(Operand::name).toList()));
+        assertThat(changed.objects().get(0)).isSameAs(SCENE.objects().get(0));
+        assertThat(changed.objects().get(1).name()).isEqualTo("bowl[1][, holes[1, 1][, left[1, 1, 1][]]]");
+        Csg bowl = (Csg) changed.objects().get(1).shape();
+        assertThat(bowl.operands().get(0)).isSameAs(((Csg) BOWL.shape()).operands().get(0));
+    }
+
+    @Test
+    void aChangeThatChangesNothingLeavesTheVeryScene() {
+        assertThat(SCENE.with(List.of(ScenePath.body(1, 1), ScenePath.body(0)), (at, body) -> body.named(body.name()))).isSameAs(SCENE);
+        assertThat(SCENE.with(ScenePath.body(9), body -> body.named("x"))).isSameAs(SCENE);
+    }
+
+    @Test
+    void aChangeThatMakesASceneThatCannotBeIsRefused() {
+        assertThatThrownBy(() -> SCENE.with(ScenePath.body(0), body -> body.named("bowl"))).isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("already an object named \"bowl\"");
+        assertThatThrownBy(() -> SCENE.with(ScenePath.body(1, 0), body -> body.madeOf(new MaterialName("gold")))).isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("no material named \"gold\"");
     }
 
     @Test

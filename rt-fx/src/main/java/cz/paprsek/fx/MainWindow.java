@@ -10,7 +10,7 @@ import cz.paprsek.fx.view.shell.FocusOrder;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.shell.ProblemList;
 import cz.paprsek.fx.view.shell.StatusBar;
-import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.fx.view.tree.ObjectTree;
 import java.io.File;
@@ -107,7 +107,7 @@ final class MainWindow {
 
     private void showSelection() {
         EditorModel model = editor.model();
-        status.showSelection(ItemNames.of(model.scene(), model.selection(), editor.texts()));
+        status.showSelection(PathNames.of(model.scene(), model.selection(), editor.texts()));
     }
 
     /** Opens a scene file that is dropped on the window, and adds what is dropped as text: a scene or material out of the library. */

@@ -10,12 +10,11 @@ import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.explain.ExplainMode;
 import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.look.Theme;
-import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.fx.view.shell.PaneGrid;
 import cz.paprsek.fx.view.shell.TitledView;
-import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.List;
 import java.util.Locale;
@@ -104,7 +103,7 @@ final class Views {
                 pick -> {
                     int eye = model.state().eye();
                     model.edit(Label.of(Label.Edit.CAMERA), scene -> Cameras.changed(scene, eye, now -> Cameras.focused(now, pick.point())));
-                    editor.say(editor.texts().of("view.focus-done", ItemNames.of(point.scene().scene(), PicturePoint.item(pick), editor.texts())));
+                    editor.say(editor.texts().of("view.focus-done", PathNames.of(point.scene().scene(), pick.place(), editor.texts())));
                 },
                 () -> editor.say(editor.texts().of("view.focus-nothing"))));
     }

@@ -2,12 +2,12 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
 import java.nio.file.Path;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
@@ -53,7 +53,7 @@ class CamerasInEditorTest {
         assertThat(lens.aperture()).isPositive();
         assertThat(lens.focus()).isBetween(4.0, 8.0);
         assertThat(editor.model().selection()).as("nothing is selected by this click").isEmpty();
-        editor.gui.act(() -> editor.model().select(Item.CAMERA));
+        editor.gui.act(() -> editor.model().select(ScenePath.camera()));
         editor.gui.until("the picture is complete", editor.editor::isPictureComplete);
         assertThat(Screenshots.save(editor.gui, "camera-focus")).isNotEmptyFile();
         editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
@@ -64,7 +64,7 @@ class CamerasInEditorTest {
     void camerasAreAddedChangedAndSwitched() {
         editor.menu("view-menu-new-camera");
         assertThat(editor.model().scene().cameras()).extracting(Camera::name).containsExactly("camera", "camera 2");
-        assertThat(editor.model().selection()).containsExactly(Item.camera(1));
+        assertThat(editor.model().selection()).containsExactly(ScenePath.camera(1));
         ComboBox<Class<?>> projection = choice();
         editor.gui.act(() -> projection.setValue(Lens.Orthographic.class));
         assertThat(editor.model().state().camera().lens()).isInstanceOf(Lens.Orthographic.class);
@@ -100,7 +100,7 @@ class CamerasInEditorTest {
 
     @Test
     void camerasAreNamedCopiedAndDeletedInTheTree() {
-        editor.gui.act(() -> editor.model().select(Item.CAMERA));
+        editor.gui.act(() -> editor.model().select(ScenePath.camera()));
         editor.gui.act(() -> editor.gui.node("#tree-list").requestFocus());
         editor.gui.keys(KeyCode.F2);
         TextInputControl field = (TextInputControl) editor.gui.node("#tree-rename");

@@ -7,11 +7,11 @@ import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.edit.Structure;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFiles;
@@ -68,7 +68,7 @@ class EditSoakTest {
     /** One step of history whatever comes; object 0 is the table, which has no inside, and stays. */
     private static void edit(EditorModel model, Random random) {
         int objects = model.scene().objects().size();
-        Item one = Item.body(1 + random.nextInt(objects - 1));
+        ScenePath one = ScenePath.body(1 + random.nextInt(objects - 1));
         EditorState state = model.state();
         switch (objects < 6 ? 0 : random.nextInt(6)) {
             case 0 -> model.edit(Label.of(Label.Edit.ADD), scene -> scene.plus(SceneObject.of(new Sphere(0.1 + random.nextDouble())).at(random.nextDouble(), 1, 0)));
@@ -76,7 +76,7 @@ class EditSoakTest {
             case 2 -> model.editState(Label.of(Label.Edit.DUPLICATE), now -> Structure.duplicate(state, List.of(one), Vec3.X));
             case 3 -> model.editState(Label.of(Label.Edit.DELETE), now -> Structure.delete(state, List.of(one)));
             case 4 -> model.editState(Label.of(Label.Edit.COMBINE), now ->
-                    Structure.combine(state, List.of(Item.body(1), Item.body(2)), Csg.Operation.UNION, ""));
+                    Structure.combine(state, List.of(ScenePath.body(1), ScenePath.body(2)), Csg.Operation.UNION, ""));
             default -> model.edit(Label.of(Label.Edit.ADD), scene -> scene.plus(Light.at(random.nextDouble(), 5, 2)));
         }
     }

@@ -2,13 +2,13 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.text.Outline;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -115,7 +115,7 @@ class ExplainModeTest {
         editor.gui.keys(KeyCode.DOWN);
         Outline chosen = Gui.on(() -> tree.getSelectionModel().getSelectedItem().getValue());
         assertThat(editor.model().selection())
-                .isEqualTo(java.util.Set.of(Item.body(chosen.ray().encounter().orElseThrow().place().surface().part().object().index())));
+                .isEqualTo(java.util.Set.of(ScenePath.body(chosen.ray().encounter().orElseThrow().place().surface().part().object().index())));
         ExplainPane pane = pane();
         assertThat(Gui.on(() -> pane.drawnProperty().get().orElseThrow().highlighted())).isEqualTo(chosen.name());
     }

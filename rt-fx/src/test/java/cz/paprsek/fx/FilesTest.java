@@ -6,11 +6,11 @@ import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -254,7 +254,7 @@ class FilesTest {
 
     @Test
     void copyAndPasteGoesThroughText() {
-        editor.gui.act(() -> editor.model().select(Item.body(0)));
+        editor.gui.act(() -> editor.model().select(ScenePath.body(0)));
         editor.gui.keys(KeyCode.CONTROL, KeyCode.C);
         editor.gui.keys(KeyCode.CONTROL, KeyCode.V);
         assertThat(editor.model().scene().objects()).extracting(SceneObject::name).containsExactly("ball", "ball 2");
@@ -265,7 +265,7 @@ class FilesTest {
 
     private void moveBall() {
         editor.gui.act(() -> editor.model().edit(
-                Label.of(Label.Edit.MOVE, "ball"), scene -> Moves.translated(scene, Set.of(Item.body(0)), Vec3.X)));
+                Label.of(Label.Edit.MOVE, "ball"), scene -> Moves.translated(scene, Set.of(ScenePath.body(0)), Vec3.X)));
     }
 
     private void openAndWait(Path file, int lights) {

@@ -2,13 +2,13 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Sphere;
@@ -51,10 +51,10 @@ class FocusTest {
 
     @Test
     void aCopyMadeFromWithinAFieldLeavesTheKeyboardInThatField() {
-        editor.gui.act(() -> editor.model().select(Item.body(0)));
+        editor.gui.act(() -> editor.model().select(ScenePath.body(0)));
         editor.gui.click("#shape-radius");
         editor.gui.keys(KeyCode.CONTROL, KeyCode.D);
-        editor.gui.until("the copy is selected", () -> editor.model().selection().contains(Item.body(1)));
+        editor.gui.until("the copy is selected", () -> editor.model().selection().contains(ScenePath.body(1)));
         editor.gui.keys(KeyCode.ENTER);
         assertThat(editor.model().scene().objects()).hasSize(2);
         assertThat(owner()).isEqualTo("shape-radius");
@@ -62,11 +62,11 @@ class FocusTest {
 
     @Test
     void aFieldThatIsGoneGivesTheKeyboardToTheView() {
-        editor.gui.act(() -> editor.model().select(Item.body(0)));
+        editor.gui.act(() -> editor.model().select(ScenePath.body(0)));
         editor.gui.click(editor.projection("front"), 5, 5);
-        editor.gui.act(() -> editor.model().select(Item.body(0)));
+        editor.gui.act(() -> editor.model().select(ScenePath.body(0)));
         editor.gui.click("#shape-radius");
-        editor.gui.act(() -> editor.model().select(Item.CAMERA));
+        editor.gui.act(() -> editor.model().select(ScenePath.camera()));
         editor.gui.until("the keyboard is in the view used last", () -> "projection-front".equals(editor.gui.stage().getScene().getFocusOwner().getId()));
         editor.gui.keys(KeyCode.ENTER);
         assertThat(editor.model().scene().objects()).hasSize(1);
@@ -140,7 +140,7 @@ class FocusTest {
     @ValueSource(strings = {"LEFT", "PLUS"})
     void aLockedCameraDoesNotMove(String key) {
         Camera before = editor.model().scene().camera();
-        editor.gui.act(() -> editor.model().select(Item.CAMERA));
+        editor.gui.act(() -> editor.model().select(ScenePath.camera()));
         editor.menu("object-lock");
         Node picture = editor.gui.node(".live-picture");
         editor.gui.act(picture::requestFocus);

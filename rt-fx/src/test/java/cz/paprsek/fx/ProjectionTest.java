@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.model.edit.LightMoves;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.math.Vec3;
@@ -14,6 +13,7 @@ import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.SphereLight;
 import cz.paprsek.scene.SpotLight;
 import cz.paprsek.scene.SunLight;
@@ -43,9 +43,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Mouse and keys in the projections. */
 class ProjectionTest {
-    private static final Item BALL = Item.body(0);
-    private static final Item CRATE = Item.body(1);
-    private static final Item BOWL = Item.body(2);
+    private static final ScenePath BALL = ScenePath.body(0);
+    private static final ScenePath CRATE = ScenePath.body(1);
+    private static final ScenePath BOWL = ScenePath.body(2);
 
     /** A ball at the origin, a crate behind it, a bowl to the right; the camera far to the left. */
     private static final Scene SCENE = Scene.EMPTY
@@ -91,7 +91,7 @@ class ProjectionTest {
         ProjectionPane front = editor.projection("front");
         click(front, 5, 0.9, 0);
         click(front, 5, 0.9, 0);
-        assertThat(editor.model().selection()).first().matches(item -> item instanceof Item.BodyAt body && body.depth() == 1);
+        assertThat(editor.model().selection()).first().matches(item -> item instanceof ScenePath.BodyAt body && body.depth() == 1);
     }
 
     @Test
@@ -101,10 +101,10 @@ class ProjectionTest {
         editor.gui.hold(KeyCode.SHIFT);
         click(front, 5.9, 0, 0);
         click(front, -3, 5, 3);
-        assertThat(editor.model().selection()).containsExactly(BALL, BOWL, Item.light(0));
+        assertThat(editor.model().selection()).containsExactly(BALL, BOWL, ScenePath.light(0));
         click(front, 0.3, 0.3, 0);
         editor.gui.letGo(KeyCode.SHIFT);
-        assertThat(editor.model().selection()).containsExactly(BOWL, Item.light(0));
+        assertThat(editor.model().selection()).containsExactly(BOWL, ScenePath.light(0));
     }
 
     @Test
@@ -141,7 +141,7 @@ class ProjectionTest {
 
     private void lit(Light light) {
         editor.gui.act(() -> editor.model().edit(cz.paprsek.fx.model.Label.of(cz.paprsek.fx.model.Label.Edit.ADD), scene -> scene.withLights(List.of(light))));
-        editor.gui.act(() -> editor.model().select(Item.light(0)));
+        editor.gui.act(() -> editor.model().select(ScenePath.light(0)));
     }
 
     @Test
@@ -181,7 +181,7 @@ class ProjectionTest {
     @Test
     void cameraIsAimedByWhatItLooksAt() {
         ProjectionPane front = editor.projection("front");
-        editor.gui.act(() -> editor.model().select(Item.CAMERA));
+        editor.gui.act(() -> editor.model().select(ScenePath.camera()));
         drag(front, Vec3.ZERO, new Vec3(2, 1, 0));
         Camera.Target target = (Camera.Target) editor.model().scene().camera().aim();
         assertThat(target.point().minus(new Vec3(2, 1, 0)).length()).isCloseTo(0, within(3 / scale(front)));
@@ -427,11 +427,11 @@ class ProjectionTest {
         editor.gui.drag(pane, a.getX(), a.getY(), b.getX(), b.getY());
     }
 
-    private Vec3 position(Item item) {
-        return editor.model().scene().objects().get(((Item.BodyAt) item).index()).placement().position();
+    private Vec3 position(ScenePath item) {
+        return editor.model().scene().objects().get(((ScenePath.BodyAt) item).index()).placement().position();
     }
 
-    private void assertMoved(Item item, Vec3 by, double slack) {
+    private void assertMoved(ScenePath item, Vec3 by, double slack) {
         assertThat(position(item).minus(by).length()).isCloseTo(0, within(slack));
     }
 

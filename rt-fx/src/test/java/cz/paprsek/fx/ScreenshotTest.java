@@ -2,8 +2,8 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.scene.ScenePath;
 import java.nio.file.Path;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
@@ -17,17 +17,17 @@ class ScreenshotTest {
     @Test
     void bothThemesAndLanguages() {
         try (EditorGui editor = new EditorGui(folder, Templates.read("showcase"))) {
-            editor.gui.act(() -> editor.model().select(Item.body(1)));
+            editor.gui.act(() -> editor.model().select(ScenePath.body(1)));
             shoot(editor, "window-light");
             editor.gui.act(() -> editor.editor.theme().set(Theme.DARK));
             shoot(editor, "window-dark");
             editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
-            editor.gui.act(() -> editor.model().select(Item.CAMERA));
+            editor.gui.act(() -> editor.model().select(ScenePath.camera()));
             shoot(editor, "window-dark-czech");
         }
         try (EditorGui editor = new EditorGui(folder, Templates.read("test"), 1600, 1000)) {
             editor.gui.act(() -> editor.editor.theme().set(Theme.LIGHT));
-            editor.gui.act(() -> editor.model().select(Item.body(8), Item.light(0)));
+            editor.gui.act(() -> editor.model().select(ScenePath.body(8), ScenePath.light(0)));
             shoot(editor, "window-light-1600x1000");
         }
     }

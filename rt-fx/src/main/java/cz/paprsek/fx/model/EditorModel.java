@@ -1,7 +1,7 @@
 package cz.paprsek.fx.model;
 
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -23,7 +23,7 @@ public final class EditorModel {
     private final History<EditorState> history = new History<>(EditorModel::step);
     private final ReadOnlyObjectWrapper<EditorState> state;
     private final ReadOnlyObjectWrapper<Scene> scene;
-    private final ReadOnlyObjectWrapper<Set<Item>> selection;
+    private final ReadOnlyObjectWrapper<Set<ScenePath>> selection;
     private final ReadOnlyBooleanWrapper unsaved = new ReadOnlyBooleanWrapper();
     private final ReadOnlyBooleanWrapper gesturing = new ReadOnlyBooleanWrapper();
     private final ReadOnlyIntegerWrapper openings = new ReadOnlyIntegerWrapper();
@@ -48,7 +48,7 @@ public final class EditorModel {
     }
 
     /** What is selected, in the order of selecting. */
-    public Set<Item> selection() {
+    public Set<ScenePath> selection() {
         return state().selection();
     }
 
@@ -63,7 +63,7 @@ public final class EditorModel {
     }
 
     /** Changes only if other items are selected; the scene that they lead into has then been set already. */
-    public ReadOnlyObjectProperty<Set<Item>> selectionProperty() {
+    public ReadOnlyObjectProperty<Set<ScenePath>> selectionProperty() {
         return selection.getReadOnlyProperty();
     }
 
@@ -122,8 +122,8 @@ public final class EditorModel {
         return fresh;
     }
 
-    /** Selects items and no others; no step of the history. Items that lead nowhere are left out. */
-    public void select(Set<? extends Item> items) {
+    /** Selects items and no others; no step of the history. Places that lead nowhere are left out. */
+    public void select(Set<? extends ScenePath> items) {
         EditorState now = state();
         EditorState next = now.withSelection(items);
         if (!List.copyOf(next.selection()).equals(List.copyOf(now.selection()))) {
@@ -131,7 +131,7 @@ public final class EditorModel {
         }
     }
 
-    public void select(Item... items) {
+    public void select(ScenePath... items) {
         select(new LinkedHashSet<>(List.of(items)));
     }
 

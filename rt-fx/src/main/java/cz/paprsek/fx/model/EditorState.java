@@ -1,12 +1,10 @@
 package cz.paprsek.fx.model;
 
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.CameraAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.CameraAt;
 import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.Optional;
@@ -15,7 +13,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * All that an edit may change. Items that lead nowhere are dropped.
+ * All that an edit may change. Places that lead nowhere are dropped.
  *
  * @param scene what is edited
  * @param selection in the order of selecting
@@ -23,7 +21,7 @@ import java.util.stream.Collectors;
  * @param locked what cannot be picked or moved in the editor
  * @param eye which of the scene's cameras is looked through, counted from 0; the scene does not know. One that is not there means the first
  */
-public record EditorState(Scene scene, Set<Item> selection, Set<Item> hidden, Set<Item> locked, int eye) {
+public record EditorState(Scene scene, Set<ScenePath> selection, Set<ScenePath> hidden, Set<ScenePath> locked, int eye) {
 
     public EditorState {
         selection = existing(scene, selection);
@@ -41,15 +39,15 @@ public record EditorState(Scene scene, Set<Item> selection, Set<Item> hidden, Se
         return new EditorState(value, selection, hidden, locked, eye);
     }
 
-    public EditorState withSelection(Set<? extends Item> value) {
+    public EditorState withSelection(Set<? extends ScenePath> value) {
         return new EditorState(scene, new LinkedHashSet<>(value), hidden, locked, eye);
     }
 
-    public EditorState withHidden(Set<Item> value) {
+    public EditorState withHidden(Set<ScenePath> value) {
         return new EditorState(scene, selection, value, locked, eye);
     }
 
-    public EditorState withLocked(Set<Item> value) {
+    public EditorState withLocked(Set<ScenePath> value) {
         return new EditorState(scene, selection, hidden, value, eye);
     }
 
@@ -69,33 +67,22 @@ public record EditorState(Scene scene, Set<Item> selection, Set<Item> hidden, Se
     }
 
     /** Another scene, with each item taken to where it is now; one without a place is dropped. */
-    public EditorState moved(Scene value, Function<Item, Optional<Item>> place) {
-        int looking = place.apply(Item.camera(eye)).filter(CameraAt.class::isInstance).map(item -> ((CameraAt) item).index()).orElse(0);
+    public EditorState moved(Scene value, Function<ScenePath, Optional<ScenePath>> place) {
+        int looking = place.apply(ScenePath.camera(eye)).filter(CameraAt.class::isInstance).map(item -> ((CameraAt) item).index()).orElse(0);
         return new EditorState(value, moved(selection, place), moved(hidden, place), moved(locked, place), looking);
     }
 
     /** Whether an item, or an operation around it, is hidden. */
-    public boolean isHidden(Item item) {
+    public boolean isHidden(ScenePath item) {
         return isWithin(hidden, item);
     }
 
     /** Whether an item, or an operation around it, is locked. */
-    public boolean isLocked(Item item) {
+    public boolean isLocked(ScenePath item) {
         return isWithin(locked, item);
     }
 
-    /** Whether an item leads somewhere. */
-    public static boolean exists(Scene scene, Item item) {
-        if (item instanceof LightAt light) {
-            return light.index() < scene.lights().size();
-        }
-        if (item instanceof CameraAt camera) {
-            return camera.index() < scene.cameras().size();
-        }
-        return !(item instanceof BodyAt body) || Bodies.find(scene, body).isPresent();
-    }
-
-    private static boolean isWithin(Set<Item> items, Item item) {
+    private static boolean isWithin(Set<ScenePath> items, ScenePath item) {
         if (items.isEmpty()) {
             return false;
         }
@@ -105,13 +92,13 @@ public record EditorState(Scene scene, Set<Item> selection, Set<Item> hidden, Se
         return items.contains(item);
     }
 
-    private static Set<Item> existing(Scene scene, Set<Item> items) {
-        Set<Item> kept = new LinkedHashSet<>(items);
-        kept.removeIf(item -> !exists(scene, item));
+    private static Set<ScenePath> existing(Scene scene, Set<ScenePath> items) {
+        Set<ScenePath> kept = new LinkedHashSet<>(items);
+        kept.removeIf(item -> !item.isIn(scene));
         return Collections.unmodifiableSet(kept);
     }
 
-    private static Set<Item> moved(Set<Item> items, Function<Item, Optional<Item>> place) {
+    private static Set<ScenePath> moved(Set<ScenePath> items, Function<ScenePath, Optional<ScenePath>> place) {
         return items.stream().flatMap(item -> place.apply(item).stream()).collect(Collectors.toCollection(LinkedHashSet::new));
     }
 }

@@ -6,12 +6,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.edit.Structure;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Sphere;
 import java.util.ArrayList;
 import java.util.List;
@@ -46,7 +45,7 @@ class EditorModelTest {
     @Test
     void undoTellsWhatItWouldUndo() {
         model.edit(ADD_LIGHT, scene -> scene.plus(Light.at(1, 2, 3)));
-        model.edit(Label.of(Edit.MOVE, "ball"), scene -> Moves.translated(scene, Set.of(Item.body(0)), Vec3.X));
+        model.edit(Label.of(Edit.MOVE, "ball"), scene -> Moves.translated(scene, Set.of(ScenePath.body(0)), Vec3.X));
         assertThat(model.undoableProperty().get()).contains(Label.of(Edit.MOVE, "ball"));
         model.undo();
         assertThat(model.undoableProperty().get()).contains(ADD_LIGHT);
@@ -65,14 +64,14 @@ class EditorModelTest {
 
     @Test
     void changeThatChangesNothingIsNoStep() {
-        model.edit(Label.of(Edit.CHANGE), scene -> Bodies.with(scene, Item.body(0), body -> body.named("ball")));
+        model.edit(Label.of(Edit.CHANGE), scene -> scene.with(ScenePath.body(0), body -> body.named("ball")));
         assertThat(model.undoableProperty().get()).isEmpty();
         assertThat(model.unsavedProperty().get()).isFalse();
     }
 
     @Test
     void refusedChangeLeavesEverythingAsItWas() {
-        assertThatThrownBy(() -> model.edit(Label.of(Edit.RENAME), scene -> Bodies.with(scene, Item.body(0), body -> body.named("bowl"))))
+        assertThatThrownBy(() -> model.edit(Label.of(Edit.RENAME), scene -> scene.with(ScenePath.body(0), body -> body.named("bowl"))))
                 .isInstanceOf(IllegalArgumentException.class).hasMessageContaining("already an object named \"bowl\"");
         assertThat(model.scene()).isSameAs(start);
         assertThat(model.undoableProperty().get()).isEmpty();
@@ -96,7 +95,7 @@ class EditorModelTest {
         assertThat(model.gesturingProperty().get()).isTrue();
         for (int i = 1; i <= 100; i++) {
             Vec3 by = new Vec3(i * 0.1, 0, 0);
-            drag.preview(scene -> Moves.translated(scene, Set.of(Item.body(0)), by));
+            drag.preview(scene -> Moves.translated(scene, Set.of(ScenePath.body(0)), by));
         }
         drag.commit();
         assertThat(model.gesturingProperty().get()).isFalse();
@@ -108,7 +107,7 @@ class EditorModelTest {
     @Test
     void cancelledGestureLeavesNoTrace() {
         Gesture drag = model.begin(Label.of(Edit.MOVE, "ball"));
-        drag.preview(scene -> Moves.translated(scene, Set.of(Item.body(0)), Vec3.X));
+        drag.preview(scene -> Moves.translated(scene, Set.of(ScenePath.body(0)), Vec3.X));
         assertThat(model.unsavedProperty().get()).isTrue();
         drag.cancel();
         assertThat(model.scene()).isSameAs(start);
@@ -124,7 +123,7 @@ class EditorModelTest {
         model.edit(ADD_LIGHT, scene -> scene.plus(Light.at(1, 2, 3)));
         Scene before = model.scene();
         Gesture drag = model.begin(Label.of(Edit.MOVE, "ball"));
-        drag.preview(scene -> Moves.translated(scene, Set.of(Item.body(0)), Vec3.X));
+        drag.preview(scene -> Moves.translated(scene, Set.of(ScenePath.body(0)), Vec3.X));
         model.undo();
         assertThat(model.scene()).isSameAs(before);
         assertThat(drag.isOpen()).isFalse();
@@ -133,8 +132,8 @@ class EditorModelTest {
     @Test
     void gestureThatIsRefusedKeepsItsLastPreview() {
         Gesture drag = model.begin(Label.of(Edit.RESIZE, "ball"));
-        drag.preview(scene -> Moves.scaled(scene, Set.of(Item.body(0)), Vec3.ZERO, new Vec3(2, 2, 2)));
-        assertThatThrownBy(() -> drag.preview(scene -> Moves.scaled(scene, Set.of(Item.body(0)), Vec3.ZERO, new Vec3(0, 2, 2))))
+        drag.preview(scene -> Moves.scaled(scene, Set.of(ScenePath.body(0)), Vec3.ZERO, new Vec3(2, 2, 2)));
+        assertThatThrownBy(() -> drag.preview(scene -> Moves.scaled(scene, Set.of(ScenePath.body(0)), Vec3.ZERO, new Vec3(0, 2, 2))))
                 .hasMessageContaining("scale must not be 0");
         drag.commit();
         assertThat(model.scene().objects().get(0).placement().scale()).isEqualTo(new Vec3(2, 2, 2));
@@ -142,17 +141,17 @@ class EditorModelTest {
 
     @Test
     void selectionIsNoStepAndSurvivesUndoOfOtherThings() {
-        model.select(Item.body(1, 1), Item.light(0));
+        model.select(ScenePath.body(1, 1), ScenePath.light(0));
         assertThat(model.undoableProperty().get()).isEmpty();
-        assertThat(model.selection()).containsExactly(Item.body(1, 1), Item.light(0));
+        assertThat(model.selection()).containsExactly(ScenePath.body(1, 1), ScenePath.light(0));
         model.edit(ADD_LIGHT, scene -> scene.plus(Light.at(1, 2, 3)));
-        assertThat(model.selection()).containsExactly(Item.body(1, 1), Item.light(0));
+        assertThat(model.selection()).containsExactly(ScenePath.body(1, 1), ScenePath.light(0));
     }
 
     @Test
     void itemsThatLeadNowhereAreNotSelected() {
-        model.select(Item.body(9), Item.body(1, 7), Item.body(0, 0), Item.light(5), Item.body(1, 1, 0), Item.CAMERA);
-        assertThat(model.selection()).containsExactly(Item.body(1, 1, 0), Item.CAMERA);
+        model.select(ScenePath.body(9), ScenePath.body(1, 7), ScenePath.body(0, 0), ScenePath.light(5), ScenePath.body(1, 1, 0), ScenePath.camera());
+        assertThat(model.selection()).containsExactly(ScenePath.body(1, 1, 0), ScenePath.camera());
     }
 
     @Test
@@ -172,10 +171,10 @@ class EditorModelTest {
 
     @Test
     void hidingIsAStepButNoChangeOfTheFile() {
-        model.editState(Label.of(Edit.HIDE), state -> Structure.hide(state, Set.of(Item.body(1)), true));
-        assertThat(model.state().isHidden(Item.body(1, 1, 0))).isTrue();
+        model.editState(Label.of(Edit.HIDE), state -> Structure.hide(state, Set.of(ScenePath.body(1)), true));
+        assertThat(model.state().isHidden(ScenePath.body(1, 1, 0))).isTrue();
         assertThat(model.unsavedProperty().get()).isFalse();
         model.undo();
-        assertThat(model.state().isHidden(Item.body(1))).isFalse();
+        assertThat(model.state().isHidden(ScenePath.body(1))).isFalse();
     }
 }

@@ -1,12 +1,12 @@
 package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Item.CameraAt;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.CameraAt;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -36,7 +36,7 @@ public final class Cameras {
     /** Makes a camera the first, whose picture is rendered where none is named. */
     public static EditorState first(EditorState state, int camera) {
         return state.moved(state.scene().through(camera),
-                place -> Optional.of(place instanceof CameraAt at ? Item.camera(at.index() == camera ? 0 : at.index() < camera ? at.index() + 1 : at.index()) : place));
+                place -> Optional.of(place instanceof CameraAt at ? ScenePath.camera(at.index() == camera ? 0 : at.index() < camera ? at.index() + 1 : at.index()) : place));
     }
 
     /** Adds a camera that sees what the one looked through sees, selects it and looks through it. */
@@ -50,18 +50,18 @@ public final class Cameras {
             taken.add(seeing);
         }
         cameras.add(state.camera().named(Names.free(name, taken)));
-        return state.withScene(state.scene().withCameras(cameras)).withSelection(Set.of(Item.camera(cameras.size() - 1))).through(cameras.size() - 1);
+        return state.withScene(state.scene().withCameras(cameras)).withSelection(Set.of(ScenePath.camera(cameras.size() - 1))).through(cameras.size() - 1);
     }
 
     /** Adds copies of cameras, with free names, and selects them too. */
     static EditorState withCopies(EditorState state, Collection<CameraAt> originals) {
         Set<String> taken = names(state);
-        Set<Item> selection = new LinkedHashSet<>(state.selection());
+        Set<ScenePath> selection = new LinkedHashSet<>(state.selection());
         List<Camera> cameras = new ArrayList<>(state.scene().cameras());
         for (CameraAt at : originals) {
             Camera copy = cameras.get(at.index()).named(Names.free(cameras.get(at.index()).name(), taken));
             taken.add(copy.name());
-            selection.add(Item.camera(cameras.size()));
+            selection.add(ScenePath.camera(cameras.size()));
             cameras.add(copy);
         }
         return originals.isEmpty() ? state : state.withScene(state.scene().withCameras(cameras)).withSelection(selection);
@@ -69,11 +69,11 @@ public final class Cameras {
 
     /** Takes cameras away. Of all of them, the one that is looked through stays: a picture needs one. */
     public static EditorState remove(EditorState state, Collection<CameraAt> removed) {
-        List<Integer> kept = IntStream.range(0, state.scene().cameras().size()).boxed().filter(i -> !removed.contains(Item.camera(i))).toList();
+        List<Integer> kept = IntStream.range(0, state.scene().cameras().size()).boxed().filter(i -> !removed.contains(ScenePath.camera(i))).toList();
         List<Integer> staying = kept.isEmpty() ? List.of(state.eye()) : kept;
         return removed.isEmpty() ? state : state.moved(state.scene().withCameras(staying.stream().map(state.scene().cameras()::get).toList()),
                 place -> Optional.of(place).filter(item -> !(item instanceof CameraAt at) || staying.contains(at.index()))
-                        .map(item -> item instanceof CameraAt at ? Item.camera(staying.indexOf(at.index())) : item));
+                        .map(item -> item instanceof CameraAt at ? ScenePath.camera(staying.indexOf(at.index())) : item));
     }
 
     /** Makes a point sharp for a camera, by a thin lens. One that has no size gets a small one; other projections become perspective. */

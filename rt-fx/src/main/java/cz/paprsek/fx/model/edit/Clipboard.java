@@ -1,11 +1,7 @@
 package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
-import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
@@ -13,6 +9,9 @@ import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.util.ArrayList;
@@ -23,7 +22,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** Items as text: a scene file of just these, so that they can be pasted into another window, a mail or a file. */
+/** Places as text: a scene file of just these, so that they can be pasted into another window, a mail or a file. */
 public final class Clipboard {
     private Clipboard() {}
 
@@ -32,9 +31,9 @@ public final class Clipboard {
      *
      * @throws IllegalArgumentException if nothing of the kind is selected, or an operand is sheared
      */
-    public static String copy(EditorState state, Collection<? extends Item> items) {
-        List<BodyAt> places = Items.outermost(items);
-        List<LightAt> lightPlaces = Items.lights(items);
+    public static String copy(EditorState state, Collection<? extends ScenePath> items) {
+        List<BodyAt> places = Places.outermost(items);
+        List<LightAt> lightPlaces = Places.lights(items);
         if (places.isEmpty() && lightPlaces.isEmpty()) {
             throw new IllegalArgumentException("select objects or lights to copy");
         }
@@ -42,10 +41,10 @@ public final class Clipboard {
         Set<String> names = new LinkedHashSet<>();
         List<SceneObject> objects = new ArrayList<>();
         for (BodyAt at : places) {
-            Body body = Bodies.find(scene, at).orElseThrow();
+            Body body = at.in(scene);
             if (at.depth() > 0) {
-                body = body.placed(Placements.of(Bodies.toWorld(scene, at)).orElseThrow(() -> new IllegalArgumentException(
-                        "an operand sheared by the operations around it cannot be copied on its own"))).madeOf(Materials.effective(scene, at));
+                body = body.placed(Placements.of(at.toWorld(scene)).orElseThrow(() -> new IllegalArgumentException(
+                        "an operand sheared by the operations around it cannot be copied on its own"))).madeOf(at.source(scene));
             }
             body = body.named(Names.free(body.name(), names));
             names.add(body.name());

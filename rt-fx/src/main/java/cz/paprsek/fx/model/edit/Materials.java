@@ -1,8 +1,5 @@
 package cz.paprsek.fx.model.edit;
 
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
@@ -10,6 +7,7 @@ import cz.paprsek.math.Require;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import java.util.ArrayList;
@@ -25,12 +23,6 @@ import java.util.function.UnaryOperator;
 public final class Materials {
     private Materials() {}
 
-    /** What a body is made of, which may be stated by an operation around it. */
-    public static MaterialSource effective(Scene scene, BodyAt at) {
-        Body body = Bodies.find(scene, at).orElseThrow();
-        return body.material() instanceof Inherited && at.depth() > 0 ? effective(scene, at.parent()) : body.material();
-    }
-
     /** How many objects and operands refer to a named material. */
     public static int uses(Scene scene, String name) {
         return scene.objects().stream().mapToInt(object -> uses(Body.of(object), new MaterialName(name))).sum();
@@ -38,7 +30,7 @@ public final class Materials {
 
     /** Gives bodies materials of their own, which look like those they had. */
     public static Scene own(Scene scene, Collection<BodyAt> places) {
-        return Bodies.with(scene, places, (at, body) -> body.madeOf(material(scene, effective(scene, at))));
+        return scene.with(places, (at, body) -> body.madeOf(at.material(scene)));
     }
 
     /**
@@ -47,11 +39,11 @@ public final class Materials {
      * @param name what it is called; with a number if that is taken
      */
     public static Scene name(Scene scene, Collection<BodyAt> places, String name) {
-        Material own = places.stream().map(at -> Bodies.find(scene, at).orElseThrow().material())
+        Material own = places.stream().map(at -> at.in(scene).material())
                 .filter(Material.class::isInstance).map(Material.class::cast).findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("select an object with a material of its own to name"));
         MaterialName reference = new MaterialName(Names.free(name, scene.materials().keySet()));
-        return Bodies.with(scene.plus(reference.name(), own), places, (at, body) ->
+        return scene.plus(reference.name(), own).with(places, (at, body) ->
                 body.material().equals(own) ? body.madeOf(reference) : body);
     }
 
@@ -59,7 +51,7 @@ public final class Materials {
     public static Scene give(Scene scene, Collection<BodyAt> places, String name, Material material) {
         String free = material.equals(scene.materials().get(name)) ? name : Names.free(name, scene.materials().keySet());
         MaterialName reference = new MaterialName(free);
-        return Bodies.with(scene.plus(free, material), places, (at, body) -> body.madeOf(reference));
+        return scene.plus(free, material).with(places, (at, body) -> body.madeOf(reference));
     }
 
     /** Adds a material with a free name. */
@@ -108,7 +100,7 @@ public final class Materials {
     /** The names of the materials that bodies refer to themselves. */
     public static Set<String> names(Scene scene, Collection<BodyAt> places) {
         Set<String> names = new LinkedHashSet<>();
-        places.forEach(at -> Bodies.find(scene, at).ifPresent(body -> {
+        places.forEach(at -> at.find(scene).ifPresent(body -> {
             if (body.material() instanceof MaterialName reference) {
                 names.add(reference.name());
             }
@@ -132,12 +124,5 @@ public final class Materials {
     private static int uses(Body body, MaterialName name) {
         int own = body.material().equals(name) ? 1 : 0;
         return own + body.operands().stream().mapToInt(operand -> uses(Body.of(operand), name)).sum();
-    }
-
-    private static Material material(Scene scene, MaterialSource source) {
-        if (source instanceof MaterialName reference) {
-            return scene.materials().getOrDefault(reference.name(), Material.DEFAULT);
-        }
-        return source instanceof Material own ? own : Material.DEFAULT;
     }
 }

@@ -1,16 +1,15 @@
 package cz.paprsek.fx.model.edit;
 
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.CameraAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
-import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.CameraAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.shape.Placement;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -23,18 +22,18 @@ import java.util.function.UnaryOperator;
 public final class Moves {
     private Moves() {}
 
-    /** Items moved by a vector in world space. A camera that keeps a target goes on looking at it. */
-    public static Scene translated(Scene scene, Collection<? extends Item> items, Vec3 by) {
+    /** Places moved by a vector in world space. A camera that keeps a target goes on looking at it. */
+    public static Scene translated(Scene scene, Collection<? extends ScenePath> items, Vec3 by) {
         return by.equals(Vec3.ZERO) ? scene : changed(scene, items, position -> position.plus(by), light -> LightMoves.moved(light, position -> position.plus(by)), (toParent, placement) ->
                 placement.withPosition(placement.position().plus(toParent.inverse().direction(by))));
     }
 
     /**
-     * Items turned about a pivot.
+     * Places turned about a pivot.
      *
      * @param degrees about the world's x, y or z axis: two of the three are 0
      */
-    public static Scene rotated(Scene scene, Collection<? extends Item> items, Vec3 pivot, Vec3 degrees) {
+    public static Scene rotated(Scene scene, Collection<? extends ScenePath> items, Vec3 pivot, Vec3 degrees) {
         Affine turn = about(pivot, Affine.rotation(degrees));
         return changed(scene, items, turn::point, light -> LightMoves.turned(light, turn), (toParent, placement) -> {
             Affine local = toParent.inverse().after(turn).after(toParent);
@@ -47,8 +46,8 @@ public final class Moves {
         });
     }
 
-    /** Items stretched from a pivot along the world's axes; those that stand askew are stretched alike in all directions, by the largest change. */
-    public static Scene scaled(Scene scene, Collection<? extends Item> items, Vec3 pivot, Vec3 factors) {
+    /** Places stretched from a pivot along the world's axes; those that stand askew are stretched alike in all directions, by the largest change. */
+    public static Scene scaled(Scene scene, Collection<? extends ScenePath> items, Vec3 pivot, Vec3 factors) {
         Affine stretch = about(pivot, Affine.scaling(factors));
         double even = largestChange(factors);
         Affine evenly = about(pivot, Affine.scaling(new Vec3(even, even, even)));
@@ -69,21 +68,21 @@ public final class Moves {
         Placement apply(Affine parentToWorld, Placement placement);
     }
 
-    private static Scene changed(Scene scene, Collection<? extends Item> items, UnaryOperator<Vec3> point, UnaryOperator<Light> light,
+    private static Scene changed(Scene scene, Collection<? extends ScenePath> items, UnaryOperator<Vec3> point, UnaryOperator<Light> light,
             Replacing replacing) {
         Scene result = scene;
         Map<BodyAt, Affine> spaces = new HashMap<>();
-        List<BodyAt> bodies = Items.outermost(items);
-        bodies.forEach(at -> spaces.put(at, Bodies.parentToWorld(scene, at)));
-        result = Bodies.with(result, bodies, (at, body) ->
+        List<BodyAt> bodies = Places.outermost(items);
+        bodies.forEach(at -> spaces.put(at, at.parentToWorld(scene)));
+        result = result.with(bodies, (at, body) ->
                 body.placed(replacing.apply(spaces.getOrDefault(at, Affine.IDENTITY), body.placement())));
-        List<LightAt> lights = Items.lights(items);
+        List<LightAt> lights = Places.lights(items);
         if (!lights.isEmpty()) {
             List<Light> moved = new ArrayList<>(scene.lights());
             lights.forEach(at -> moved.set(at.index(), light.apply(moved.get(at.index()))));
             result = result.withLights(moved);
         }
-        List<CameraAt> cameras = Items.cameras(items);
+        List<CameraAt> cameras = Places.cameras(items);
         if (!cameras.isEmpty()) {
             List<Camera> moved = new ArrayList<>(scene.cameras());
             cameras.forEach(at -> moved.set(at.index(), moved.get(at.index()).withPosition(point.apply(moved.get(at.index()).position()))));

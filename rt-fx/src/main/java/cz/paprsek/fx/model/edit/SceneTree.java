@@ -1,13 +1,13 @@
 package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
-import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import java.util.ArrayList;
@@ -88,7 +88,7 @@ final class SceneTree {
         }
         for (SceneObject object : before.scene().objects()) {
             Node node = new Node(Body.of(object), object);
-            register(Item.body(objects.size()), node);
+            register(ScenePath.body(objects.size()), node);
             objects.add(node);
         }
     }
@@ -104,14 +104,14 @@ final class SceneTree {
     Node node(BodyAt at) {
         Node node = nodes.get(at);
         if (node == null) {
-            throw new IllegalArgumentException("there is nothing at " + at.path());
+            throw new IllegalArgumentException("there is nothing at " + at.numbers());
         }
         return node;
     }
 
     /** The nodes that stood at places at the start, without those that are within others of them. */
-    List<Node> nodes(Collection<? extends Item> items) {
-        return Items.outermost(items).stream().map(this::node).toList();
+    List<Node> nodes(Collection<? extends ScenePath> items) {
+        return Places.outermost(items).stream().map(this::node).toList();
     }
 
     int objectCount() {
@@ -199,16 +199,16 @@ final class SceneTree {
     EditorState resultSelecting(Collection<Node> selected, Collection<Integer> selectedLights) {
         EditorState result = result();
         Map<Node, BodyAt> places = places();
-        Set<Item> items = new LinkedHashSet<>();
+        Set<ScenePath> items = new LinkedHashSet<>();
         selected.forEach(node -> Optional.ofNullable(places.get(node)).ifPresent(items::add));
-        selectedLights.forEach(index -> items.add(Item.light(index)));
+        selectedLights.forEach(index -> items.add(ScenePath.light(index)));
         return result.withSelection(items);
     }
 
-    private Optional<Item> place(Item item, Map<Node, BodyAt> places) {
+    private Optional<ScenePath> place(ScenePath item, Map<Node, BodyAt> places) {
         if (item instanceof LightAt light) {
             int now = lightOrigins.indexOf(light.index());
-            return now < 0 ? Optional.empty() : Optional.of(Item.light(now));
+            return now < 0 ? Optional.empty() : Optional.of(ScenePath.light(now));
         }
         return item instanceof BodyAt body ? Optional.ofNullable(places.get(node(body))) : Optional.of(item);
     }
@@ -216,7 +216,7 @@ final class SceneTree {
     private Map<Node, BodyAt> places() {
         Map<Node, BodyAt> places = new HashMap<>();
         for (int i = 0; i < objects.size(); i++) {
-            place(objects.get(i), Item.body(i), places);
+            place(objects.get(i), ScenePath.body(i), places);
         }
         return places;
     }

@@ -2,19 +2,18 @@ package cz.paprsek.fx.model.edit;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.SceneTree.Node;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.CameraAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.CameraAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Placement;
 import java.util.ArrayList;
@@ -62,15 +61,15 @@ public final class Structure {
     }
 
     /** Deletes objects, operands, lights and cameras. An operation that loses its last operand goes too; one camera stays. */
-    public static EditorState delete(EditorState state, Collection<? extends Item> items) {
+    public static EditorState delete(EditorState state, Collection<? extends ScenePath> items) {
         SceneTree tree = new SceneTree(state);
         tree.nodes(items).forEach(tree::remove);
-        Items.lights(items).forEach(tree::removeLight);
-        return Cameras.remove(tree.result(), Items.cameras(items));
+        Places.lights(items).forEach(tree::removeLight);
+        return Cameras.remove(tree.result(), Places.cameras(items));
     }
 
     /** Copies objects, operands, lights and cameras, each right after its original or last, moved by an offset in world space; selects the copies. */
-    public static EditorState duplicate(EditorState state, Collection<? extends Item> items, Vec3 offset) {
+    public static EditorState duplicate(EditorState state, Collection<? extends ScenePath> items, Vec3 offset) {
         SceneTree tree = new SceneTree(state);
         List<Node> copies = new ArrayList<>();
         for (Node original : tree.nodes(items)) {
@@ -80,12 +79,12 @@ public final class Structure {
             copies.add(copy);
         }
         List<Integer> lights = new ArrayList<>();
-        for (LightAt at : Items.lights(items)) {
+        for (LightAt at : Places.lights(items)) {
             Light light = tree.light(at);
             lights.add(tree.lightCount());
             tree.insertLight(tree.lightCount(), light.named(Names.free(light.name(), tree.lightNames())), -1);
         }
-        EditorState copied = Cameras.withCopies(tree.resultSelecting(copies, lights), Items.cameras(items));
+        EditorState copied = Cameras.withCopies(tree.resultSelecting(copies, lights), Places.cameras(items));
         return copied.withScene(Moves.translated(copied.scene(), copied.selection(), offset));
     }
 
@@ -95,18 +94,18 @@ public final class Structure {
      * @param parent the operation that takes them in; empty for the scene
      * @param index before which of the parent's children as they are now, 0 to their number
      */
-    public static EditorState move(EditorState state, Collection<? extends Item> items, Optional<BodyAt> parent, int index) {
+    public static EditorState move(EditorState state, Collection<? extends ScenePath> items, Optional<BodyAt> parent, int index) {
         SceneTree tree = new SceneTree(state);
         Node target = parent.map(tree::node).orElse(null);
-        Affine toTarget = parent.map(at -> Bodies.toWorld(state.scene(), at)).orElse(Affine.IDENTITY);
+        Affine toTarget = parent.map(at -> at.toWorld(state.scene())).orElse(Affine.IDENTITY);
         int place = index;
         List<Node> moving = new ArrayList<>();
-        for (BodyAt at : Items.outermost(items)) {
+        for (BodyAt at : Places.outermost(items)) {
             Node node = tree.node(at);
             if (node.parent() == target && tree.index(node) < place) {
                 place--;
             }
-            node.body = transferred(node.body, Bodies.parentToWorld(state.scene(), at), toTarget);
+            node.body = transferred(node.body, at.parentToWorld(state.scene()), toTarget);
             tree.remove(node);
             moving.add(node);
         }
@@ -130,19 +129,19 @@ public final class Structure {
      * Makes one solid of several, in the order given: a difference takes all others from the first. It stands where the first stood, and
      * each keeps its place in the world.
      */
-    public static EditorState combine(EditorState state, Collection<? extends Item> items, Csg.Operation operation, String name) {
+    public static EditorState combine(EditorState state, Collection<? extends ScenePath> items, Csg.Operation operation, String name) {
         SceneTree tree = new SceneTree(state);
-        List<BodyAt> places = Items.outermost(items);
+        List<BodyAt> places = Places.outermost(items);
         if (places.size() < 2) {
             throw new IllegalArgumentException("select at least two solids to combine");
         }
         Node first = tree.node(places.get(0));
         Node parent = first.parent();
-        Affine toParent = Bodies.parentToWorld(state.scene(), places.get(0));
+        Affine toParent = places.get(0).parentToWorld(state.scene());
         List<Body> operands = new ArrayList<>();
         Set<String> names = new LinkedHashSet<>();
         for (BodyAt at : places) {
-            Body body = named(transferred(tree.node(at).body, Bodies.parentToWorld(state.scene(), at), toParent), names);
+            Body body = named(transferred(tree.node(at).body, at.parentToWorld(state.scene()), toParent), names);
             names.add(body.name());
             operands.add(body);
         }
@@ -161,7 +160,7 @@ public final class Structure {
     }
 
     /** Puts the operands of operations in the place of these, where they are in the world and of what they are made of; selects them. */
-    public static EditorState dissolve(EditorState state, Collection<? extends Item> items) {
+    public static EditorState dissolve(EditorState state, Collection<? extends ScenePath> items) {
         SceneTree tree = new SceneTree(state);
         List<Node> freed = new ArrayList<>();
         for (Node node : tree.nodes(items)) {
@@ -191,7 +190,7 @@ public final class Structure {
     }
 
     /** Gives an object, operand, light or camera another name; empty for none. */
-    public static EditorState rename(EditorState state, Item item, String name) {
+    public static EditorState rename(EditorState state, ScenePath item, String name) {
         if (item instanceof LightAt at) {
             List<Light> lights = new ArrayList<>(state.scene().lights());
             lights.set(at.index(), lights.get(at.index()).named(name));
@@ -200,21 +199,21 @@ public final class Structure {
         if (item instanceof CameraAt at) {
             return state.withScene(Cameras.changed(state.scene(), at.index(), camera -> camera.named(name)));
         }
-        return item instanceof BodyAt at ? state.withScene(Bodies.with(state.scene(), at, body -> body.named(name))) : state;
+        return item instanceof BodyAt at ? state.withScene(state.scene().with(at, body -> body.named(name))) : state;
     }
 
     /** Hides items from the editor's views, or shows them again. */
-    public static EditorState hide(EditorState state, Collection<? extends Item> items, boolean hidden) {
+    public static EditorState hide(EditorState state, Collection<? extends ScenePath> items, boolean hidden) {
         return state.withHidden(changed(state.hidden(), items, hidden));
     }
 
     /** Keeps items from being picked and moved, or allows it again. */
-    public static EditorState lock(EditorState state, Collection<? extends Item> items, boolean locked) {
+    public static EditorState lock(EditorState state, Collection<? extends ScenePath> items, boolean locked) {
         return state.withLocked(changed(state.locked(), items, locked));
     }
 
-    private static Set<Item> changed(Set<Item> set, Collection<? extends Item> items, boolean present) {
-        Set<Item> result = new LinkedHashSet<>(set);
+    private static Set<ScenePath> changed(Set<ScenePath> set, Collection<? extends ScenePath> items, boolean present) {
+        Set<ScenePath> result = new LinkedHashSet<>(set);
         if (present) {
             result.addAll(items);
         } else {

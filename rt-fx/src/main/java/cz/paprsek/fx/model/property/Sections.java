@@ -1,10 +1,7 @@
 package cz.paprsek.fx.model.property;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.CameraAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
-import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.property.Targets.BodiesAt;
 import cz.paprsek.fx.model.property.Targets.CamerasAt;
 import cz.paprsek.fx.model.property.Targets.LightsAt;
@@ -13,6 +10,9 @@ import cz.paprsek.fx.model.property.Targets.NamedMaterials;
 import cz.paprsek.fx.model.property.Targets.Whole;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.CameraAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.shape.Shape;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
@@ -30,15 +30,15 @@ public final class Sections {
     /** The sections for a state of the editor. Equal as long as the same things of the same kinds are selected. */
     public static List<Section> of(EditorState state) {
         List<Section> sections = new ArrayList<>();
-        List<BodyAt> bodies = Items.bodies(state.selection());
-        List<LightAt> lights = Items.lights(state.selection());
+        List<BodyAt> bodies = Places.bodies(state.selection());
+        List<LightAt> lights = Places.lights(state.selection());
         if (!bodies.isEmpty()) {
             addBodies(state.scene(), bodies, sections);
         }
         if (!lights.isEmpty()) {
             add("section.light", new LightsAt(lights), state.scene(), sections);
         }
-        List<CameraAt> cameras = Items.cameras(state.selection());
+        List<CameraAt> cameras = Places.cameras(state.selection());
         if (!cameras.isEmpty()) {
             add("section.camera", new CamerasAt(cameras), state.scene(), sections);
         }

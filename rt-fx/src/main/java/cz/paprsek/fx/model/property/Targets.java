@@ -1,16 +1,15 @@
 package cz.paprsek.fx.model.property;
 
 import cz.paprsek.fx.model.edit.Materials;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.CameraAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.material.Material;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.CameraAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -29,12 +28,12 @@ final class Targets {
     record BodiesAt(List<BodyAt> places) implements Target {
         @Override
         public List<Body> read(Scene scene) {
-            return places.stream().flatMap(at -> Bodies.find(scene, at).stream()).toList();
+            return places.stream().flatMap(at -> at.find(scene).stream()).toList();
         }
 
         @Override
         public Scene change(Scene scene, UnaryOperator<Record> change) {
-            return Bodies.with(scene, places, (at, body) -> (Body) change.apply(body));
+            return scene.with(places, (at, body) -> (Body) change.apply(body));
         }
     }
 
@@ -96,7 +95,7 @@ final class Targets {
         @Override
         public Scene change(Scene scene, UnaryOperator<Record> change) {
             Scene named = new NamedMaterials(Materials.names(scene, places)).change(scene, change);
-            return Bodies.with(named, places, (at, body) ->
+            return named.with(places, (at, body) ->
                     body.material() instanceof Material own ? body.madeOf((Material) change.apply(own)) : body);
         }
     }

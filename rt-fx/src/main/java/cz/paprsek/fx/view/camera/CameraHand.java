@@ -5,12 +5,12 @@ import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.CameraMoves;
 import cz.paprsek.fx.model.edit.Cameras;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderScene.Pick;
-import cz.paprsek.scene.Camera.Target;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Camera.Target;
+import cz.paprsek.scene.ScenePath;
 import java.util.function.UnaryOperator;
 import javafx.animation.PauseTransition;
 import javafx.scene.input.KeyCode;
@@ -177,7 +177,7 @@ final class CameraHand {
     }
 
     private boolean isLocked() {
-        boolean locked = model.state().isLocked(Item.camera(model.state().eye()));
+        boolean locked = model.state().isLocked(ScenePath.camera(model.state().eye()));
         if (locked) {
             onLocked.run();
         }

@@ -2,18 +2,16 @@ package cz.paprsek.fx.view.camera;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Visible;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureStyle;
 import cz.paprsek.fx.view.rays.DrawnRays;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.LinkedHashSet;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -115,13 +113,22 @@ public final class CameraPane extends StackPane implements AutoCloseable {
 
     /** Lets materials be dropped on the objects of the picture. */
     public void acceptMaterials(Edits edits) {
-        MaterialDrop.accept(picture, edits, event -> picture.at(event.getX(), event.getY()).flatMap(PicturePoint::body).map(BodyAt::object).map(visible::original),
-                body -> picture.highlight(body.map(this::seen)));
+        MaterialDrop.accept(picture, edits, event -> picture.at(event.getX(), event.getY()).flatMap(this::body).map(BodyAt::object),
+                body -> picture.highlight(body.flatMap(this::seen)));
     }
 
     /** Where in the picture's scene a body of the model's scene stands. */
-    private BodyAt seen(BodyAt body) {
-        return visible.places().entrySet().stream().filter(entry -> entry.getValue().equals(body)).map(Map.Entry::getKey).findFirst().orElse(body);
+    private Optional<BodyAt> seen(BodyAt body) {
+        return ScenePath.bodies(visible.scene()).filter(at -> visible.original(at).equals(body)).findFirst();
+    }
+
+    /** Where in the model's scene stands what is seen at a point. */
+    private Optional<ScenePath> place(PicturePoint point) {
+        return point.place().map(visible::original);
+    }
+
+    private Optional<BodyAt> body(PicturePoint point) {
+        return place(point).filter(BodyAt.class::isInstance).map(BodyAt.class::cast);
     }
 
     /** Shows a menu where the right button is clicked, or at the corner for a key. */
@@ -181,7 +188,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         }
         Optional<PicturePoint> point = picture.at(event.getX(), event.getY());
         if (event.getButton() == MouseButton.SECONDARY) {
-            point.flatMap(PicturePoint::body).map(visible::original).filter(body -> !isWithinSelection(body))
+            point.flatMap(this::body).filter(body -> !isWithinSelection(body))
                     .ifPresent(body -> select(body.object(), false));
             menu.ifPresent(known -> known.show(picture, event.getScreenX(), event.getScreenY()));
             return;
@@ -192,36 +199,32 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         if (isAwaited(point) || point.isEmpty() || clickedFirst.test(point.get())) {
             return;
         }
-        Optional<BodyAt> innermost = point.get().body().map(visible::original);
         boolean more = event.isShiftDown() || event.isShortcutDown();
-        Optional<LightAt> light = point.get().light().map(visible::original);
-        if (light.isPresent()) {
-            select(light.get(), more);
-        } else if (innermost.isPresent()) {
-            BodyAt chosen = event.isAltDown() ? innermost.get() : more ? innermost.get().object() : deeper(innermost.get());
-            select(chosen, more);
+        Optional<ScenePath> seen = place(point.get());
+        if (seen.isPresent()) {
+            select(seen.get() instanceof BodyAt innermost && !event.isAltDown() ? more ? innermost.object() : deeper(innermost) : seen.get(), more);
         } else if (!more) {
             model.select();
         }
     }
 
     private boolean isWithinSelection(BodyAt body) {
-        return Items.bodies(model.selection()).stream().anyMatch(selected -> selected.equals(body) || selected.holds(body));
+        return Places.bodies(model.selection()).stream().anyMatch(selected -> selected.equals(body) || selected.holds(body));
     }
 
     /** The object, or what is one level further inside if that is selected already. */
     private BodyAt deeper(BodyAt innermost) {
         if (model.selection().size() == 1 && model.selection().iterator().next() instanceof BodyAt selected && selected.holds(innermost)) {
-            return selected.child(innermost.path().get(selected.path().size()));
+            return selected.child(innermost.numbers().get(selected.depth() + 1));
         }
         return innermost.object();
     }
 
-    private void select(Item chosen, boolean more) {
+    private void select(ScenePath chosen, boolean more) {
         if (model.state().isLocked(chosen)) {
             return;
         }
-        Set<Item> selection = new LinkedHashSet<>(more ? model.selection() : Set.of());
+        Set<ScenePath> selection = new LinkedHashSet<>(more ? model.selection() : Set.of());
         if (!more || !selection.remove(chosen)) {
             selection.add(chosen);
         }

@@ -1,12 +1,11 @@
 package cz.paprsek.fx.view.camera;
 
 import cz.paprsek.drawing.CameraView;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Curve;
 import cz.paprsek.shape.Operand;
 import java.util.Optional;
@@ -27,9 +26,9 @@ final class Highlight extends Canvas {
     void show(Scene scene, Optional<BodyAt> at) {
         GraphicsContext g = getGraphicsContext2D();
         g.clearRect(0, 0, getWidth(), getHeight());
-        at.flatMap(place -> Bodies.find(scene, place)).ifPresent(body -> {
+        at.flatMap(place -> place.find(scene)).ifPresent(body -> {
             CameraView picture = new CameraView(scene.camera(), getWidth(), getHeight());
-            Affine parent = Bodies.parentToWorld(scene, at.orElseThrow());
+            Affine parent = at.orElseThrow().parentToWorld(scene);
             // Dark below bright, to be seen on any picture.
             draw(g, picture, scene.camera().position(), body, parent, Color.BLACK, 4);
             draw(g, picture, scene.camera().position(), body, parent, Color.web("#ff9b3d"), 2);

@@ -1,6 +1,5 @@
 package cz.paprsek.fx.view.camera;
 
-import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.rays.DrawnRays;
@@ -12,6 +11,7 @@ import cz.paprsek.render.live.LivePass;
 import cz.paprsek.render.live.LiveRender;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.application.Platform;

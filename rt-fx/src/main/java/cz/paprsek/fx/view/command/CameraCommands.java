@@ -1,9 +1,9 @@
 package cz.paprsek.fx.view.command;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.ScenePath;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -107,6 +107,6 @@ public final class CameraCommands {
     }
 
     private String name(int camera) {
-        return ItemNames.of(model.scene(), Item.camera(camera), texts);
+        return PathNames.of(model.scene(), ScenePath.camera(camera), texts);
     }
 }

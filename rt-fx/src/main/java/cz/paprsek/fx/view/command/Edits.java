@@ -2,23 +2,23 @@ package cz.paprsek.fx.view.command;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.Clipboard;
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.edit.Structure;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Items;
-import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.xml.SceneFileException;
@@ -76,13 +76,13 @@ public final class Edits {
     /** Makes one solid of what is selected, in the order of selecting. */
     public void combine(Csg.Operation operation) {
         String kind = texts.of("kind." + operation.name().toLowerCase(Locale.ROOT));
-        edit(Label.of(Edit.COMBINE, kind), state -> Structure.combine(state, Items.bodies(state.selection()), operation, kind));
+        edit(Label.of(Edit.COMBINE, kind), state -> Structure.combine(state, Places.bodies(state.selection()), operation, kind));
     }
 
     /** A group is a union with a name. */
     void group() {
         edit(Edit.GROUP, model.selection(), state ->
-                Structure.combine(state, Items.bodies(state.selection()), Csg.Operation.UNION, texts.of("name.group")));
+                Structure.combine(state, Places.bodies(state.selection()), Csg.Operation.UNION, texts.of("name.group")));
     }
 
     /** Puts what the selected operations are made of in their place. */
@@ -98,11 +98,11 @@ public final class Edits {
 
     /** Makes a camera the first. */
     void makeFirst(int camera) {
-        edit(Edit.REORDER, Set.of(Item.camera(camera)), state -> Cameras.first(state, camera));
+        edit(Edit.REORDER, Set.of(ScenePath.camera(camera)), state -> Cameras.first(state, camera));
     }
 
     void removeCamera(int camera) {
-        edit(Edit.DELETE, Set.of(Item.camera(camera)), state -> Cameras.remove(state, List.of(Item.camera(camera))));
+        edit(Edit.DELETE, Set.of(ScenePath.camera(camera)), state -> Cameras.remove(state, List.of(ScenePath.camera(camera))));
     }
 
     /** Deletes what is selected, but for the last camera and what is locked. */
@@ -111,7 +111,7 @@ public final class Edits {
     }
 
     private void remove(Edit edit) {
-        Set<Item> items = new LinkedHashSet<>(model.selection());
+        Set<ScenePath> items = new LinkedHashSet<>(model.selection());
         items.removeIf(model.state()::isLocked);
         if (!items.isEmpty()) {
             edit(edit, items, state -> Structure.delete(state, items));
@@ -168,15 +168,15 @@ public final class Edits {
                 state.withScene(Materials.give(state.scene(), Set.of(at), name, material)).withSelection(Set.of(at))));
     }
 
-    public void rename(Item item, String name) {
+    public void rename(ScenePath item, String name) {
         edit(Edit.RENAME, Set.of(item), state -> Structure.rename(state, item, name));
     }
 
-    public void hide(Collection<? extends Item> items, boolean hidden) {
+    public void hide(Collection<? extends ScenePath> items, boolean hidden) {
         edit(hidden ? Edit.HIDE : Edit.SHOW, items, state -> Structure.hide(state, items, hidden));
     }
 
-    public void lock(Collection<? extends Item> items, boolean locked) {
+    public void lock(Collection<? extends ScenePath> items, boolean locked) {
         edit(locked ? Edit.LOCK : Edit.UNLOCK, items, state -> Structure.lock(state, items, locked));
     }
 
@@ -207,7 +207,7 @@ public final class Edits {
     }
 
     /** Takes objects and operands elsewhere in the order, or into an operation. */
-    public void move(Collection<? extends Item> items, Optional<BodyAt> parent, int index) {
+    public void move(Collection<? extends ScenePath> items, Optional<BodyAt> parent, int index) {
         edit(Edit.REORDER, items, state -> Structure.move(state, items, parent, index));
     }
 
@@ -217,23 +217,23 @@ public final class Edits {
 
     /** Selects everything that is neither hidden nor locked. */
     void selectAll() {
-        Set<Item> all = new LinkedHashSet<>();
+        Set<ScenePath> all = new LinkedHashSet<>();
         for (int i = 0; i < model.scene().objects().size(); i++) {
-            all.add(Item.body(i));
+            all.add(ScenePath.body(i));
         }
         for (int i = 0; i < model.scene().lights().size(); i++) {
-            all.add(Item.light(i));
+            all.add(ScenePath.light(i));
         }
         all.removeIf(item -> model.state().isHidden(item) || model.state().isLocked(item));
         model.select(all);
     }
 
     private void edit(Edit edit, EditorState named, UnaryOperator<EditorState> change) {
-        edit(Label.of(edit, ItemNames.of(named.scene(), named.selection(), texts)), change);
+        edit(Label.of(edit, PathNames.of(named.scene(), named.selection(), texts)), change);
     }
 
-    private void edit(Edit edit, Collection<? extends Item> items, UnaryOperator<EditorState> change) {
-        edit(Label.of(edit, ItemNames.of(model.scene(), items, texts)), change);
+    private void edit(Edit edit, Collection<? extends ScenePath> items, UnaryOperator<EditorState> change) {
+        edit(Label.of(edit, PathNames.of(model.scene(), items, texts)), change);
     }
 
     private void edit(Label label, UnaryOperator<EditorState> change) {

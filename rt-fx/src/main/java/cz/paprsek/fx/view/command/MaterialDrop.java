@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.command;
 
-import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.util.Optional;

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.command;
 
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.model.Places;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Csg.Operation;
 import java.util.ArrayList;
 import java.util.List;
@@ -47,8 +47,8 @@ public final class SelectionCommands {
 
     public SelectionCommands(Edits edits) {
         this.edits = edits;
-        Predicate<Set<Item>> any = items -> !items.isEmpty();
-        Predicate<Set<Item>> several = items -> Items.outermost(items).size() > 1;
+        Predicate<Set<ScenePath>> any = items -> !items.isEmpty();
+        Predicate<Set<ScenePath>> several = items -> Places.outermost(items).size() > 1;
         cut = command("edit-menu.cut", any, edits::cut).keys("Shortcut+X").icon(MaterialDesignC.CONTENT_CUT);
         copy = command("edit-menu.copy", any, edits::copy).keys("Shortcut+C").icon(MaterialDesignC.CONTENT_COPY);
         paste = command("edit-menu.paste", items -> true, edits::paste).keys("Shortcut+V").icon(MaterialDesignC.CONTENT_PASTE);
@@ -56,9 +56,9 @@ public final class SelectionCommands {
         delete = command("edit-menu.delete", any, edits::delete).keys("Delete").icon(MaterialDesignD.DELETE_OUTLINE);
         rename = command("object.rename", items -> items.size() == 1, () -> onRename.run()).keys("F2")
                 .icon(MaterialDesignF.FORM_TEXTBOX);
-        Predicate<Set<Item>> camera = items -> items.size() == 1 && !Items.cameras(items).isEmpty();
+        Predicate<Set<ScenePath>> camera = items -> items.size() == 1 && !Places.cameras(items).isEmpty();
         look = command("object.look", camera, () -> selectedCamera(at -> edits.model().look(at)));
-        makeFirst = command("object.first-camera", items -> camera.test(items) && !items.contains(Item.CAMERA), () -> selectedCamera(edits::makeFirst));
+        makeFirst = command("object.first-camera", items -> camera.test(items) && !items.contains(ScenePath.camera()), () -> selectedCamera(edits::makeFirst));
         addCamera = command("view-menu.new-camera", items -> true, edits::addCamera);
         union = command("object.union", several, () -> edits.combine(Operation.UNION)).keys("Shortcut+Shift+U").icon(MaterialDesignV.VECTOR_UNION);
         difference = command("object.difference", several, () -> edits.combine(Operation.DIFFERENCE)).keys("Shortcut+Shift+D")
@@ -66,7 +66,7 @@ public final class SelectionCommands {
         intersection = command("object.intersection", several, () -> edits.combine(Operation.INTERSECTION)).keys("Shortcut+Shift+I")
                 .icon(MaterialDesignV.VECTOR_INTERSECTION);
         group = command("object.group", several, edits::group).keys("Shortcut+G");
-        dissolve = command("object.dissolve", items -> !Items.bodies(items).isEmpty(), edits::dissolve).keys("Shortcut+Shift+G")
+        dissolve = command("object.dissolve", items -> !Places.bodies(items).isEmpty(), edits::dissolve).keys("Shortcut+Shift+G")
                 .icon(MaterialDesignU.UNGROUP);
         hide = either(command("object.hide", any, edits::hideOrShow).keys("Shortcut+H").icon(MaterialDesignE.EYE_OFF_OUTLINE),
                 edits::isHidden, "object.show");
@@ -101,7 +101,7 @@ public final class SelectionCommands {
     }
 
     private void selectedCamera(IntConsumer action) {
-        Items.cameras(edits.model().selection()).stream().findFirst().ifPresent(camera -> action.accept(camera.index()));
+        Places.cameras(edits.model().selection()).stream().findFirst().ifPresent(camera -> action.accept(camera.index()));
     }
 
     /** Names, operations, cameras, hiding and locking. */
@@ -128,7 +128,7 @@ public final class SelectionCommands {
         return List.of(commands).stream().map(Command::menuItem).toList();
     }
 
-    private Command command(String key, Predicate<Set<Item>> possible, Runnable action) {
+    private Command command(String key, Predicate<Set<ScenePath>> possible, Runnable action) {
         return Command.of(key, edits.texts(), action).disabledIf(unless(possible));
     }
 
@@ -138,7 +138,7 @@ public final class SelectionCommands {
                 () -> edits.texts().of(opposite.getAsBoolean() ? otherKey : command.key()), edits.model().stateProperty()));
     }
 
-    private BooleanBinding unless(Predicate<Set<Item>> condition) {
+    private BooleanBinding unless(Predicate<Set<ScenePath>> condition) {
         return Bindings.createBooleanBinding(() -> !condition.test(edits.model().selection()), edits.model().selectionProperty());
     }
 }

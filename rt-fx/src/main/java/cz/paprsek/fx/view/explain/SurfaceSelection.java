@@ -2,8 +2,6 @@ package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.edit.Visible;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 
@@ -11,13 +9,12 @@ import cz.paprsek.scene.ScenePath;
 public record SurfaceSelection(EditorModel model) {
 
     /** @param scene in which the ray was followed; if its objects are not those of the model any more, nothing is selected */
-    public void select(Scene scene, ScenePath.BodyAt surface) {
+    public void select(Scene scene, ScenePath surface) {
         Visible visible = Visible.of(model.state());
         boolean isWhole = scene.objects().equals(model.scene().objects());
         boolean isCurrent = isWhole || scene.objects().equals(visible.scene().objects());
-        BodyAt seen = new BodyAt(surface.numbers());
-        BodyAt body = isWhole ? seen : visible.original(seen);
-        if (isCurrent && Bodies.find(model.scene(), body).isPresent() && !model.state().isLocked(body)) {
+        ScenePath body = isWhole ? surface : visible.original(surface);
+        if (isCurrent && body.isIn(model.scene()) && !model.state().isLocked(body)) {
             model.select(body);
         }
     }

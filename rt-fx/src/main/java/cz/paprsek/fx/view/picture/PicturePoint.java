@@ -1,8 +1,5 @@
 package cz.paprsek.fx.view.picture;
 
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.RenderScene.Pick;
 import cz.paprsek.scene.RenderSettings;
@@ -34,18 +31,8 @@ public record PicturePoint(RenderScene scene, RenderSettings settings, double x,
         return Pick.at(scene, settings, x, y);
     }
 
-    /** Where in the scene stands what is seen there: the object, or the operand that the surface belongs to. */
-    public Optional<BodyAt> body() {
-        return pick().map(PicturePoint::item).filter(BodyAt.class::isInstance).map(BodyAt.class::cast);
-    }
-
-    /** The light that is seen there as a body. */
-    public Optional<LightAt> light() {
-        return pick().map(PicturePoint::item).filter(LightAt.class::isInstance).map(LightAt.class::cast);
-    }
-
-    /** What was seen, in the scene that was rendered. */
-    public static Item item(Pick pick) {
-        return pick.place() instanceof ScenePath.LightAt light ? Item.light(light.index()) : new BodyAt(((ScenePath.BodyAt) pick.place()).numbers());
+    /** Where in the scene stands what is seen there: the object, or the operand that the surface belongs to, or the light. */
+    public Optional<ScenePath> place() {
+        return pick().map(Pick::place);
     }
 }

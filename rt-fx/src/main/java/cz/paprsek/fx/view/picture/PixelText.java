@@ -1,14 +1,11 @@
 package cz.paprsek.fx.view.picture;
 
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
-import cz.paprsek.scene.Body;
-import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** Says of a pixel where it is, what colour it has, and what is seen there. */
 public final class PixelText {
@@ -30,15 +27,8 @@ public final class PixelText {
 
     /** The names on the way to what is seen: of the object, and of the operands within it; or of the light. */
     private String seen(PicturePoint point) {
-        return point.body().map(body -> IntStream.rangeClosed(1, body.path().size())
-                .mapToObj(length -> name(point.scene().scene(), new BodyAt(body.path().subList(0, length))))
-                .collect(Collectors.joining(" › ")))
-                .or(() -> point.light().map(light -> ItemNames.of(point.scene().scene(), light, texts))).orElseGet(() -> texts.of("picture.background"));
-    }
-
-    /** The name of a body; its kind if it has none. */
-    private String name(Scene scene, BodyAt at) {
-        Body body = Bodies.find(scene, at).orElseThrow();
-        return body.name().isEmpty() ? texts.kind(body.shape()) : body.name();
+        return point.place().map(place -> (place instanceof BodyAt body ? body.way() : Stream.of(place))
+                .map(step -> PathNames.of(point.scene().scene(), step, texts)).collect(Collectors.joining(" › ")))
+                .orElseGet(() -> texts.of("picture.background"));
     }
 }

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.scene.ScenePath;
 import java.util.LinkedHashSet;
 import java.util.Set;
 import javafx.scene.canvas.GraphicsContext;
@@ -12,7 +12,7 @@ final class BandDrag implements Drag {
     private final EditorModel model;
     private final Picker picker;
     private final Viewport view;
-    private final Set<Item> before;
+    private final Set<ScenePath> before;
     private final Color color;
     private final double startX;
     private final double startY;
@@ -20,7 +20,7 @@ final class BandDrag implements Drag {
     private double y;
 
     /** @param before what was selected and stays so */
-    BandDrag(EditorModel model, Picker picker, Viewport view, Set<Item> before, Color color, double startX, double startY) {
+    BandDrag(EditorModel model, Picker picker, Viewport view, Set<ScenePath> before, Color color, double startX, double startY) {
         this.model = model;
         this.picker = picker;
         this.view = view;
@@ -36,7 +36,7 @@ final class BandDrag implements Drag {
     public void to(double toX, double toY, Keys keys) {
         x = toX;
         y = toY;
-        Set<Item> selected = new LinkedHashSet<>(before);
+        Set<ScenePath> selected = new LinkedHashSet<>(before);
         selected.addAll(picker.within(model.state(), Box.of(view.u(startX), view.v(startY), view.u(x), view.v(y))));
         model.select(selected);
     }

@@ -2,14 +2,14 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Sight;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.CameraAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.CameraAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import java.util.Collection;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -55,11 +55,11 @@ final class Figures {
     }
 
     Figure of(BodyAt at) {
-        return of(scene.objects().get(at.path().get(0))).at(at.path().subList(1, at.path().size()));
+        return of(scene.objects().get(at.numbers().get(0))).at(at.numbers().subList(1, at.numbers().size()));
     }
 
     /** The box around an item; a point for cameras and lights without a size. */
-    Box box(Item item) {
+    Box box(ScenePath item) {
         if (item instanceof LightAt light) {
             LightSketch sketch = LightSketch.of(scene.lights().get(light.index()), axes);
             Box box = Box.EMPTY.with(axes.u(sketch.place()), axes.v(sketch.place()));
@@ -77,8 +77,8 @@ final class Figures {
         return Box.EMPTY.with(axes.u(eye), axes.v(eye));
     }
 
-    Box box(Collection<? extends Item> items) {
-        return items.stream().filter(item -> EditorState.exists(scene, item)).map(this::box).reduce(Box.EMPTY, Box::union);
+    Box box(Collection<? extends ScenePath> items) {
+        return items.stream().filter(item -> item.isIn(scene)).map(this::box).reduce(Box.EMPTY, Box::union);
     }
 
     /** The box around all that is not hidden, and around the place where the next thing would be put. */
@@ -86,15 +86,15 @@ final class Figures {
         Sight sight = Sight.of(state);
         double u = axes.u(sight.point());
         double v = axes.v(sight.point());
-        Box box = box(Item.camera(state.eye())).with(u - sight.size(), v - sight.size()).with(u + sight.size(), v + sight.size());
+        Box box = box(ScenePath.camera(state.eye())).with(u - sight.size(), v - sight.size()).with(u + sight.size(), v + sight.size());
         for (int i = 0; i < scene.cameras().size(); i++) {
-            box = state.isHidden(Item.camera(i)) ? box : box.union(box(Item.camera(i)));
+            box = state.isHidden(ScenePath.camera(i)) ? box : box.union(box(ScenePath.camera(i)));
         }
         for (int i = 0; i < scene.objects().size(); i++) {
-            box = state.isHidden(Item.body(i)) ? box : box.union(of(scene.objects().get(i)).box());
+            box = state.isHidden(ScenePath.body(i)) ? box : box.union(of(scene.objects().get(i)).box());
         }
         for (int i = 0; i < scene.lights().size(); i++) {
-            box = state.isHidden(Item.light(i)) ? box : box.union(box(Item.light(i)));
+            box = state.isHidden(ScenePath.light(i)) ? box : box.union(box(ScenePath.light(i)));
         }
         return box;
     }

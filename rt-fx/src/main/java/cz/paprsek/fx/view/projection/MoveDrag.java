@@ -2,7 +2,7 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.edit.Moves;
-import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.scene.ScenePath;
 import java.util.Locale;
 import java.util.Set;
 import javafx.scene.canvas.GraphicsContext;
@@ -11,7 +11,7 @@ import javafx.scene.paint.Color;
 /** Moves items in the plane of the projection. */
 final class MoveDrag implements Drag {
     private final Gesture gesture;
-    private final Set<Item> items;
+    private final Set<ScenePath> items;
     private final Axes axes;
     private final Viewport view;
     private final Box box;
@@ -31,7 +31,7 @@ final class MoveDrag implements Drag {
      * @param box around the items
      * @param reference what is put on the grid: the position of a single item, a corner of several
      */
-    MoveDrag(Gesture gesture, Set<Item> items, Axes axes, Viewport view, Box box, Box reference, Snapping snapping, boolean snaps,
+    MoveDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, Box reference, Snapping snapping, boolean snaps,
             Color guideColor, double startX, double startY) {
         this.gesture = gesture;
         this.items = items;

@@ -2,12 +2,12 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.LightMoves;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.look.Palette;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -36,8 +36,8 @@ final class Painter {
     }
 
     /** All objects and lights that are neither hidden nor drawn apart. */
-    void rest(Set<Item> hidden, Set<Item> apart, Figures figures) {
-        Set<Item> without = new HashSet<>(hidden);
+    void rest(Set<ScenePath> hidden, Set<ScenePath> apart, Figures figures) {
+        Set<ScenePath> without = new HashSet<>(hidden);
         without.addAll(apart);
         List<Figure> ghosts = new ArrayList<>();
         g.setLineWidth(1.2);
@@ -48,14 +48,14 @@ final class Painter {
             if (isInSight(figure)) {
                 // Each by itself: a single path through ten thousand objects takes three times as long.
                 g.beginPath();
-                trace(without, figure, Item.body(i), ghosts);
+                trace(without, figure, ScenePath.body(i), ghosts);
                 g.stroke();
             }
         }
         ghosts(ghosts, palette.ghost());
         Scene scene = figures.scene();
         for (int i = 0; i < scene.lights().size(); i++) {
-            if (!without.contains(Item.light(i))) {
+            if (!without.contains(ScenePath.light(i))) {
                 light(scene.lights().get(i), palette.light());
             }
         }
@@ -66,8 +66,8 @@ final class Painter {
         List<Figure> ghosts = new ArrayList<>();
         g.setLineWidth(1.8);
         g.beginPath();
-        for (Item item : state.selection()) {
-            if (item instanceof Item.BodyAt body && !state.isHidden(item)) {
+        for (ScenePath item : state.selection()) {
+            if (item instanceof ScenePath.BodyAt body && !state.isHidden(item)) {
                 whole(figures.of(body), ghosts);
             }
         }
@@ -75,8 +75,8 @@ final class Painter {
         g.stroke();
         ghosts(ghosts, palette.selected());
         Scene scene = figures.scene();
-        for (Item item : state.selection()) {
-            if (item instanceof Item.LightAt light && !state.isHidden(item)) {
+        for (ScenePath item : state.selection()) {
+            if (item instanceof ScenePath.LightAt light && !state.isHidden(item)) {
                 light(scene.lights().get(light.index()), palette.selected());
             }
         }
@@ -127,7 +127,7 @@ final class Painter {
     }
 
     /** Adds a figure to the path, without parts that are hidden or drawn apart. */
-    private void trace(Set<Item> without, Figure figure, Item.BodyAt item, List<Figure> ghosts) {
+    private void trace(Set<ScenePath> without, Figure figure, ScenePath.BodyAt item, List<Figure> ghosts) {
         if (without.contains(item)) {
             return;
         }
@@ -244,7 +244,7 @@ final class Painter {
      */
     void camera(EditorState state, int index, String name) {
         CameraSketch sketch = CameraSketch.of(state.scene(), index);
-        boolean isSelected = state.selection().contains(Item.camera(index));
+        boolean isSelected = state.selection().contains(ScenePath.camera(index));
         boolean isThin = !isSelected && index != state.eye();
         double x = x(sketch.eye());
         double y = y(sketch.eye());

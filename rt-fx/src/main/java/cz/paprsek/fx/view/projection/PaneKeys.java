@@ -3,9 +3,9 @@ package cz.paprsek.fx.view.projection;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.edit.Moves;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.ScenePath;
 import java.util.Set;
 import javafx.scene.input.KeyEvent;
 
@@ -42,13 +42,13 @@ final class PaneKeys {
     }
 
     private void nudge(double u, double v, boolean many) {
-        Set<Item> items = pane.movable();
+        Set<ScenePath> items = pane.movable();
         if (items.isEmpty() || pane.model().gesturingProperty().get()) {
             return;
         }
         double step = Grid.step(pane.view().scale()) * (many ? MANY : 1);
         Vec3 by = pane.axes().vector(Snapping.toGrid(u * step, step), Snapping.toGrid(v * step, step));
         pane.model().edit(
-                Label.of(Edit.MOVE, ItemNames.of(pane.model().scene(), items, pane.texts())), scene -> Moves.translated(scene, items, by));
+                Label.of(Edit.MOVE, PathNames.of(pane.model().scene(), items, pane.texts())), scene -> Moves.translated(scene, items, by));
     }
 }

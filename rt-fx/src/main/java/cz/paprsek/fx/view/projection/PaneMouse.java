@@ -1,11 +1,12 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.Label;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.fx.model.Places;
+import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.ScenePath;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -35,8 +36,8 @@ final class PaneMouse {
     private double pressY;
     private double lastX;
     private double lastY;
-    private List<Item> pressedOn = List.of();
-    private List<Item> clickedOn = List.of();
+    private List<ScenePath> pressedOn = List.of();
+    private List<ScenePath> clickedOn = List.of();
     private boolean panning;
     private boolean pressed;
     private @Nullable Drag drag;
@@ -113,7 +114,7 @@ final class PaneMouse {
 
     /** For what is under the mouse, unless that is selected already; for what is selected if nothing is. */
     private void showMenu(MouseEvent event) {
-        List<Item> under = pane.picker().at(model.state(), pane.view(), event.getX(), event.getY());
+        List<ScenePath> under = pane.picker().at(model.state(), pane.view(), event.getX(), event.getY());
         if (!under.isEmpty() && under.stream().noneMatch(model.selection()::contains)) {
             model.select(under.get(0));
         }
@@ -127,7 +128,7 @@ final class PaneMouse {
                 model.select();
             }
         } else if (more) {
-            Set<Item> selection = new LinkedHashSet<>(model.selection());
+            Set<ScenePath> selection = new LinkedHashSet<>(model.selection());
             if (!selection.remove(pressedOn.get(0))) {
                 selection.add(pressedOn.get(0));
             }
@@ -155,16 +156,16 @@ final class PaneMouse {
         if (onLight.isPresent()) {
             int light = pane.grabbedLight().orElseThrow();
             Edit edit = onLight.get().kind() == LightDrag.Kind.AIM ? Edit.ROTATE : Edit.RESIZE;
-            return new LightDrag(model.begin(label(edit, Set.of(Item.light(light)))), light, onLight.get(), pane.axes(), pane.view(), pane.snaps(), pressX, pressY);
+            return new LightDrag(model.begin(label(edit, Set.of(ScenePath.light(light)))), light, onLight.get(), pane.axes(), pane.view(), pane.snaps(), pressX, pressY);
         }
         OptionalInt aimed = aimAt(pressX, pressY);
         if (aimed.isPresent()) {
             int camera = aimed.getAsInt();
-            return new AimDrag(model.begin(label(Edit.ROTATE, Set.of(Item.camera(camera)))), camera, pane.axes(), pane.view(),
+            return new AimDrag(model.begin(label(Edit.ROTATE, Set.of(ScenePath.camera(camera)))), camera, pane.axes(), pane.view(),
                     CameraSketch.of(model.scene(), camera).aim(), pane.snaps(), pressX, pressY);
         }
         if (pressedOn.isEmpty()) {
-            Set<Item> before = event.isShiftDown() ? model.selection() : Set.of();
+            Set<ScenePath> before = event.isShiftDown() ? model.selection() : Set.of();
             return new BandDrag(model, pane.picker(), pane.view(), before, pane.theme().palette().selected(), pressX, pressY);
         }
         if (pressedOn.stream().noneMatch(model.selection()::contains)) {
@@ -174,14 +175,14 @@ final class PaneMouse {
     }
 
     private Drag beginMove() {
-        Set<Item> items = pane.movable();
+        Set<ScenePath> items = pane.movable();
         Box box = pane.figures().box(items);
         return new MoveDrag(model.begin(label(Edit.MOVE, items)), items, pane.axes(), pane.view(), box, reference(items, box), others(items),
                 pane.snaps(), pane.theme().palette().selected(), pressX, pressY);
     }
 
     private Drag begin(Handle handle) {
-        Set<Item> items = pane.movable();
+        Set<ScenePath> items = pane.movable();
         Box box = pane.handleBox();
         return handle == Handle.TURN
                 ? new TurnDrag(model.begin(label(Edit.ROTATE, items)), items, pane.axes(), pane.view(), box, pane.snaps(),
@@ -190,25 +191,25 @@ final class PaneMouse {
                         pane.isProportional(), pressX, pressY);
     }
 
-    private Label label(Edit edit, Set<Item> items) {
-        return Label.of(edit, ItemNames.of(model.scene(), items, pane.texts()));
+    private Label label(Edit edit, Set<ScenePath> items) {
+        return Label.of(edit, PathNames.of(model.scene(), items, pane.texts()));
     }
 
     /** What is put on the grid: where a single object says it is, else the corner of the box. */
-    private Box reference(Set<Item> items, Box box) {
-        if (items.size() == 1 && items.iterator().next() instanceof Item.BodyAt body) {
-            Vec3 origin = cz.paprsek.fx.model.item.Bodies.toWorld(model.scene(), body).point(Vec3.ZERO);
+    private Box reference(Set<ScenePath> items, Box box) {
+        if (items.size() == 1 && items.iterator().next() instanceof ScenePath.BodyAt body) {
+            Vec3 origin = body.toWorld(model.scene()).point(Vec3.ZERO);
             return Box.EMPTY.with(pane.axes().u(origin), pane.axes().v(origin));
         }
         return box.isEmpty() ? Box.EMPTY.with(0, 0) : box;
     }
 
-    private Snapping others(Set<Item> moving) {
+    private Snapping others(Set<ScenePath> moving) {
         Figures figures = pane.figures();
         Set<Integer> objects = new java.util.HashSet<>();
-        cz.paprsek.fx.model.item.Items.bodies(moving).forEach(body -> objects.add(body.object().index()));
+        Places.bodies(moving).forEach(body -> objects.add(body.object().index()));
         Stream<Box> boxes = IntStream.range(0, figures.objects().size())
-                .filter(i -> !objects.contains(i) && !model.state().isHidden(Item.body(i)))
+                .filter(i -> !objects.contains(i) && !model.state().isHidden(ScenePath.body(i)))
                 .mapToObj(i -> figures.of(figures.objects().get(i)).box());
         return new Snapping(boxes.filter(box -> pane.view().shows(box)));
     }

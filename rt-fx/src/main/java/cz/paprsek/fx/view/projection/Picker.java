@@ -1,17 +1,11 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.material.MaterialSource;
-import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.shape.Shape;
-import cz.paprsek.shape.placed.Part;
-import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
@@ -20,7 +14,6 @@ import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.function.IntFunction;
 
 /** Finds what is at a point of a projection. */
 final class Picker {
@@ -32,7 +25,7 @@ final class Picker {
     private static final double FAR = 1e6;
 
     /** Something under the mouse; the smaller the rank, the sooner it is picked. */
-    private record Candidate(Item item, double rank) {}
+    private record Candidate(ScenePath item, double rank) {}
 
     private final Axes axes;
     private final Figures figures;
@@ -46,47 +39,47 @@ final class Picker {
      * All that can be picked at a point, in the order in which clicks reach it: lights and cameras, objects whose lines are under the
      * mouse, objects whose inside is, from the viewer to the back, and last the operands within.
      */
-    List<Item> at(EditorState state, Viewport view, double x, double y) {
+    List<ScenePath> at(EditorState state, Viewport view, double x, double y) {
         double u = view.u(x);
         double v = view.v(y);
-        List<Item> found = new ArrayList<>(marks(state, view, x, y));
+        List<ScenePath> found = new ArrayList<>(marks(state, view, x, y));
         List<Candidate> objects = new ArrayList<>();
         Scene scene = figures.scene();
         for (int i = 0; i < scene.objects().size(); i++) {
-            collect(state, Item.body(i), view, u, v, objects);
+            collect(state, ScenePath.body(i), view, u, v, objects);
         }
-        List<Item> sorted = sorted(objects);
+        List<ScenePath> sorted = sorted(objects);
         found.addAll(sorted);
         sorted.forEach(item -> found.addAll(operands(state, (BodyAt) item, view, u, v)));
         return found;
     }
 
     /** All whose boxes lie wholly within a box, operands not. */
-    Set<Item> within(EditorState state, Box box) {
-        Set<Item> found = new LinkedHashSet<>();
+    Set<ScenePath> within(EditorState state, Box box) {
+        Set<ScenePath> found = new LinkedHashSet<>();
         Scene scene = figures.scene();
         for (int i = 0; i < scene.objects().size(); i++) {
             Box own = figures.of(scene.objects().get(i)).box();
             if (!own.isEmpty() && box.contains(own)) {
-                found.add(Item.body(i));
+                found.add(ScenePath.body(i));
             }
         }
         for (int i = 0; i < scene.lights().size(); i++) {
-            if (box.contains(figures.box(Item.light(i)))) {
-                found.add(Item.light(i));
+            if (box.contains(figures.box(ScenePath.light(i)))) {
+                found.add(ScenePath.light(i));
             }
         }
         found.removeIf(item -> !canPick(state, item));
         return found;
     }
 
-    private List<Item> marks(EditorState state, Viewport view, double x, double y) {
-        List<Item> marks = new ArrayList<>();
+    private List<ScenePath> marks(EditorState state, Viewport view, double x, double y) {
+        List<ScenePath> marks = new ArrayList<>();
         for (int i = figures.scene().cameras().size() - 1; i >= 0; i--) {
-            marks.add(Item.camera(i));
+            marks.add(ScenePath.camera(i));
         }
         for (int i = figures.scene().lights().size() - 1; i >= 0; i--) {
-            marks.add(Item.light(i));
+            marks.add(ScenePath.light(i));
         }
         marks.removeIf(item -> {
             Box box = figures.box(item);
@@ -95,14 +88,14 @@ final class Picker {
         return marks;
     }
 
-    private List<Item> operands(EditorState state, BodyAt operation, Viewport view, double u, double v) {
+    private List<ScenePath> operands(EditorState state, BodyAt operation, Viewport view, double u, double v) {
         List<Candidate> found = new ArrayList<>();
-        int count = Bodies.find(figures.scene(), operation).orElseThrow().operands().size();
+        int count = operation.in(figures.scene()).operands().size();
         for (int i = 0; i < count; i++) {
             collect(state, operation.child(i), view, u, v, found);
         }
-        List<Item> sorted = sorted(found);
-        List<Item> all = new ArrayList<>(sorted);
+        List<ScenePath> sorted = sorted(found);
+        List<ScenePath> all = new ArrayList<>(sorted);
         sorted.forEach(item -> all.addAll(operands(state, (BodyAt) item, view, u, v)));
         return all;
     }
@@ -127,9 +120,7 @@ final class Picker {
 
     /** How near to the viewer the body first appears at a point; NaN if it does not. */
     private double depth(BodyAt at, double u, double v) {
-        Shape shape = Bodies.find(figures.scene(), at).orElseThrow().shape();
-        Affine toWorld = Bodies.toWorld(figures.scene(), at);
-        Surface surface = shape.place(toWorld, new Counting());
+        Surface surface = at.placed(figures.scene());
         Bounds bounds = surface.bounds();
         double start = bounds.isFinite() ? 2 * bounds.magnitude() + 1 : FAR;
         Vec3 origin = axes.vector(u, v).minus(axes.along().times(start));
@@ -140,27 +131,12 @@ final class Picker {
         return ray.part < 0 ? Double.NaN : start - ray.max;
     }
 
-    private static boolean canPick(EditorState state, Item item) {
+    private static boolean canPick(EditorState state, ScenePath item) {
         return !state.isHidden(item) && !state.isLocked(item);
     }
 
-    private static List<Item> sorted(List<Candidate> candidates) {
+    private static List<ScenePath> sorted(List<Candidate> candidates) {
         candidates.sort(Comparator.comparingDouble(Candidate::rank));
         return candidates.stream().map(Candidate::item).toList();
-    }
-
-    /** Numbers parts and forgets them. */
-    private static final class Counting implements Parts {
-        private int count;
-
-        @Override
-        public <P extends Part> P add(IntFunction<P> maker) {
-            return maker.apply(count++);
-        }
-
-        @Override
-        public Parts within(MaterialSource material, Affine toWorld) {
-            return this;
-        }
     }
 }

@@ -3,20 +3,20 @@ package cz.paprsek.fx.view.projection;
 import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Sight;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.CameraAt;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.rays.DrawnRays;
 import cz.paprsek.fx.view.rays.RayPainter;
-import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.CameraAt;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -45,7 +45,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ProjectionPane extends Region {
     /** All on which the lower canvas depends, besides the objects. What a gesture changes is drawn above, and apart from the rest. */
-    private record Look(Viewport view, Theme theme, Set<Item> apart, Set<Item> hidden) {}
+    private record Look(Viewport view, Theme theme, Set<ScenePath> apart, Set<ScenePath> hidden) {}
 
     private final EditorModel model;
     private final Texts texts;
@@ -238,28 +238,28 @@ public final class ProjectionPane extends Region {
     }
 
     /** What can be moved of what is selected. */
-    Set<Item> movable() {
-        Set<Item> items = new HashSet<>(model.selection());
+    Set<ScenePath> movable() {
+        Set<ScenePath> items = new HashSet<>(model.selection());
         items.removeIf(model.state()::isLocked);
         return items;
     }
 
     /** The light whose own handles are shown: the only thing selected. */
     Optional<Integer> grabbedLight() {
-        Set<Item> items = movable();
-        return items.size() == 1 && items.iterator().next() instanceof Item.LightAt light && EditorState.exists(model.scene(), light)
+        Set<ScenePath> items = movable();
+        return items.size() == 1 && items.iterator().next() instanceof ScenePath.LightAt light && light.isIn(model.scene())
                 && !model.state().isHidden(light) ? Optional.of(light.index()) : Optional.empty();
     }
 
     /** The cameras, counted from 0, whose aims are shown to be grabbed: those that are selected. */
     IntStream grabbedCameras() {
-        return Items.cameras(movable()).stream().filter(camera -> EditorState.exists(model.scene(), camera) && !model.state().isHidden(camera)).mapToInt(CameraAt::index);
+        return Places.cameras(movable()).stream().filter(camera -> camera.isIn(model.scene()) && !model.state().isHidden(camera)).mapToInt(CameraAt::index);
     }
 
     /** The box of the handles; empty if there is nothing to resize. */
     Box handleBox() {
-        Set<Item> items = movable();
-        boolean hasSize = !Items.bodies(items).isEmpty() || Items.lights(items).stream().filter(light -> EditorState.exists(model.scene(), light))
+        Set<ScenePath> items = movable();
+        boolean hasSize = !Places.bodies(items).isEmpty() || Places.lights(items).stream().filter(light -> light.isIn(model.scene()))
                 .anyMatch(light -> !LightSketch.of(model.scene().lights().get(light.index()), axes).extent().isEmpty());
         return hasSize ? figures().box(items) : Box.EMPTY;
     }
@@ -296,7 +296,7 @@ public final class ProjectionPane extends Region {
             view = view.fitting(figures.boxOfAll(model.state()));
         }
         EditorState state = model.state();
-        Set<Item> apart = model.gesturingProperty().get() ? Set.copyOf(state.selection()) : Set.of();
+        Set<ScenePath> apart = model.gesturingProperty().get() ? Set.copyOf(state.selection()) : Set.of();
         Look look = new Look(view, theme(), apart, state.hidden());
         if (!look.equals(drawnLook) || !sameRest(state.scene(), apart)) {
             drawRest(state, apart);
@@ -308,7 +308,7 @@ public final class ProjectionPane extends Region {
     }
 
     /** Whether all that is not drawn apart is what has been drawn. */
-    private boolean sameRest(Scene scene, Set<Item> apart) {
+    private boolean sameRest(Scene scene, Set<ScenePath> apart) {
         return sameExcept(scene.objects(), drawnObjects, objects(apart)) && sameExcept(scene.lights(), drawnLights, lights(apart));
     }
 
@@ -324,19 +324,19 @@ public final class ProjectionPane extends Region {
         return true;
     }
 
-    private static Set<Integer> objects(Set<Item> items) {
+    private static Set<Integer> objects(Set<ScenePath> items) {
         Set<Integer> indices = new HashSet<>();
-        Items.bodies(items).stream().filter(body -> body.depth() == 0).forEach(body -> indices.add(body.index()));
+        Places.bodies(items).stream().filter(body -> body.depth() == 0).forEach(body -> indices.add(body.index()));
         return indices;
     }
 
-    private static Set<Integer> lights(Set<Item> items) {
+    private static Set<Integer> lights(Set<ScenePath> items) {
         Set<Integer> indices = new HashSet<>();
-        Items.lights(items).forEach(light -> indices.add(light.index()));
+        Places.lights(items).forEach(light -> indices.add(light.index()));
         return indices;
     }
 
-    private void drawRest(EditorState state, Set<Item> apart) {
+    private void drawRest(EditorState state, Set<ScenePath> apart) {
         GraphicsContext g = lower.getGraphicsContext2D();
         Grid.draw(g, view, axes, theme().palette());
         new Painter(g, view, axes, theme().palette()).rest(state.hidden(), apart, figures);
@@ -348,14 +348,14 @@ public final class ProjectionPane extends Region {
         g.clearRect(0, 0, upper.getWidth(), upper.getHeight());
         Painter painter = new Painter(g, view, axes, theme().palette());
         drawCameras(state, painter);
-        highlighted.filter(body -> EditorState.exists(state.scene(), body)).ifPresent(body -> painter.highlighted(figures.of(body)));
+        highlighted.filter(body -> body.isIn(state.scene())).ifPresent(body -> painter.highlighted(figures.of(body)));
         if (!state.selection().isEmpty()) {
             painter.selected(state, figures);
             painter.handles(handleBox(), true);
             grabbedLight().ifPresent(light -> painter.handles(state.scene().lights().get(light)));
             Box box = figures.box(state.selection());
             if (!box.isEmpty() && view.shows(box)) {
-                painter.name(ItemNames.of(state.scene(), state.selection(), texts), box);
+                painter.name(PathNames.of(state.scene(), state.selection(), texts), box);
             }
         }
         rays.ifPresent(RayPainter.on(g, theme(), (from, to) -> List.of(segment(from, to)))::draw);
@@ -370,8 +370,8 @@ public final class ProjectionPane extends Region {
         int count = state.scene().cameras().size();
         for (int i = 1; i <= count; i++) {
             int camera = (state.eye() + i) % count;
-            if (!state.isHidden(Item.camera(camera))) {
-                painter.camera(state, camera, count > 1 ? ItemNames.of(state.scene(), Item.camera(camera), texts) : "");
+            if (!state.isHidden(ScenePath.camera(camera))) {
+                painter.camera(state, camera, count > 1 ? PathNames.of(state.scene(), ScenePath.camera(camera), texts) : "");
             }
         }
     }

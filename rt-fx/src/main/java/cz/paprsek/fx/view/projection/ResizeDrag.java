@@ -2,8 +2,8 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.edit.Moves;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.ScenePath;
 import java.util.Locale;
 import java.util.Set;
 
@@ -13,7 +13,7 @@ final class ResizeDrag implements Drag {
     private static final double SMALLEST = 1e-3;
 
     private final Gesture gesture;
-    private final Set<Item> items;
+    private final Set<ScenePath> items;
     private final Axes axes;
     private final Viewport view;
     private final Box box;
@@ -26,7 +26,7 @@ final class ResizeDrag implements Drag {
     private double height;
 
     /** @param proportional whether corners keep the proportions; Shift then does the other */
-    ResizeDrag(Gesture gesture, Set<Item> items, Axes axes, Viewport view, Box box, Handle handle, boolean snaps,
+    ResizeDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, Handle handle, boolean snaps,
             boolean proportional, double startX, double startY) {
         this.gesture = gesture;
         this.items = items;

@@ -2,7 +2,7 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.edit.Moves;
-import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.scene.ScenePath;
 import java.util.Locale;
 import java.util.Set;
 import javafx.scene.canvas.GraphicsContext;
@@ -15,7 +15,7 @@ final class TurnDrag implements Drag {
     private static final double FREE_DEGREES = 0.5;
 
     private final Gesture gesture;
-    private final Set<Item> items;
+    private final Set<ScenePath> items;
     private final Axes axes;
     private final Viewport view;
     private final Box box;
@@ -26,7 +26,7 @@ final class TurnDrag implements Drag {
     private double mouseX;
     private double mouseY;
 
-    TurnDrag(Gesture gesture, Set<Item> items, Axes axes, Viewport view, Box box, boolean snaps, Color color, double startX, double startY) {
+    TurnDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, boolean snaps, Color color, double startX, double startY) {
         this.gesture = gesture;
         this.items = items;
         this.axes = axes;

@@ -1,10 +1,10 @@
 package cz.paprsek.fx.view.render;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
 import java.util.List;
 import java.util.stream.IntStream;
 import javafx.scene.control.ChoiceBox;
@@ -26,7 +26,7 @@ final class CameraBox extends ChoiceBox<Named<Integer>> {
     /** Offers the cameras there are now, and chooses the one looked through if that or the cameras have changed. */
     void follow(EditorState state) {
         List<Named<Integer>> cameras = IntStream.range(0, state.scene().cameras().size())
-                .mapToObj(i -> new Named<>(i, i + 1 + ": " + ItemNames.of(state.scene(), Item.camera(i), texts))).toList();
+                .mapToObj(i -> new Named<>(i, i + 1 + ": " + PathNames.of(state.scene(), ScenePath.camera(i), texts))).toList();
         if (!cameras.equals(getItems())) {
             getItems().setAll(cameras);
         }

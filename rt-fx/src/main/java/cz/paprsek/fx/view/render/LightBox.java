@@ -1,9 +1,9 @@
 package cz.paprsek.fx.view.render;
 
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.view.texts.ItemNames;
+import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
 import java.util.stream.Stream;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Tooltip;
@@ -25,7 +25,7 @@ final class LightBox extends ChoiceBox<Named<Integer>> {
     /** Offers the lights of a scene, all of them lit. */
     void offer(Scene scene) {
         Stream<Named<Integer>> each = Stream.iterate(0, i -> i + 1).limit(scene.lights().size())
-                .map(i -> new Named<>(i, i + 1 + ": " + ItemNames.of(scene, Item.light(i), texts)));
+                .map(i -> new Named<>(i, i + 1 + ": " + PathNames.of(scene, ScenePath.light(i), texts)));
         getItems().setAll(Stream.concat(Stream.of(new Named<>(ALL, texts.of("render.lights.all"))), each).toList());
         getSelectionModel().selectFirst();
     }

@@ -1,17 +1,16 @@
 package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.edit.ReadyMaterial;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -51,7 +50,7 @@ final class MaterialEditor implements PropertyEditor {
         this.edit = edit;
         this.texts = texts;
         this.property = property;
-        places = Items.bodies(model.selection());
+        places = Places.bodies(model.selection());
         choice = new ChoiceEditor<>("material", texts.of("sheet.mixed"), this::text, this::options, this::chosen, this::choose);
         name = new TextEditor("material-name", edit, scene -> named(scene).orElse(""),
                 (scene, fresh) -> named(scene).map(old -> Materials.rename(scene, old, fresh)).orElse(scene));
@@ -120,7 +119,7 @@ final class MaterialEditor implements PropertyEditor {
     private Optional<Object> chosen(Scene scene) {
         Set<Object> sources = new HashSet<>();
         for (BodyAt at : places) {
-            Bodies.find(scene, at).ifPresent(body ->
+            at.find(scene).ifPresent(body ->
                     sources.add(body.material() instanceof Material ? Own.OWN : body.material()));
         }
         return sources.size() == 1 ? Optional.of(sources.iterator().next()) : Optional.empty();

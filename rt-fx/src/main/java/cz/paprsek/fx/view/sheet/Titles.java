@@ -1,15 +1,14 @@
 package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.CameraAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
 import cz.paprsek.fx.model.property.Section;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.CameraAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import java.util.Set;
 
 /** What the sheet calls what it shows. */
@@ -22,16 +21,16 @@ final class Titles {
 
     /** What is selected, in a few words. */
     String of(EditorState state) {
-        Set<Item> selection = state.selection();
+        Set<ScenePath> selection = state.selection();
         if (selection.isEmpty()) {
             return texts.of("section.scene");
         }
         if (selection.size() > 1) {
             return texts.of("sheet.several", selection.size());
         }
-        Item item = selection.iterator().next();
+        ScenePath item = selection.iterator().next();
         if (item instanceof BodyAt at) {
-            Body body = Bodies.find(state.scene(), at).orElseThrow();
+            Body body = at.in(state.scene());
             return named(capital(texts.kind(body.shape())), body.name());
         }
         if (item instanceof LightAt at) {

@@ -1,15 +1,15 @@
 package cz.paprsek.fx.view.shell;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Examples;
 import cz.paprsek.fx.model.edit.Sight;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Items;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
 import java.util.ArrayList;
@@ -61,12 +61,12 @@ public final class AddPalette extends FlowPane {
         for (Light kind : Adding.LIGHTS) {
             adding.add(new Entry("add-" + kind.kind(), texts.kind(kind), Icons.of(kind), always, () -> edits.add(kind, sight.get())));
         }
-        BooleanBinding several = when(model, items -> Items.outermost(items).size() > 1);
+        BooleanBinding several = when(model, items -> Places.outermost(items).size() > 1);
         for (Csg.Operation operation : Csg.Operation.values()) {
             String word = operation.name().toLowerCase(Locale.ROOT);
             combining.add(new Entry("combine-" + word, texts.of("object." + word), Icons.of(word), several, () -> edits.combine(operation)));
         }
-        BooleanBinding any = when(model, items -> !Items.bodies(items).isEmpty());
+        BooleanBinding any = when(model, items -> !Places.bodies(items).isEmpty());
         combining.add(new Entry("dissolve", texts.of("object.dissolve"), Icons.DISSOLVE, any, edits::dissolve));
         adding.forEach(entry -> getChildren().add(button(entry, texts.of("palette.add", entry.text()))));
         combining.forEach(entry -> getChildren().add(button(entry, entry.text())));
@@ -117,7 +117,7 @@ public final class AddPalette extends FlowPane {
         return (Button) getChildren().get(index);
     }
 
-    private static BooleanBinding when(EditorModel model, Predicate<Set<Item>> condition) {
+    private static BooleanBinding when(EditorModel model, Predicate<Set<ScenePath>> condition) {
         return Bindings.createBooleanBinding(() -> condition.test(model.selection()), model.selectionProperty());
     }
 

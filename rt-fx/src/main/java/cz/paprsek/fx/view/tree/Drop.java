@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;

@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
@@ -53,9 +53,9 @@ final class Expansion {
         }
         Set<BodyAt> moved = new HashSet<>();
         for (BodyAt at : open) {
-            int old = at.path().get(0);
+            int old = at.numbers().get(0);
             Integer place = old < before.size() ? places.get(before.get(old)) : null;
-            List<Integer> path = new ArrayList<>(at.path());
+            List<Integer> path = new ArrayList<>(at.numbers());
             path.set(0, place == null ? old : place);
             moved.add(new BodyAt(path));
         }

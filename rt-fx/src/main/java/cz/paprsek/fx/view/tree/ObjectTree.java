@@ -1,14 +1,14 @@
 package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -41,7 +41,7 @@ public final class ObjectTree extends BorderPane {
     private final TreeState state;
     /** Held here, for the model, which outlives the window's content, holds them weakly. */
     private final ChangeListener<Scene> onScene = (property, was, is) -> later();
-    private final ChangeListener<Set<Item>> onSelection = (property, was, is) -> reveal(is);
+    private final ChangeListener<Set<ScenePath>> onSelection = (property, was, is) -> reveal(is);
     private boolean isStale;
 
     /** @param commands what can be done with what is selected */
@@ -145,11 +145,11 @@ public final class ObjectTree extends BorderPane {
     }
 
     /** Brings what was selected elsewhere into sight. */
-    private void reveal(Set<Item> items) {
+    private void reveal(Set<ScenePath> items) {
         if (items.size() != 1) {
             return;
         }
-        Item item = items.iterator().next();
+        ScenePath item = items.iterator().next();
         expansion.follow(model.scene());
         if (item instanceof BodyAt at && expansion.reveal(at)) {
             refresh();

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.List;
 import java.util.Optional;
 import javafx.scene.control.ListView;

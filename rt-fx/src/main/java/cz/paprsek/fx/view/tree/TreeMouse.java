@@ -1,13 +1,12 @@
 package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item.CameraAt;
-import cz.paprsek.fx.model.item.Item.LightAt;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Items;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.CameraAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -119,12 +118,12 @@ final class TreeMouse {
     }
 
     private void drop(Drop drop) {
-        Set<Item> items = model.selection();
+        Set<ScenePath> items = model.selection();
         if (drop.row().item() instanceof LightAt) {
-            Items.lights(items).stream().findFirst().ifPresent(light -> edits.moveLight(light, drop.index(0)));
+            Places.lights(items).stream().findFirst().ifPresent(light -> edits.moveLight(light, drop.index(0)));
         } else {
             int operands = drop.row().item() instanceof BodyAt at
-                    ? Bodies.find(model.scene(), at).map(body -> body.operands().size()).orElse(0) : 0;
+                    ? at.find(model.scene()).map(body -> body.operands().size()).orElse(0) : 0;
             edits.move(items, drop.parent(), drop.index(operands));
         }
     }
@@ -134,7 +133,7 @@ final class TreeMouse {
     }
 
     /** A click on the eye or lock of one of several that are selected is for all of them. */
-    private Set<Item> affected(TreeRow row) {
+    private Set<ScenePath> affected(TreeRow row) {
         return selection.contains(row) ? model.selection() : Set.of(row.item());
     }
 

@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.item.Item;
+import cz.paprsek.scene.ScenePath;
 
 /**
  * A line of the tree.
@@ -13,4 +13,4 @@ import cz.paprsek.fx.model.item.Item;
  * @param operation whether it has operands
  * @param expanded whether these are shown
  */
-record TreeRow(Item item, int depth, String text, boolean named, String icon, boolean operation, boolean expanded) {}
+record TreeRow(ScenePath item, int depth, String text, boolean named, String icon, boolean operation, boolean expanded) {}

@@ -1,11 +1,11 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.item.Item.BodyAt;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Operand;
 import java.util.ArrayList;
 import java.util.List;
@@ -30,15 +30,15 @@ final class TreeRows {
         for (int i = 0; i < scene.cameras().size(); i++) {
             String name = scene.cameras().get(i).name();
             String kind = texts.of("kind.camera");
-            add(rows, new TreeRow(Item.camera(i), 0, name.isEmpty() ? kind : name, !name.isEmpty(), Icons.CAMERA, false, false), kind);
+            add(rows, new TreeRow(ScenePath.camera(i), 0, name.isEmpty() ? kind : name, !name.isEmpty(), Icons.CAMERA, false, false), kind);
         }
         for (int i = 0; i < scene.lights().size(); i++) {
             String name = scene.lights().get(i).name();
             String kind = texts.kind(scene.lights().get(i));
-            add(rows, new TreeRow(Item.light(i), 0, name.isEmpty() ? kind : name, !name.isEmpty(), Icons.of(scene.lights().get(i)), false, false), kind);
+            add(rows, new TreeRow(ScenePath.light(i), 0, name.isEmpty() ? kind : name, !name.isEmpty(), Icons.of(scene.lights().get(i)), false, false), kind);
         }
         for (int i = 0; i < scene.objects().size(); i++) {
-            addBody(rows, Item.body(i), Body.of(scene.objects().get(i)));
+            addBody(rows, ScenePath.body(i), Body.of(scene.objects().get(i)));
         }
         return rows;
     }

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.tree;
 
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.scene.ScenePath;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -9,7 +9,7 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 /** What goes on in the tree for now: where something would be dropped, and what is being renamed. */
 final class TreeState {
     private final ReadOnlyObjectWrapper<Optional<Drop>> drop = new ReadOnlyObjectWrapper<>(Optional.empty());
-    private final ReadOnlyObjectWrapper<Optional<Item>> renamed = new ReadOnlyObjectWrapper<>(Optional.empty());
+    private final ReadOnlyObjectWrapper<Optional<ScenePath>> renamed = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final Edits edits;
     private final Runnable done;
 
@@ -23,7 +23,7 @@ final class TreeState {
         return drop.getReadOnlyProperty();
     }
 
-    ReadOnlyObjectProperty<Optional<Item>> renamedProperty() {
+    ReadOnlyObjectProperty<Optional<ScenePath>> renamedProperty() {
         return renamed.getReadOnlyProperty();
     }
 
@@ -32,13 +32,13 @@ final class TreeState {
     }
 
     /** Begins to rename an item. */
-    void rename(Item item) {
+    void rename(ScenePath item) {
         renamed.set(Optional.of(item));
     }
 
     /** Ends renaming; an unchanged name is no step. */
     void endRename(Optional<String> name) {
-        Optional<Item> item = renamed.get();
+        Optional<ScenePath> item = renamed.get();
         renamed.set(Optional.empty());
         item.ifPresent(known -> name.ifPresent(text -> edits.rename(known, text)));
         if (item.isPresent()) {

@@ -3,7 +3,6 @@ package cz.paprsek.fx.model.edit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.AreaLight;
@@ -11,6 +10,7 @@ import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Sphere;
@@ -42,7 +42,7 @@ class AddingTest {
     void middleOfTheShapeIsWhereTheUserLooks() {
         EditorState after = Adding.shape(EditorState.of(Scene.EMPTY), new Cylinder(1, 4), "rod", new Sight(new Vec3(1, 2, 3), 1));
         assertThat(after.scene().objects().get(0).placement().position()).isEqualTo(new Vec3(1, 0, 3));
-        assertThat(after.selection()).containsExactly(Item.body(0));
+        assertThat(after.selection()).containsExactly(ScenePath.body(0));
     }
 
     @Test

@@ -1,17 +1,17 @@
 package cz.paprsek.fx.model.edit;
 
 import static cz.paprsek.fx.model.TestScenes.names;
-import static cz.paprsek.fx.model.item.Item.body;
+import static cz.paprsek.scene.ScenePath.body;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.TestScenes;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.util.List;
@@ -23,7 +23,7 @@ class ClipboardTest {
 
     @Test
     void whatIsCopiedIsASceneFile() throws SceneFileException {
-        Scene copied = SceneFiles.parse(Clipboard.copy(kitchen, List.of(body(1), Item.light(1))));
+        Scene copied = SceneFiles.parse(Clipboard.copy(kitchen, List.of(body(1), ScenePath.light(1))));
         assertThat(copied.objects()).containsExactly(kitchen.scene().objects().get(1));
         assertThat(copied.lights()).containsExactly(kitchen.scene().lights().get(1));
         assertThat(copied.materials()).containsOnlyKeys("red");
@@ -31,9 +31,9 @@ class ClipboardTest {
 
     @Test
     void pastingIntoTheSameSceneGivesFreeNamesAndTheSelection() throws SceneFileException {
-        EditorState after = Clipboard.paste(kitchen, Clipboard.copy(kitchen, List.of(body(0), body(1), Item.light(0))));
+        EditorState after = Clipboard.paste(kitchen, Clipboard.copy(kitchen, List.of(body(0), body(1), ScenePath.light(0))));
         assertThat(names(after)).isEqualTo("ball, bowl, floor, ball 2, ball 3, bowl 2");
-        assertThat(after.selection()).containsExactly(body(4), body(5), Item.light(2));
+        assertThat(after.selection()).containsExactly(body(4), body(5), ScenePath.light(2));
         assertThat(after.scene().materials()).containsOnlyKeys("red");
     }
 
@@ -56,6 +56,6 @@ class ClipboardTest {
     void whatIsNoSceneIsRefused() {
         assertThatThrownBy(() -> Clipboard.paste(kitchen, "shopping list")).isInstanceOf(SceneFileException.class);
         assertThatThrownBy(() -> Clipboard.paste(kitchen, SceneFiles.format(Scene.EMPTY))).hasMessageContaining("no objects or lights");
-        assertThatThrownBy(() -> Clipboard.copy(kitchen, Set.of(Item.CAMERA))).hasMessageContaining("select objects");
+        assertThatThrownBy(() -> Clipboard.copy(kitchen, Set.of(ScenePath.camera()))).hasMessageContaining("select objects");
     }
 }

@@ -1,17 +1,16 @@
 package cz.paprsek.fx.model.edit;
 
-import static cz.paprsek.fx.model.item.Item.body;
+import static cz.paprsek.scene.ScenePath.body;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.fx.model.TestScenes;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -47,7 +46,7 @@ class MaterialsTest {
     void ownMaterialLooksLikeTheOneBefore() {
         Scene after = Materials.own(kitchen, List.of(body(0), body(1, 0), body(2)));
         assertThat(after.objects().get(0).material()).isEqualTo(TestScenes.RED);
-        assertThat(Bodies.find(after, body(1, 0)).orElseThrow().material()).isEqualTo(TestScenes.RED);
+        assertThat(body(1, 0).in(after).material()).isEqualTo(TestScenes.RED);
         assertThat(after.objects().get(2).material()).isEqualTo(Material.DEFAULT);
     }
 
@@ -65,11 +64,11 @@ class MaterialsTest {
     void aMaterialThatIsGivenComesUnderItsNameOrAFreeOneAndOnlyOnce() {
         Material gold = ReadyMaterial.GOLD.material();
         Scene scene = Scene.EMPTY.plus("gold", gold).plus(SceneObject.of(new Sphere(1)), SceneObject.of(new Sphere(2)));
-        Scene same = Materials.give(scene, List.of(Item.body(1)), "gold", gold);
+        Scene same = Materials.give(scene, List.of(ScenePath.body(1)), "gold", gold);
         assertThat(same.materials()).containsOnlyKeys("gold");
         assertThat(same.objects().get(1).material()).isEqualTo(new MaterialName("gold"));
         assertThat(same.objects().get(0)).isSameAs(scene.objects().get(0));
-        Scene other = Materials.give(scene, List.of(Item.body(0)), "gold", ReadyMaterial.STEEL.material());
+        Scene other = Materials.give(scene, List.of(ScenePath.body(0)), "gold", ReadyMaterial.STEEL.material());
         assertThat(other.materials()).containsEntry("gold", gold).containsEntry("gold 2", ReadyMaterial.STEEL.material());
         assertThat(other.objects().get(0).material()).isEqualTo(new MaterialName("gold 2"));
     }

@@ -1,17 +1,16 @@
 package cz.paprsek.fx.model.edit;
 
-import static cz.paprsek.fx.model.item.Item.body;
+import static cz.paprsek.scene.ScenePath.body;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.model.TestScenes;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Sphere;
@@ -25,10 +24,10 @@ class MovesTest {
 
     @Test
     void everythingMovesTogetherAndEachOnlyOnce() {
-        Scene after = Moves.translated(kitchen, List.of(body(0), body(1), body(1, 0), Item.light(0), Item.CAMERA), new Vec3(1, 2, 3));
+        Scene after = Moves.translated(kitchen, List.of(body(0), body(1), body(1, 0), ScenePath.light(0), ScenePath.camera()), new Vec3(1, 2, 3));
         assertThat(after.objects().get(0).placement().position()).isEqualTo(new Vec3(1, 2, 3));
         assertThat(after.objects().get(1).placement().position()).isEqualTo(new Vec3(4, 2, 3));
-        assertThat(Bodies.find(after, body(1, 0)).orElseThrow().placement()).isEqualTo(Placement.NONE);
+        assertThat(body(1, 0).in(after).placement()).isEqualTo(Placement.NONE);
         assertThat(LightMoves.place(after.lights().get(0))).isEqualTo(new Vec3(5, 8, 8));
         assertThat(after.camera().position()).isEqualTo(kitchen.camera().position().plus(new Vec3(1, 2, 3)));
     }
@@ -36,20 +35,20 @@ class MovesTest {
     @Test
     void cameraKeepsItsTarget() {
         Scene scene = kitchen.withCamera(Camera.lookingAt(new Vec3(0, 0, 5), Vec3.ZERO));
-        assertThat(Moves.translated(scene, Set.of(Item.CAMERA), Vec3.X).camera().aim()).isEqualTo(new Camera.Target(Vec3.ZERO));
+        assertThat(Moves.translated(scene, Set.of(ScenePath.camera()), Vec3.X).camera().aim()).isEqualTo(new Camera.Target(Vec3.ZERO));
     }
 
     @Test
     void operandMovesAlongTheWorldsAxes() {
-        Vec3 before = Bodies.toWorld(kitchen, body(1, 1, 0)).point(Vec3.ZERO);
+        Vec3 before = body(1, 1, 0).toWorld(kitchen).point(Vec3.ZERO);
         Scene after = Moves.translated(kitchen, Set.of(body(1, 1, 0)), new Vec3(1, 2, 3));
-        Vec3 moved = Bodies.toWorld(after, body(1, 1, 0)).point(Vec3.ZERO).minus(before);
+        Vec3 moved = body(1, 1, 0).toWorld(after).point(Vec3.ZERO).minus(before);
         assertThat(moved.minus(new Vec3(1, 2, 3)).length()).isCloseTo(0, within(1e-12));
     }
 
     @Test
     void turningIsAboutThePivot() {
-        Scene after = Moves.rotated(kitchen, Set.of(body(3), Item.light(0)), new Vec3(0, 0, 0), new Vec3(0, 0, 90));
+        Scene after = Moves.rotated(kitchen, Set.of(body(3), ScenePath.light(0)), new Vec3(0, 0, 0), new Vec3(0, 0, 90));
         assertThat(after.objects().get(3).placement().position()).isEqualTo(new Vec3(-2, 0, 0));
         assertThat(after.objects().get(3).placement().rotation()).isEqualTo(new Vec3(0, 0, 90));
         assertThat(LightMoves.place(after.lights().get(0))).isEqualTo(new Vec3(-6, 4, 5));
@@ -61,7 +60,7 @@ class MovesTest {
         Scene after = Moves.rotated(scene, Set.of(body(0)), Vec3.ZERO, new Vec3(0, 37, 0));
         assertThat(after.objects().get(0).placement().scale()).isEqualTo(new Vec3(0.1, 0.2, 0.3));
         Affine expected = Affine.rotation(new Vec3(0, 37, 0)).after(scene.objects().get(0).placement().toParent());
-        assertThat(Bodies.toWorld(after, body(0)).point(Vec3.ONE).minus(expected.point(Vec3.ONE)).length()).isCloseTo(0, within(1e-12));
+        assertThat(body(0).toWorld(after).point(Vec3.ONE).minus(expected.point(Vec3.ONE)).length()).isCloseTo(0, within(1e-12));
     }
 
     @Test

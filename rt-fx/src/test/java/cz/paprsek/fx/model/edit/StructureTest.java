@@ -1,15 +1,13 @@
 package cz.paprsek.fx.model.edit;
 
 import static cz.paprsek.fx.model.TestScenes.names;
-import static cz.paprsek.fx.model.item.Item.body;
+import static cz.paprsek.scene.ScenePath.body;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.TestScenes;
-import cz.paprsek.fx.model.item.Bodies;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.math.Affine;
@@ -18,6 +16,7 @@ import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Sphere;
@@ -40,7 +39,7 @@ class StructureTest {
     void addedLightGetsAFreeNameAndTheSelection() {
         EditorState after = Structure.add(kitchen, Light.at(0, 9, 0).named("key"));
         assertThat(after.scene().lights().get(2).name()).isEqualTo("key 2");
-        assertThat(after.selection()).containsExactly(Item.light(2));
+        assertThat(after.selection()).containsExactly(ScenePath.light(2));
     }
 
     @Test
@@ -52,33 +51,33 @@ class StructureTest {
 
     @Test
     void selectionHiddenAndLockedFollowWhatTheyLedTo() {
-        EditorState before = kitchen.withSelection(Set.of(body(1, 1, 1))).withHidden(Set.of(body(3))).withLocked(Set.of(Item.light(1)));
-        EditorState after = Structure.delete(before, List.of(body(0), body(1, 1, 0), Item.light(0)));
+        EditorState before = kitchen.withSelection(Set.of(body(1, 1, 1))).withHidden(Set.of(body(3))).withLocked(Set.of(ScenePath.light(1)));
+        EditorState after = Structure.delete(before, List.of(body(0), body(1, 1, 0), ScenePath.light(0)));
         assertThat(after.selection()).containsExactly(body(0, 1, 0));
         assertThat(after.hidden()).containsExactly(body(2));
-        assertThat(after.locked()).containsExactly(Item.light(0));
+        assertThat(after.locked()).containsExactly(ScenePath.light(0));
     }
 
     @Test
     void operationThatLosesItsLastOperandGoesToo() {
         EditorState after = Structure.delete(kitchen, List.of(body(1, 1, 0), body(1, 1, 1)));
-        assertThat(Bodies.find(after.scene(), body(1)).orElseThrow().operands()).extracting(Operand::name).containsExactly("outer");
+        assertThat(body(1).in(after.scene()).operands()).extracting(Operand::name).containsExactly("outer");
         assertThat(names(Structure.delete(after, List.of(body(1, 0))))).isEqualTo("ball, floor, ball 2");
     }
 
     @Test
     void deletingTheCameraDeletesNothing() {
-        assertThat(Structure.delete(kitchen, Set.of(Item.CAMERA)).scene()).isEqualTo(kitchen.scene());
+        assertThat(Structure.delete(kitchen, Set.of(ScenePath.camera())).scene()).isEqualTo(kitchen.scene());
     }
 
     @Test
     void copiesStandBesideTheirOriginals() {
-        EditorState after = Structure.duplicate(kitchen, List.of(body(0), body(1, 0), Item.light(0)), new Vec3(0, 0, 2));
+        EditorState after = Structure.duplicate(kitchen, List.of(body(0), body(1, 0), ScenePath.light(0)), new Vec3(0, 0, 2));
         assertThat(names(after)).isEqualTo("ball, ball 3, bowl, floor, ball 2");
-        assertThat(after.selection()).containsExactly(body(1), body(2, 1), Item.light(2));
+        assertThat(after.selection()).containsExactly(body(1), body(2, 1), ScenePath.light(2));
         assertThat(after.scene().objects().get(1).placement().position()).isEqualTo(new Vec3(0, 0, 2));
         // The bowl is turned by 90° about y: two units along the world's z are two along its own −x.
-        assertThat(Bodies.find(after.scene(), body(2, 1)).orElseThrow().placement().position()).isEqualTo(new Vec3(-2, 0, 0));
+        assertThat(body(2, 1).in(after.scene()).placement().position()).isEqualTo(new Vec3(-2, 0, 0));
         assertThat(after.scene().lights().get(2)).isEqualTo(Light.at(4, 6, 7).named("key 2"));
     }
 
@@ -97,12 +96,12 @@ class StructureTest {
         Scene before = kitchen.scene();
         EditorState in = Structure.move(kitchen, List.of(body(0)), Optional.of(body(1, 1)), 1);
         assertThat(names(in)).isEqualTo("bowl, floor, ball 2");
-        assertThat(Bodies.find(in.scene(), body(0, 1, 1)).orElseThrow().name()).isEqualTo("ball");
-        assertSame(Bodies.toWorld(in.scene(), body(0, 1, 1)), Bodies.toWorld(before, body(0)));
+        assertThat(body(0, 1, 1).in(in.scene()).name()).isEqualTo("ball");
+        assertSame(body(0, 1, 1).toWorld(in.scene()), body(0).toWorld(before));
 
         EditorState out = Structure.move(kitchen, List.of(body(1, 1, 0)), Optional.empty(), 0);
         assertThat(names(out)).isEqualTo("hole, ball, bowl, floor, ball 2");
-        assertSame(Bodies.toWorld(out.scene(), body(0)), Bodies.toWorld(before, body(1, 1, 0)));
+        assertSame(body(0).toWorld(out.scene()), body(1, 1, 0).toWorld(before));
     }
 
     @Test
@@ -115,9 +114,9 @@ class StructureTest {
 
     @Test
     void lightsAreReorderedWithTheirSelection() {
-        EditorState after = Structure.moveLight(kitchen.withSelection(Set.of(Item.light(0))), Item.light(0), 2);
+        EditorState after = Structure.moveLight(kitchen.withSelection(Set.of(ScenePath.light(0))), ScenePath.light(0), 2);
         assertThat(after.scene().lights()).extracting(Light::name).containsExactly("fill", "key");
-        assertThat(after.selection()).containsExactly(Item.light(1));
+        assertThat(after.selection()).containsExactly(ScenePath.light(1));
     }
 
     @Test
@@ -125,13 +124,13 @@ class StructureTest {
         EditorState after = Structure.combine(kitchen, List.of(body(3), body(0)), Csg.Operation.DIFFERENCE, "part");
         assertThat(names(after)).isEqualTo("bowl, floor, part");
         assertThat(after.selection()).containsExactly(body(2));
-        assertThat(Bodies.find(after.scene(), body(2)).orElseThrow().operands()).extracting(Operand::name).containsExactly("ball 2", "ball");
+        assertThat(body(2).in(after.scene()).operands()).extracting(Operand::name).containsExactly("ball 2", "ball");
     }
 
     @Test
     void operandsCombineWithinTheirOperation() {
         EditorState after = Structure.combine(kitchen, List.of(body(1, 1, 0), body(1, 1, 1)), Csg.Operation.INTERSECTION, "");
-        assertThat(Bodies.find(after.scene(), body(1, 1, 0)).orElseThrow().operands()).hasSize(2);
+        assertThat(body(1, 1, 0).in(after.scene()).operands()).hasSize(2);
         assertThat(after.selection()).containsExactly(body(1, 1, 0));
     }
 
@@ -169,9 +168,9 @@ class StructureTest {
 
     @Test
     void renamingReachesOperandsAndLights() {
-        assertThat(Bodies.find(Structure.rename(kitchen, body(1, 1, 0), "pit").scene(), body(1, 1, 0)).orElseThrow().name()).isEqualTo("pit");
-        assertThat(Structure.rename(kitchen, Item.light(1), "lamp").scene().lights().get(1).name()).isEqualTo("lamp");
-        assertThatThrownBy(() -> Structure.rename(kitchen, Item.light(1), "key")).hasMessageContaining("already a light named");
+        assertThat(body(1, 1, 0).find(Structure.rename(kitchen, body(1, 1, 0), "pit").scene()).orElseThrow().name()).isEqualTo("pit");
+        assertThat(Structure.rename(kitchen, ScenePath.light(1), "lamp").scene().lights().get(1).name()).isEqualTo("lamp");
+        assertThatThrownBy(() -> Structure.rename(kitchen, ScenePath.light(1), "key")).hasMessageContaining("already a light named");
     }
 
     @Test
@@ -184,7 +183,7 @@ class StructureTest {
     @Test
     void materialOfACombinationIsTheOperandsOwn() {
         EditorState after = Structure.combine(kitchen, List.of(body(0), body(3)), Csg.Operation.UNION, "");
-        Body union = Bodies.find(after.scene(), body(0)).orElseThrow();
+        Body union = body(0).in(after.scene());
         assertThat(union.material()).isEqualTo(Inherited.INHERITED);
         assertThat(union.operands().get(0).material()).isEqualTo(new MaterialName("red"));
     }

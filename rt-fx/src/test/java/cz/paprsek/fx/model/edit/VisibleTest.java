@@ -3,11 +3,11 @@ package cz.paprsek.fx.model.edit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.model.EditorState;
-import cz.paprsek.fx.model.item.Item;
-import cz.paprsek.fx.model.item.Item.BodyAt;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Csg.Operation;
 import cz.paprsek.shape.Operand;
@@ -29,33 +29,33 @@ class VisibleTest {
         return SceneObject.of(new Csg(operation, Arrays.stream(radii).mapToObj(radius -> Operand.of(new Sphere(radius))).toList()));
     }
 
-    private static Visible without(Item... hidden) {
+    private static Visible without(ScenePath... hidden) {
         return Visible.of(EditorState.of(SCENE).withHidden(Set.of(hidden)));
     }
 
     @Test
     void withNothingHiddenItIsTheVerySceneAndEverythingStandsWhereItStands() {
         assertThat(without().scene()).isSameAs(SCENE);
-        assertThat(without().original(Item.body(1, 2))).isEqualTo(Item.body(1, 2));
+        assertThat(without().original(ScenePath.body(1, 2))).isEqualTo(ScenePath.body(1, 2));
     }
 
     @Test
     void whatIsAfterSomethingHiddenIsFoundAgain() {
-        Visible visible = without(Item.body(0), Item.body(1, 1), Item.light(0));
+        Visible visible = without(ScenePath.body(0), ScenePath.body(1, 1), ScenePath.light(0));
         assertThat(visible.scene().objects()).hasSize(3).last().isSameAs(SCENE.objects().get(3));
         assertThat(visible.scene().lights()).containsExactly(SCENE.lights().get(1));
-        assertThat(visible.original(Item.body(0, 1))).isEqualTo(Item.body(1, 2));
-        assertThat(visible.original(Item.body(2))).isEqualTo(Item.body(3));
-        assertThat(visible.original(Item.light(0))).isEqualTo(Item.light(1));
+        assertThat(visible.original(ScenePath.body(0, 1))).isEqualTo(ScenePath.body(1, 2));
+        assertThat(visible.original(ScenePath.body(2))).isEqualTo(ScenePath.body(3));
+        assertThat(visible.original(ScenePath.light(0))).isEqualTo(ScenePath.light(1));
         assertThat(((Csg) visible.scene().objects().get(0).shape()).operands()).extracting(operand -> ((Sphere) operand.solid()).radius())
                 .containsExactly(2.0, 4.0);
     }
 
     @Test
     void nothingIsLeftOfADifferenceWithoutItsFirstNorOfAnOperationWithoutAny() {
-        assertThat(without(Item.body(1, 0)).scene().objects()).hasSize(3).doesNotContain(SCENE.objects().get(1));
-        List<BodyAt> both = List.of(Item.body(2, 0), Item.body(2, 1));
+        assertThat(without(ScenePath.body(1, 0)).scene().objects()).hasSize(3).doesNotContain(SCENE.objects().get(1));
+        List<BodyAt> both = List.of(ScenePath.body(2, 0), ScenePath.body(2, 1));
         assertThat(without(both.get(0), both.get(1)).scene().objects()).hasSize(3).doesNotContain(SCENE.objects().get(2));
-        assertThat(without(both.get(0)).original(Item.body(2, 0))).isEqualTo(Item.body(2, 1));
+        assertThat(without(both.get(0)).original(ScenePath.body(2, 0))).isEqualTo(ScenePath.body(2, 1));
     }
 }

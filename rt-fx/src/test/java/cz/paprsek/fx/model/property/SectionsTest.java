@@ -7,7 +7,6 @@ import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Examples;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
@@ -17,6 +16,7 @@ import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.SpotLight;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
@@ -53,21 +53,21 @@ class SectionsTest {
 
     @Test
     void componentsOfASelectedThingArePropertiesInOrder() {
-        assertThat(titles(Set.of(Item.body(0)))).containsExactly("section.object", "kind.sphere", "section.placement", "section.material");
-        assertThat(names(Set.of(Item.body(0)))).containsExactly("name", "radius", "position", "rotation", "scale", "material", "pattern", "color",
+        assertThat(titles(Set.of(ScenePath.body(0)))).containsExactly("section.object", "kind.sphere", "section.placement", "section.material");
+        assertThat(names(Set.of(ScenePath.body(0)))).containsExactly("name", "radius", "position", "rotation", "scale", "material", "pattern", "color",
                 "diffusion", "specular", "shininess", "reflection", "transparency", "refractiveIndex", "fresnel");
-        assertThat(names(Set.of(Item.light(0)))).containsExactly("name", "position", "color", "intensity", "referenceDistance");
-        assertThat(names(Set.of(Item.CAMERA))).containsExactly("name", "position", "aim", "vector", "up", "lens", "fovy", "aperture", "focus");
+        assertThat(names(Set.of(ScenePath.light(0)))).containsExactly("name", "position", "color", "intensity", "referenceDistance");
+        assertThat(names(Set.of(ScenePath.camera()))).containsExactly("name", "position", "aim", "vector", "up", "lens", "fovy", "aperture", "focus");
     }
 
     @Test
     void severalThingsShowWhatTheyHaveInCommon() {
-        Set<Item> both = Set.of(Item.body(0), Item.body(1));
+        Set<ScenePath> both = Set.of(ScenePath.body(0), ScenePath.body(1));
         assertThat(titles(both)).containsExactly("section.shape", "section.placement", "section.material");
         assertThat(names(both)).startsWith("radius", "position").doesNotContain("name", "height", "topRadius");
         assertThat(read("radius", both)).isEmpty();
         assertThat(read("scale", both)).contains(Vec3.ONE);
-        assertThat(names(Set.of(Item.body(0), Item.light(1)))).contains("radius", "intensity");
+        assertThat(names(Set.of(ScenePath.body(0), ScenePath.light(1)))).contains("radius", "intensity");
     }
 
     @Test
@@ -75,16 +75,16 @@ class SectionsTest {
         Camera down = Camera.looking(new Vec3(0, 5, 0), new Vec3(0, -1, 0));
         SpotLight narrow = SpotLight.from(new Vec3(0, 3, 0), Vec3.ZERO).withAngles(30, 20);
         Scene other = scene.withLights(List.of(narrow)).withCamera(down);
-        assertThat(property("innerAngle", Set.of(Item.light(0)), other).read(other)).contains(20.0);
-        assertThat(property("outerAngle", Set.of(Item.light(0)), other).write(other, 40.0).lights()).containsExactly(narrow.withAngles(30, 40));
-        assertThat(property("up", Set.of(Item.CAMERA), other).read(other)).contains(Vec3.Z.negated());
-        assertThat(property("referenceDistance", Set.of(Item.light(0)), other).read(other)).contains(0.0);
+        assertThat(property("innerAngle", Set.of(ScenePath.light(0)), other).read(other)).contains(20.0);
+        assertThat(property("outerAngle", Set.of(ScenePath.light(0)), other).write(other, 40.0).lights()).containsExactly(narrow.withAngles(30, 40));
+        assertThat(property("up", Set.of(ScenePath.camera()), other).read(other)).contains(Vec3.Z.negated());
+        assertThat(property("referenceDistance", Set.of(ScenePath.light(0)), other).read(other)).contains(0.0);
         assertThat(property("mostSamples", Set.of()).read(scene)).contains(0);
     }
 
     @Test
     void writingChangesAllAndNothingElse() {
-        Set<Item> all = items(Item.body(0), Item.body(1), Item.body(2));
+        Set<ScenePath> all = items(ScenePath.body(0), ScenePath.body(1), ScenePath.body(2));
         Scene after = property("radius", all).write(scene, 7.0);
         assertThat(after.objects()).extracting(SceneObject::shape).containsExactly(new Sphere(7), new Cone(7, 3), new Sphere(7));
         assertThat(after.withObjects(scene.objects())).isEqualTo(scene);
@@ -94,7 +94,7 @@ class SectionsTest {
 
     @Test
     void materialIsChangedWhereItIsStated() {
-        Scene after = property("diffusion", items(Item.body(0), Item.body(1))).write(scene, 0.25);
+        Scene after = property("diffusion", items(ScenePath.body(0), ScenePath.body(1))).write(scene, 0.25);
         assertThat(after.materials().get("steel")).extracting(Material::diffusion).isEqualTo(0.25);
         assertThat(((Material) after.objects().get(1).material()).diffusion()).isEqualTo(0.25);
         assertThat(after.objects().get(2)).isSameAs(scene.objects().get(2));
@@ -102,18 +102,18 @@ class SectionsTest {
 
     @Test
     void refusalIsTheRecordsOwn() {
-        assertThatThrownBy(() -> property("radius", Set.of(Item.body(0))).write(scene, -1.0))
+        assertThatThrownBy(() -> property("radius", Set.of(ScenePath.body(0))).write(scene, -1.0))
                 .isInstanceOf(IllegalArgumentException.class).hasMessage("sphere radius must be a finite number above 0, but is -1.0");
         assertThatThrownBy(() -> property("samples", Set.of()).write(scene, 99)).hasMessageContaining("from 1 to 16");
     }
 
     @Test
     void otherKindKeepsWhatItCan() {
-        Property pattern = property("pattern", Set.of(Item.body(1)));
+        Property pattern = property("pattern", Set.of(ScenePath.body(1)));
         Scene checkered = Alternatives.choose(pattern, scene, Pattern.Checker.class);
         assertThat(((Pattern.Checker) ((Material) checkered.objects().get(1).material()).pattern()).even()).isEqualTo(new Rgb(255, 0, 0));
         assertThat(Alternatives.choose(pattern, checkered, Pattern.Plain.class)).isEqualTo(scene);
-        Property aim = property("aim", Set.of(Item.CAMERA));
+        Property aim = property("aim", Set.of(ScenePath.camera()));
         Scene aimed = Alternatives.choose(aim, scene, Camera.Target.class);
         assertThat(aimed.camera().forward()).isEqualTo(scene.camera().forward());
         assertThat(Alternatives.choose(aim, aimed, Camera.Direction.class).camera().forward()).isEqualTo(scene.camera().forward());
@@ -122,7 +122,7 @@ class SectionsTest {
     @Test
     void operationOfCsgIsAProperty() {
         Scene csg = Scene.EMPTY.plus(SceneObject.of(Csg.union(new Sphere(1), new Sphere(2))));
-        EditorState state = EditorState.of(csg).withSelection(Set.of(Item.body(0)));
+        EditorState state = EditorState.of(csg).withSelection(Set.of(ScenePath.body(0)));
         Property operation = Sections.of(state).stream().flatMap(section -> section.properties().stream())
                 .filter(p -> p.name().equals("operation")).findFirst().orElseThrow();
         assertThat(((Csg) operation.write(csg, Csg.Operation.DIFFERENCE).objects().get(0).shape()).operation()).isEqualTo(Csg.Operation.DIFFERENCE);
@@ -130,8 +130,8 @@ class SectionsTest {
 
     @Test
     void sectionsStayEqualWhileValuesChange() {
-        EditorState state = EditorState.of(scene).withSelection(Set.of(Item.body(0)));
-        assertThat(Sections.of(state.withScene(property("radius", Set.of(Item.body(0))).write(scene, 3.0)))).isEqualTo(Sections.of(state));
+        EditorState state = EditorState.of(scene).withSelection(Set.of(ScenePath.body(0)));
+        assertThat(Sections.of(state.withScene(property("radius", Set.of(ScenePath.body(0))).write(scene, 3.0)))).isEqualTo(Sections.of(state));
     }
 
     /** What a new kind of shape must not forget: an example to add, an icon does with the general one, and a label for each component. */
@@ -145,8 +145,8 @@ class SectionsTest {
         List<SceneObject> objects = new ArrayList<>(examples.stream().map(SceneObject::of).toList());
         objects.add(SceneObject.of(Csg.union(new Sphere(1))));
         Scene all = Scene.EMPTY.withLights(Adding.LIGHTS).withObjects(objects.stream().map(object -> object.madeOf(Material.DEFAULT)).toList());
-        Stream<Set<Item>> selections = Stream.concat(
-                Stream.concat(Stream.of(Set.of(), Set.of(Item.CAMERA)), IntStream.range(0, Adding.LIGHTS.size()).mapToObj(i -> Set.of(Item.light(i)))), IntStream.range(0, objects.size()).mapToObj(i -> Set.of(Item.body(i))));
+        Stream<Set<ScenePath>> selections = Stream.concat(
+                Stream.concat(Stream.of(Set.of(), Set.of(ScenePath.camera())), IntStream.range(0, Adding.LIGHTS.size()).mapToObj(i -> Set.of(ScenePath.light(i)))), IntStream.range(0, objects.size()).mapToObj(i -> Set.of(ScenePath.body(i))));
         selections.flatMap(items -> Sections.of(EditorState.of(all).withSelection(items)).stream()).forEach(section -> {
             assertThat(texts.of(section.title())).isNotBlank();
             section.properties().forEach(property -> {
@@ -156,36 +156,36 @@ class SectionsTest {
         });
     }
 
-    private static Set<Item> items(Item... items) {
+    private static Set<ScenePath> items(ScenePath... items) {
         return new LinkedHashSet<>(List.of(items));
     }
 
-    private List<Section> sections(Set<? extends Item> items) {
+    private List<Section> sections(Set<? extends ScenePath> items) {
         return sections(items, scene);
     }
 
-    private static List<Section> sections(Set<? extends Item> items, Scene of) {
+    private static List<Section> sections(Set<? extends ScenePath> items, Scene of) {
         return Sections.of(EditorState.of(of).withSelection(items));
     }
 
-    private List<String> titles(Set<? extends Item> items) {
+    private List<String> titles(Set<? extends ScenePath> items) {
         return sections(items).stream().map(Section::title).toList();
     }
 
-    private List<String> names(Set<? extends Item> items) {
+    private List<String> names(Set<? extends ScenePath> items) {
         return sections(items).stream().flatMap(section -> section.properties().stream()).map(Property::name).toList();
     }
 
-    private Property property(String name, Set<? extends Item> items) {
+    private Property property(String name, Set<? extends ScenePath> items) {
         return property(name, items, scene);
     }
 
-    private static Property property(String name, Set<? extends Item> items, Scene of) {
+    private static Property property(String name, Set<? extends ScenePath> items, Scene of) {
         return sections(items, of).stream().flatMap(section -> section.properties().stream())
                 .filter(property -> property.name().equals(name)).findFirst().orElseThrow();
     }
 
-    private Optional<Object> read(String name, Set<? extends Item> items) {
+    private Optional<Object> read(String name, Set<? extends ScenePath> items) {
         return property(name, items).read(scene);
     }
 }

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.Renderer;
@@ -14,6 +13,7 @@ import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.SphereLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
@@ -79,11 +79,11 @@ class CameraPaneTest {
 
     @Test
     void whatIsHiddenIsNotInThePictureAndClicksReachWhatIsThere() {
-        gui.act(() -> model.editState(Label.of(Label.Edit.HIDE), state -> state.withHidden(Set.of(Item.body(0)))));
+        gui.act(() -> model.editState(Label.of(Label.Edit.HIDE), state -> state.withHidden(Set.of(ScenePath.body(0)))));
         untilComplete();
         assertShown(SCENE.withObjects(SCENE.objects().subList(1, 2)));
         gui.click(picture, WIDTH / 2, HEIGHT / 2);
-        assertThat(model.selection()).containsExactly(Item.body(1));
+        assertThat(model.selection()).containsExactly(ScenePath.body(1));
         gui.act(model::undo);
         untilComplete();
         assertShown(SCENE);
@@ -148,11 +148,11 @@ class CameraPaneTest {
     @Test
     void aClickSelectsTheObjectASecondOneItsOperandAndOneBesideItNothing() {
         gui.click(picture, 200, 150);
-        assertThat(model.selection()).isEqualTo(Set.of(Item.body(1)));
+        assertThat(model.selection()).isEqualTo(Set.of(ScenePath.body(1)));
         gui.click(picture, 200, 150);
-        assertThat(model.selection()).as("the bottom of the hole").isEqualTo(Set.of(Item.body(1, 1)));
+        assertThat(model.selection()).as("the bottom of the hole").isEqualTo(Set.of(ScenePath.body(1, 1)));
         gui.click(picture, 88, 150);
-        assertThat(model.selection()).isEqualTo(Set.of(Item.body(0)));
+        assertThat(model.selection()).isEqualTo(Set.of(ScenePath.body(0)));
         gui.click(picture, 390, 150);
         assertThat(model.selection()).isEmpty();
         assertThat(model.scene()).isSameAs(SCENE);
@@ -163,11 +163,11 @@ class CameraPaneTest {
         gui.hold(KeyCode.ALT);
         gui.click(picture, 200, 150);
         gui.letGo(KeyCode.ALT);
-        assertThat(model.selection()).isEqualTo(Set.of(Item.body(1, 1)));
+        assertThat(model.selection()).isEqualTo(Set.of(ScenePath.body(1, 1)));
         gui.hold(KeyCode.SHIFT);
         gui.click(picture, 88, 150);
         gui.letGo(KeyCode.SHIFT);
-        assertThat(model.selection()).isEqualTo(Set.of(Item.body(1, 1), Item.body(0)));
+        assertThat(model.selection()).isEqualTo(Set.of(ScenePath.body(1, 1), ScenePath.body(0)));
     }
 
     @Test
@@ -176,7 +176,7 @@ class CameraPaneTest {
         Optional<PicturePoint> point = pane.pointedProperty().get();
         assertThat(point.orElseThrow().column()).isEqualTo(200);
         assertThat(point.orElseThrow().row()).isEqualTo(100);
-        assertThat(point.orElseThrow().body()).contains(Item.body(1, 1));
+        assertThat(point.orElseThrow().place()).contains(ScenePath.body(1, 1));
         AtomicReference<PicturePoint> clicked = new AtomicReference<>();
         gui.act(() -> pane.setClickedFirst(at -> {
             clicked.set(at);
@@ -192,9 +192,9 @@ class CameraPaneTest {
         gui.act(() -> model.begin(Label.of(Label.Edit.MOVE)).preview(scene -> scene.plus(SphereLight.of(new Vec3(0, 0, 2), 0.3))));
         untilComplete();
         gui.click(picture, 200, 150);
-        assertThat(model.selection()).isEqualTo(Set.of(Item.light(1)));
+        assertThat(model.selection()).isEqualTo(Set.of(ScenePath.light(1)));
         gui.click(picture, 88, 150);
-        assertThat(model.selection()).isEqualTo(Set.of(Item.body(0)));
+        assertThat(model.selection()).isEqualTo(Set.of(ScenePath.body(0)));
     }
 
     private void untilComplete() {

@@ -6,7 +6,6 @@ import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.CameraMoves;
 import cz.paprsek.fx.model.edit.Moves;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
@@ -15,6 +14,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Path;
@@ -80,7 +80,7 @@ class LiveFigures {
             panes.forEach(pane -> HBox.setHgrow(pane, Priority.ALWAYS));
             return row;
         }, 1200, 330)) {
-            gui.act(() -> model.select(Item.body(5000)));
+            gui.act(() -> model.select(ScenePath.body(5000)));
             ProjectionPane pane = panes.get(0);
             pulses(gui, model, pane, 0, 1);
             System.out.printf(Locale.ROOT, "three projections of 10,000 spheres, 400 x 330 pixels each, %d processors:%n"

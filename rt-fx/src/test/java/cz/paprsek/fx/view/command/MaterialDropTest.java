@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.edit.ReadyMaterial;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
@@ -12,6 +11,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFiles;
 import java.util.Locale;
@@ -35,9 +35,9 @@ class MaterialDropTest {
     @Test
     void theBodyIsMadeOfItInOneStepAndSelected() {
         Scene before = model.scene();
-        edits.give(Item.body(0), GOLD);
+        edits.give(ScenePath.body(0), GOLD);
         assertThat(model.scene().objects().get(0).material()).isEqualTo(new MaterialName("gold"));
-        assertThat(model.selection()).containsExactly(Item.body(0));
+        assertThat(model.selection()).containsExactly(ScenePath.body(0));
         model.undo();
         assertThat(model.scene()).isSameAs(before);
     }
@@ -45,7 +45,7 @@ class MaterialDropTest {
     @Test
     void whatABodyCannotBeMadeOfIsRefusedInASentence() {
         Material board = Material.DEFAULT.withPattern(new Pattern.Checkerboard(2, 2, Rgb.WHITE, Rgb.BLACK));
-        edits.give(Item.body(0), Scene.EMPTY.plus("board", board));
+        edits.give(ScenePath.body(0), Scene.EMPTY.plus("board", board));
         assertThat(edits.refusalProperty().get()).contains("checkerboard");
         assertThat(model.scene().materials()).isEmpty();
     }

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.edit.ReadyMaterial;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
@@ -17,6 +16,7 @@ import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
@@ -55,7 +55,7 @@ class PropertySheetTest {
     @BeforeEach
     void selectTheBall() {
         gui.act(() -> model.open(START));
-        select(Item.body(0));
+        select(ScenePath.body(0));
     }
 
     @AfterAll
@@ -153,7 +153,7 @@ class PropertySheetTest {
 
     @Test
     void severalAreChangedTogetherAndDifferencesAreShownAsSuch() {
-        select(Item.body(0), Item.body(1));
+        select(ScenePath.body(0), ScenePath.body(1));
         TextField radius = (TextField) gui.node("#shape-radius");
         assertThat(shown("#shape-radius")).isEmpty();
         assertThat(radius.getPromptText()).isEqualTo("mixed");
@@ -271,10 +271,10 @@ class PropertySheetTest {
 
     @Test
     void lightAndCameraHaveTheirProperties() {
-        select(Item.light(0));
+        select(ScenePath.light(0));
         type("#intensity", "0.5");
         assertThat(model.scene().lights().get(0).intensity()).isEqualTo(0.5);
-        select(Item.CAMERA);
+        select(ScenePath.camera());
         choose("#aim", Camera.Target.class);
         assertThat(model.scene().camera().aim()).isEqualTo(new Camera.Target(new Vec3(0, 1, 0)));
         type("#lens-fovy", "190");
@@ -287,7 +287,7 @@ class PropertySheetTest {
         owner.fireEvent(new KeyEvent(KeyEvent.KEY_PRESSED, "", "", key, false, false, false, false));
     }
 
-    private void select(Item... items) {
+    private void select(ScenePath... items) {
         gui.act(() -> model.select(items));
         gui.pulse();
     }

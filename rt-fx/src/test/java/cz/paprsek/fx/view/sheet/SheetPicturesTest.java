@@ -7,7 +7,6 @@ import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Examples;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
@@ -18,6 +17,7 @@ import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
 import java.nio.file.Path;
@@ -38,13 +38,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** The sheet's states, for eyes; and that no word in them is cut off. */
 class SheetPicturesTest {
-    private static final Map<String, Set<Item>> STATES = Map.of(
+    private static final Map<String, Set<ScenePath>> STATES = Map.of(
             "scene", Set.of(),
-            "sphere", Set.of(Item.body(0)),
-            "floor", Set.of(Item.body(1)),
-            "several", Set.of(Item.body(0), Item.body(1)),
-            "light", Set.of(Item.light(0)),
-            "camera", Set.of(Item.CAMERA));
+            "sphere", Set.of(ScenePath.body(0)),
+            "floor", Set.of(ScenePath.body(1)),
+            "several", Set.of(ScenePath.body(0), ScenePath.body(1)),
+            "light", Set.of(ScenePath.light(0)),
+            "camera", Set.of(ScenePath.camera()));
 
     private static final List<Lens> LENSES = List.of(new Lens.Orthographic(3), new Lens.Spherical(), Lens.Fisheye.DEFAULT);
 
@@ -68,7 +68,7 @@ class SheetPicturesTest {
                 assertThat(file).isNotEmptyFile();
                 assertThat(Gui.on(() -> cutOff(gui.stage().getScene().getRoot()))).as(state).isEmpty();
             });
-            for (Item item : ofEveryKind(gui)) {
+            for (ScenePath item : ofEveryKind(gui)) {
                 gui.act(() -> model.select(item));
                 gui.pulse();
                 assertThat(Gui.on(() -> cutOff(gui.stage().getScene().getRoot()))).as(item.toString()).isEmpty();
@@ -79,19 +79,19 @@ class SheetPicturesTest {
     }
 
     /** Lights, shapes and cameras of every kind, added to the scene. */
-    private List<Item> ofEveryKind(Gui gui) {
+    private List<ScenePath> ofEveryKind(Gui gui) {
         Scene now = model.scene();
         List<Light> lights = Stream.concat(now.lights().stream(), Adding.LIGHTS.stream()).toList();
         List<SceneObject> objects = Stream.concat(now.objects().stream(), Examples.ofSize(1).stream().map(SceneObject::of)).toList();
         List<Camera> cameras = Stream.concat(now.cameras().stream(), LENSES.stream().map(now.camera()::withLens)).toList();
         gui.act(() -> model.edit(cz.paprsek.fx.model.Label.of(cz.paprsek.fx.model.Label.Edit.ADD),
                 scene -> scene.withLights(lights).withObjects(objects).withCameras(cameras)));
-        return Stream.of(IntStream.range(0, lights.size()).mapToObj(Item::light), IntStream.range(0, objects.size()).mapToObj(Item::body),
-                IntStream.range(0, cameras.size()).mapToObj(Item::camera)).<Item>flatMap(items -> items).toList();
+        return Stream.of(IntStream.range(0, lights.size()).mapToObj(ScenePath::light), IntStream.range(0, objects.size()).mapToObj(ScenePath::body),
+                IntStream.range(0, cameras.size()).mapToObj(ScenePath::camera)).<ScenePath>flatMap(items -> items).toList();
     }
 
     private void refuse(Gui gui) {
-        gui.act(() -> model.select(Item.body(0)));
+        gui.act(() -> model.select(ScenePath.body(0)));
         gui.pulse();
         gui.act(() -> {
             TextField radius = (TextField) gui.stage().getScene().lookup("#shape-radius");

@@ -7,11 +7,11 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Examples;
 import cz.paprsek.fx.model.edit.Sight;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
 import java.util.List;
@@ -47,7 +47,7 @@ class AddPaletteTest {
         }
         assertThat(model.scene().objects()).extracting(object -> object.shape().kind()).containsExactlyElementsOf(kinds.stream().map(Shape::kind).toList());
         assertThat(model.scene().lights()).extracting(Light::kind).containsExactly("point-light", "spot-light", "area-light", "sphere-light", "sun-light");
-        assertThat(model.selection()).containsExactly(Item.light(4));
+        assertThat(model.selection()).containsExactly(ScenePath.light(4));
         for (int i = 0; i < kinds.size() + Adding.LIGHTS.size(); i++) {
             gui.act(model::undo);
         }
@@ -59,11 +59,11 @@ class AddPaletteTest {
         gui.click("#add-sphere");
         assertThat(gui.node("#combine-union").isDisabled()).isTrue();
         gui.click("#add-disc");
-        gui.act(() -> model.select(Item.body(0), Item.body(1)));
+        gui.act(() -> model.select(ScenePath.body(0), ScenePath.body(1)));
         gui.click("#combine-union");
         assertThat(edits.refusalProperty().get()).contains("disc has no inside");
         gui.click("#add-block");
-        gui.act(() -> model.select(Item.body(0), Item.body(2)));
+        gui.act(() -> model.select(ScenePath.body(0), ScenePath.body(2)));
         gui.click("#combine-difference");
         assertThat(model.scene().objects().get(0).shape()).isInstanceOf(Csg.class);
         assertThat(edits.refusalProperty().get()).isEmpty();

@@ -7,7 +7,6 @@ import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.edit.Structure;
-import cz.paprsek.fx.model.item.Item;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.look.Theme;
@@ -16,6 +15,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
@@ -78,7 +78,7 @@ class ObjectTreeTest {
         assertThat(texts()).containsExactly("camera", "key", "fill", "ball", "bowl", "floor", "moon");
         gui.click(part("bowl", ".row-arrow"));
         assertThat(texts()).containsExactly("camera", "key", "fill", "ball", "bowl", "outer", "block", "floor", "moon");
-        gui.act(() -> model.select(Item.body(1, 1), Item.light(0)));
+        gui.act(() -> model.select(ScenePath.body(1, 1), ScenePath.light(0)));
         Screenshots.save(gui, "tree-light");
         gui.act(() -> Theme.DARK.applyTo(gui.stage().getScene()));
         Screenshots.save(gui, "tree-dark");
@@ -88,15 +88,15 @@ class ObjectTreeTest {
     @Test
     void clicksSelectOneMoreAndRanges() {
         gui.click(cell("ball"));
-        assertThat(model.selection()).containsExactly(Item.body(0));
+        assertThat(model.selection()).containsExactly(ScenePath.body(0));
         gui.hold(KeyCode.SHIFT);
         gui.click(cell("moon"));
         gui.letGo(KeyCode.SHIFT);
-        assertThat(model.selection()).containsExactly(Item.body(0), Item.body(1), Item.body(2), Item.body(3));
+        assertThat(model.selection()).containsExactly(ScenePath.body(0), ScenePath.body(1), ScenePath.body(2), ScenePath.body(3));
         gui.hold(KeyCode.CONTROL);
         gui.click(cell("bowl"));
         gui.letGo(KeyCode.CONTROL);
-        assertThat(model.selection()).containsExactly(Item.body(0), Item.body(2), Item.body(3));
+        assertThat(model.selection()).containsExactly(ScenePath.body(0), ScenePath.body(2), ScenePath.body(3));
     }
 
     @Test
@@ -105,20 +105,20 @@ class ObjectTreeTest {
         gui.keys(KeyCode.DOWN);
         gui.keys(KeyCode.RIGHT);
         gui.keys(KeyCode.RIGHT);
-        assertThat(model.selection()).containsExactly(Item.body(1, 0));
+        assertThat(model.selection()).containsExactly(ScenePath.body(1, 0));
         gui.keys(KeyCode.SHIFT, KeyCode.DOWN);
-        assertThat(model.selection()).containsExactly(Item.body(1, 0), Item.body(1, 1));
+        assertThat(model.selection()).containsExactly(ScenePath.body(1, 0), ScenePath.body(1, 1));
         gui.keys(KeyCode.LEFT);
-        assertThat(model.selection()).containsExactly(Item.body(1));
+        assertThat(model.selection()).containsExactly(ScenePath.body(1));
         gui.keys(KeyCode.HOME);
-        assertThat(model.selection()).containsExactly(Item.CAMERA);
+        assertThat(model.selection()).containsExactly(ScenePath.camera());
         gui.keys(KeyCode.CONTROL, KeyCode.A);
-        assertThat(model.selection()).hasSize(8).doesNotContain(Item.CAMERA);
+        assertThat(model.selection()).hasSize(8).doesNotContain(ScenePath.camera());
     }
 
     @Test
     void whatIsSelectedElsewhereIsOpenedAndMarked() {
-        gui.act(() -> model.select(Item.body(1, 1)));
+        gui.act(() -> model.select(ScenePath.body(1, 1)));
         gui.until("the operand is shown", () -> list().getItems().stream().anyMatch(row -> row.text().equals("block")));
         assertThat(cell("block").getPseudoClassStates()).anyMatch(state -> state.getPseudoClassName().equals("chosen"));
     }
@@ -137,7 +137,7 @@ class ObjectTreeTest {
 
     @Test
     void takenNameIsRefusedInWords() {
-        gui.act(() -> model.select(Item.body(3)));
+        gui.act(() -> model.select(ScenePath.body(3)));
         gui.keys(KeyCode.F2);
         gui.act(() -> ((TextField) gui.stage().getScene().getFocusOwner()).setText("ball"));
         gui.keys(KeyCode.ENTER);
@@ -150,10 +150,10 @@ class ObjectTreeTest {
         gui.moveTo(cell("ball"), 20, 10);
         gui.click(part("ball", ".row-eye"));
         gui.click(part("ball", ".row-lock"));
-        assertThat(model.state().isHidden(Item.body(0))).isTrue();
-        assertThat(model.state().isLocked(Item.body(0))).isTrue();
+        assertThat(model.state().isHidden(ScenePath.body(0))).isTrue();
+        assertThat(model.state().isLocked(ScenePath.body(0))).isTrue();
         gui.click(part("ball", ".row-eye"));
-        assertThat(model.state().isHidden(Item.body(0))).isFalse();
+        assertThat(model.state().isHidden(ScenePath.body(0))).isFalse();
         assertThat(model.selection()).isEmpty();
     }
 
@@ -197,18 +197,18 @@ class ObjectTreeTest {
         gui.act(() -> find().setText("outer"));
         assertThat(texts()).containsExactly("bowl", "outer");
         gui.keys(KeyCode.ENTER);
-        assertThat(model.selection()).containsExactly(Item.body(1, 0));
+        assertThat(model.selection()).containsExactly(ScenePath.body(1, 0));
     }
 
     @Test
     void menuCombinesAndDissolves() {
-        gui.act(() -> model.select(Item.body(0), Item.body(3)));
+        gui.act(() -> model.select(ScenePath.body(0), ScenePath.body(3)));
         fire("object-union");
         assertThat(names()).containsExactly("union", "bowl", "floor");
         fire("object-dissolve");
         assertThat(names()).containsExactly("ball", "moon", "bowl", "floor");
         gui.act(() -> model.editState(cz.paprsek.fx.model.Label.of(Edit.LOCK),
-                state -> Structure.lock(state, List.of(Item.body(1)), true)));
+                state -> Structure.lock(state, List.of(ScenePath.body(1)), true)));
         fire("edit-menu-delete");
         assertThat(names()).as("what is locked stays").containsExactly("moon", "bowl", "floor");
     }
@@ -221,11 +221,11 @@ class ObjectTreeTest {
         }
         gui.act(() -> model.open(Scene.EMPTY.withObjects(objects)));
         gui.until("all are there", () -> list().getItems().size() == 10_001);
-        gui.act(() -> model.select(Item.body(9_999)));
+        gui.act(() -> model.select(ScenePath.body(9_999)));
         gui.until("the last is seen", () -> cells().stream().anyMatch(cell -> Objects.equals(cell.getItem().text(), "ball 9999")));
         assertThat(Gui.on(this::cells)).hasSizeLessThan(40);
         gui.keys(KeyCode.UP);
-        assertThat(model.selection()).containsExactly(Item.body(9_998));
+        assertThat(model.selection()).containsExactly(ScenePath.body(9_998));
     }
 
     private void fire(String id) {

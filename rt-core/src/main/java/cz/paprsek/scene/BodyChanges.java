@@ -1,0 +1,56 @@
+package cz.paprsek.scene;
+
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BiFunction;
+
+/** Changes of objects and operands, by their places. */
+final class BodyChanges {
+    private BodyChanges() {}
+
+    static Scene of(Scene scene, Collection<BodyAt> places, BiFunction<BodyAt, Body, Body> change) {
+        Map<Integer, List<BodyAt>> byObject = new HashMap<>();
+        places.forEach(at -> byObject.computeIfAbsent(at.numbers().get(0), object -> new ArrayList<>()).add(at));
+        List<SceneObject> objects = new ArrayList<>(scene.objects());
+        boolean isChanged = false;
+        for (Map.Entry<Integer, List<BodyAt>> entry : byObject.entrySet()) {
+            BodyAt at = ScenePath.body(entry.getKey());
+            if (at.isIn(scene)) {
+                Body old = at.in(scene);
+                Body fresh = changed(old, at, entry.getValue(), change);
+                if (!fresh.equals(old)) {
+                    objects.set(at.index(), fresh.toObject());
+                    isChanged = true;
+                }
+            }
+        }
+        return isChanged ? scene.withObjects(objects) : scene;
+    }
+
+    private static Body changed(Body body, BodyAt at, List<BodyAt> places, BiFunction<BodyAt, Body, Body> change) {
+        Body result = body;
+        List<BodyAt> within = places.stream().filter(at::holds).toList();
+        if (!within.isEmpty() && body.shape() instanceof Csg csg) {
+            List<Operand> operands = new ArrayList<>(csg.operands());
+            for (int i = 0; i < operands.size(); i++) {
+                BodyAt child = at.child(i);
+                List<BodyAt> inChild = within.stream().filter(place -> place.equals(child) || child.holds(place)).toList();
+                if (!inChild.isEmpty()) {
+                    Body old = Body.of(operands.get(i));
+                    Body fresh = changed(old, child, inChild, change);
+                    if (!fresh.equals(old)) {
+                        operands.set(i, fresh.toOperand());
+                    }
+                }
+            }
+            result = body.withShape(new Csg(csg.operation(), operands));
+        }
+        return places.contains(at) ? change.apply(at, result) : result;
+    }
+}
