@@ -6,6 +6,7 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.placed.Combination;
+import cz.paprsek.shape.placed.Convex;
 import cz.paprsek.shape.placed.IntStack;
 import cz.paprsek.shape.placed.Operands;
 import cz.paprsek.shape.placed.Parts;
@@ -127,6 +128,8 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
         private final Operation operation;
         private final Volume[] operands;
         private final Bounds[] boxes;
+        /** Which operands are met as soon as their boxes are. */
+        private final boolean[] quick;
         private final Bounds bounds;
         private final double cost;
         /** Finds the operands that matter, if there are many, and one that is not met does not. */
@@ -136,11 +139,20 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
             this.operation = operation;
             this.operands = operands;
             this.boxes = Arrays.stream(operands).map(operand -> operand.bounds().padded()).toArray(Bounds[]::new);
+            this.quick = quick(operands);
             this.bounds = Arrays.stream(operands).map(Surface::bounds).reduce(operation::bounds).orElseThrow();
             // To meet each operand, and to combine what it pushes.
             double[] costs = Arrays.stream(operands).mapToDouble(operand -> operand.cost() + 3).toArray();
             this.cost = Arrays.stream(costs).sum();
             this.tree = operands.length > MANY && operation != Operation.INTERSECTION ? new Operands(boxes, costs, stop) : null;
+        }
+
+        private static boolean[] quick(Volume[] operands) {
+            boolean[] quick = new boolean[operands.length];
+            for (int i = 0; i < quick.length; i++) {
+                quick[i] = operands[i] instanceof Convex && operands[i].cost() <= 1;
+            }
+            return quick;
         }
 
         @Override
@@ -167,8 +179,8 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
                     return;
                 }
                 // Whoever meets an intersection has met the boxes of all its operands.
-                if (operation == Operation.INTERSECTION || ray.meets(boxes[i])) {
-                    combine(i, left, ray, out);
+                if (operation == Operation.INTERSECTION || quick[i] || ray.meets(boxes[i])) {
+                    operands[i].combine(operation, left, ray, out);
                 }
             }
         }
@@ -189,16 +201,10 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
             int end = met.size();
             for (int i = mark; i < end; i++) {
                 if (operation == Operation.UNION || met.get(i) > 0) {
-                    combine(met.get(i), left, ray, out);
+                    operands[met.get(i)].combine(operation, left, ray, out);
                 }
             }
             met.release(mark);
-        }
-
-        private void combine(int operand, int left, Ray ray, Spans out) {
-            int right = out.size();
-            operands[operand].spans(ray, out);
-            out.combine(operation, left, right, ray.scale);
         }
     }
 }

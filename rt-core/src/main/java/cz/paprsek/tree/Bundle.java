@@ -7,6 +7,11 @@ package cz.paprsek.tree;
  * @source Boulos et al., Geometric and Arithmetic Culling Methods for Entire Ray Packets, 2006
  */
 public final class Bundle {
+    /** What is not larger has no reciprocal worth having: it bounds nothing. */
+    private static final double SMALL = 1e-300;
+    /** More than rounding does to a product with a reciprocal, relative to it. */
+    private static final double ROUNDING = 1e-15;
+
     private double fromX;
     private double fromY;
     private double fromZ;
@@ -19,6 +24,13 @@ public final class Bundle {
     private double highX;
     private double highY;
     private double highZ;
+    /** The reciprocals of these, or 0 if they are small. */
+    private double overLowX;
+    private double overLowY;
+    private double overLowZ;
+    private double overHighX;
+    private double overHighY;
+    private double overHighZ;
     private double end;
     private double near;
     private double far;
@@ -89,12 +101,22 @@ public final class Bundle {
         end = atMost;
     }
 
-    /** A length that no d is shorter than; a little below the exact one, so that rounding does not matter. */
+    /** A length that no d is shorter than; a little below the exact one, so that rounding does not matter. To be called before boxes are asked about. */
     double shortest() {
+        overLowX = reciprocal(lowX);
+        overLowY = reciprocal(lowY);
+        overLowZ = reciprocal(lowZ);
+        overHighX = reciprocal(highX);
+        overHighY = reciprocal(highY);
+        overHighZ = reciprocal(highZ);
         double x = Math.max(0, Math.max(lowX, -highX));
         double y = Math.max(0, Math.max(lowY, -highY));
         double z = Math.max(0, Math.max(lowZ, -highZ));
         return (1 - 1e-12) * Math.sqrt(x * x + y * y + z * z);
+    }
+
+    private static double reciprocal(double d) {
+        return Math.abs(d) > SMALL ? 1 / d : 0;
     }
 
     /** A t before which no line meets the box whose six numbers start at b; infinite if none does at all. */
@@ -105,33 +127,26 @@ public final class Bundle {
     double enter(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
         near = 0;
         far = end;
-        clip(minX - toX, maxX - fromX, lowX, highX);
-        clip(minY - toY, maxY - fromY, lowY, highY);
-        clip(minZ - toZ, maxZ - fromZ, lowZ, highZ);
-        return near <= far ? near : Double.POSITIVE_INFINITY;
+        clip(minX - toX, maxX - fromX, lowX, highX, overLowX, overHighX);
+        clip(minY - toY, maxY - fromY, lowY, highY, overLowY, overHighY);
+        clip(minZ - toZ, maxZ - fromZ, lowZ, highZ, overLowZ, overHighZ);
+        double soon = near * (1 - ROUNDING);
+        return soon <= far * (1 + ROUNDING) ? soon : Double.POSITIVE_INFINITY;
     }
 
     /** Narrows [near, far] to the t at which some d in [low, high] has p ≤ t·d ≤ q; t is not negative. */
-    private void clip(double p, double q, double low, double high) {
+    private void clip(double p, double q, double low, double high, double overLow, double overHigh) {
         if (p > 0) {
-            clipAhead(p, q, low, high);
+            far = high > 0 ? far : -1;
+            near = Math.max(near, p * overHigh);
         } else if (q < 0) {
-            clipAhead(-q, -p, -high, -low);
-        } else if (low > 0) {
-            far = Math.min(far, q / low);
-        } else if (high < 0) {
-            far = Math.min(far, p / high);
+            far = low < 0 ? far : -1;
+            near = Math.max(near, q * overLow);
         }
-    }
-
-    private void clipAhead(double p, double q, double low, double high) {
-        if (high <= 0) {
-            far = -1;
-        } else {
-            near = Math.max(near, p / high);
-            if (low > 0) {
-                far = Math.min(far, q / low);
-            }
+        if (low > SMALL) {
+            far = Math.min(far, q * overLow);
+        } else if (high < -SMALL) {
+            far = Math.min(far, p * overHigh);
         }
     }
 }

@@ -27,9 +27,25 @@ public abstract class Convex extends Volume implements Part {
     @Override
     public void spans(Ray ray, Spans out) {
         if (meets(ray) && ray.enter < ray.reach && ray.leave > ray.min) {
-            out.add(ray.enter, part, ray.enterFace);
-            out.add(ray.leave, part, ray.leaveFace);
+            push(ray, out);
         }
+    }
+
+    @Override
+    public void combine(Combination operation, int left, Ray ray, Spans out) {
+        boolean isMet = meets(ray) && ray.enter < ray.reach && ray.leave > ray.min;
+        if (!isMet || !out.combine(operation, left, ray.enter, ray.enterFace, ray.leave, ray.leaveFace, part, ray.scale)) {
+            int right = out.size();
+            if (isMet) {
+                push(ray, out);
+            }
+            out.combine(operation, left, right, ray.scale);
+        }
+    }
+
+    private void push(Ray ray, Spans out) {
+        out.add(ray.enter, part, ray.enterFace);
+        out.add(ray.leave, part, ray.leaveFace);
     }
 
     @Override

@@ -51,9 +51,7 @@ public final class Spans {
         if (size == t.length) {
             grow(size + 1);
         }
-        t[size] = where;
-        part[size] = ofPart;
-        face[size++] = ofFace;
+        put(size++, where, ofPart, ofFace);
     }
 
     /**
@@ -68,6 +66,76 @@ public final class Spans {
         } else {
             merge(operation, left, right, scale);
         }
+    }
+
+    /**
+     * The same for a run and the single stretch of a convex body, without pushing that: its ends take their places among the others.
+     *
+     * @return false, and nothing has changed, if anything lies in one place with anything else
+     */
+    boolean combine(Combination operation, int left, double enter, int enterFace, double leave, int leaveFace, int ofPart, double scale) {
+        double near = 2 * TIE;
+        boolean areApart = leave - enter > near * (scale + Math.abs(enter) + Math.abs(leave));
+        int before = left;
+        int until = left;
+        for (int i = left; i < size && areApart; i++) {
+            double at = t[i];
+            before += at < enter ? 1 : 0;
+            until += at < leave ? 1 : 0;
+            double reach = near * (scale + Math.abs(at));
+            areApart = Math.abs(at - enter) > reach && Math.abs(at - leave) > reach && (i == left || at - t[i - 1] > reach);
+        }
+        if (!areApart) {
+            return false;
+        }
+        boolean keepsOutside = operation.inside(true, false);
+        boolean keepsInside = operation.inside(false, true) != operation.inside(true, true);
+        boolean flips = keepsOutside && !operation.inside(false, true);
+        boolean hasEnter = changes(operation, before - left);
+        boolean hasLeave = changes(operation, until - left);
+        int added = (hasEnter ? 1 : 0) + (hasLeave ? 1 : 0);
+        int kept = keepsOutside ? before : left;
+        int middle = keepsInside ? until - before : 0;
+        int tail = keepsOutside ? size - until : 0;
+        grow(size + added);
+        // What comes last is moved first if the run grows, and last if it shrinks.
+        int newMiddle = kept + (hasEnter ? 1 : 0);
+        int newTail = newMiddle + middle + (hasLeave ? 1 : 0);
+        move(until, newTail, newTail > until ? tail : 0);
+        move(before, newMiddle, middle);
+        move(until, newTail, newTail > until ? 0 : tail);
+        if (hasEnter) {
+            put(kept, enter, ofPart, flips ? ~enterFace : enterFace);
+        }
+        if (hasLeave) {
+            put(newTail - 1, leave, ofPart, flips ? ~leaveFace : leaveFace);
+        }
+        size = newTail + tail;
+        return true;
+    }
+
+    /** Whether the right solid's boundary is one of the combination, given how many of the left one's lie before it. */
+    private static boolean changes(Combination operation, int before) {
+        boolean inLeft = before % 2 != 0;
+        return operation.inside(inLeft, false) != operation.inside(inLeft, true);
+    }
+
+    private void move(int from, int to, int count) {
+        if (to > from) {
+            for (int i = count - 1; i >= 0; i--) {
+                put(to + i, t[from + i], part[from + i], face[from + i]);
+            }
+        } else if (to < from) {
+            for (int i = 0; i < count; i++) {
+                put(to + i, t[from + i], part[from + i], face[from + i]);
+            }
+        }
+    }
+
+    private void put(int at, double where, int ofPart, int ofFace) {
+        t[at] = where;
+        part[at] = ofPart;
+        face[at] = ofFace;
     }
 
     /** Combines two runs of which one is empty, or ends before the other begins. */

@@ -11,6 +11,17 @@ public abstract class Volume extends Surface {
      */
     public abstract void spans(Ray ray, Spans out);
 
+    /**
+     * Combines the boundaries of another solid, pushed from {@code left} on, with its own.
+     *
+     * @param out holds these boundaries, and takes those of the combination in their place
+     */
+    public void combine(Combination operation, int left, Ray ray, Spans out) {
+        int right = out.size();
+        spans(ray, out);
+        out.combine(operation, left, right, ray.scale);
+    }
+
     @Override
     public void nearest(Ray ray) {
         Spans spans = ray.spans;
