@@ -28,9 +28,13 @@ public enum Kind {
     POSITIVE_PAIR(Form.PAIR, "positivePair", "two finite numbers above 0", Range.above(0)),
     /** Three factors, or one for all. */
     SCALE(Form.SCALE, "scale", "one finite number or three, none of them 0", Range.ANY),
+    /** Three sizes, or one for all. */
+    POSITIVE_SCALE(Form.SCALE, "positiveScale", "one finite number above 0 or three", Range.above(0)),
     COLOR(Form.COLOR, "color", "three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb", Range.from(0).to(255)),
     /** Whole numbers. */
     SQUARES(Form.WHOLE, "squares", "a whole number from 1 to 1000000", Range.from(1).to(1_000_000)),
+    OCTAVES(Form.WHOLE, "octaves", "a whole number from 1 to 12", Range.from(1).to(12)),
+    SEED(Form.WHOLE, "seed", "a whole number from 0 to 1000000", Range.from(0).to(1_000_000)),
     PIXELS(Form.WHOLE, "pixels", "a whole number from 1 to 32768", Range.from(1).to(32_768)),
     DEPTH(Form.WHOLE, "depth", "a whole number from 1 to 250", Range.from(1).to(250)),
     /** One whole number, or two with two dots between, which two components of the same name have: the second 0 if there is one. */

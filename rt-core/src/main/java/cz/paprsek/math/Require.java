@@ -37,6 +37,25 @@ public final class Require {
         return notNegative(what, value) == 0 ? value : size(what, value);
     }
 
+    /** @throws IllegalArgumentException unless all three are sizes */
+    public static Vec3 sizes(String what, Vec3 value) {
+        size(what + " x", value.x());
+        size(what + " y", value.y());
+        size(what + " z", value.z());
+        return value;
+    }
+
+    /** @throws IllegalArgumentException unless all three are factors: other than 0, and sizes but for their sign */
+    public static Vec3 scale(Vec3 value) {
+        if (value.x() == 0 || value.y() == 0 || value.z() == 0) {
+            throw new IllegalArgumentException("scale must not be 0 along any axis, but is " + value.x() + " " + value.y() + " " + value.z());
+        }
+        size("scale along x", Math.abs(value.x()));
+        size("scale along y", Math.abs(value.y()));
+        size("scale along z", Math.abs(value.z()));
+        return value;
+    }
+
     /** @throws IllegalArgumentException unless the value lies within ±{@link #LARGEST} */
     public static double coordinate(String what, double value) {
         return within(what, finite(what, value), -LARGEST, LARGEST);

@@ -7,14 +7,10 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
-import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
-import cz.paprsek.shape.Disc;
-import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
-import cz.paprsek.text.MadeInCode;
 import java.util.Comparator;
 import java.util.Set;
 
@@ -28,8 +24,6 @@ final class PovMaterials {
 
     /** 1 − 2⁻²⁰: the most that is written as shining through, so that diffuse light is not multiplied by 0. No step of 16 bits. */
     private static final double MOST = 1 - 0x1p-20;
-    /** As high as a checkerboard's cells are made, in scene units, the board in their middle. */
-    private static final double HIGH = 1e6;
 
     private PovMaterials() {}
 
@@ -40,13 +34,13 @@ final class PovMaterials {
 
     /** A material of anything but a checkerboard. */
     static String texture(Material material) {
-        return texture(material, pattern(material.pattern(), transmit(material)));
+        return texture(material, new PovPatterns(transmit(material)).pigment(material.pattern()));
     }
 
     /** A material as it lies on a shape. */
     static String texture(Material material, Shape shape) {
         return material.pattern() instanceof Pattern.Checkerboard board
-                ? texture(material, board(board, shape, transmit(material)))
+                ? texture(material, new PovPatterns(transmit(material)).board(board, shape))
                 : texture(material);
     }
 
@@ -83,33 +77,5 @@ final class PovMaterials {
 
     private static double transmit(Material material) {
         return Math.min(material.transparency(), MOST);
-    }
-
-    private static String pattern(Pattern pattern, double transmit) {
-        if (pattern instanceof Pattern.Checker checker) {
-            return checker(checker.even(), checker.odd(), transmit) + " scale " + text(checker.size())
-                    + (checker.origin().equals(Vec3.ZERO) ? "" : " translate " + vector(checker.origin()));
-        }
-        if (pattern instanceof Pattern.Plain plain) {
-            return color(plain.color(), transmit);
-        }
-        throw MadeInCode.refusedBy("a scene for POV-Ray", pattern.kind(), "pattern");
-    }
-
-    private static String board(Pattern.Checkerboard board, Shape shape, double transmit) {
-        Rectangle area = shape instanceof Disc disc
-                ? new Rectangle(-disc.radius(), -disc.radius(), disc.radius(), disc.radius())
-                : (Rectangle) shape;
-        return checker(board.even(), board.odd(), transmit)
-                + " scale " + vector((area.maxX() - area.minX()) / board.columns(), (area.maxY() - area.minY()) / board.rows(), HIGH)
-                + " translate " + vector(area.minX(), area.minY(), -HIGH / 2);
-    }
-
-    private static String checker(Rgb even, Rgb odd, double transmit) {
-        return "checker " + color(even, transmit) + " " + color(odd, transmit);
-    }
-
-    private static String color(Rgb color, double transmit) {
-        return rgb(color, 1) + (transmit > 0 ? " transmit " + text(transmit) : "");
     }
 }

@@ -54,6 +54,13 @@ final class PovWarnings {
         return List.copyOf(found);
     }
 
+    /** All materials that anything in a scene is made of. */
+    static Set<Material> materials(Scene scene) {
+        Set<Material> found = new LinkedHashSet<>(scene.materials().values());
+        scene.objects().forEach(object -> collect(scene, object.shape(), own(scene, object.material(), Material.DEFAULT), found));
+        return found;
+    }
+
     /** Those that light shines through. */
     private static List<Material> transparent(Scene scene, SceneObject object) {
         return materials(scene, object).stream().filter(material -> material.transparency() > 0).toList();

@@ -44,6 +44,11 @@ final class PovWriter {
                 text.line(line);
             }
         }
+        if (PovWarnings.materials(scene).stream().anyMatch(material -> PovPatterns.isNoise(material.pattern()))) {
+            for (String line : PovPatterns.NOISE) {
+                text.line(line);
+            }
+        }
         for (Map.Entry<String, Material> named : scene.materials().entrySet()) {
             declare(named.getKey(), named.getValue());
         }

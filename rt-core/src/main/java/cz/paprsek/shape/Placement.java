@@ -24,12 +24,7 @@ public record Placement(
     public Placement {
         Objects.requireNonNull(rotation, "rotation");
         Require.place("position", position);
-        if (scale.x() == 0 || scale.y() == 0 || scale.z() == 0) {
-            throw new IllegalArgumentException("scale must not be 0 along any axis, but is " + scale.x() + " " + scale.y() + " " + scale.z());
-        }
-        Require.size("scale along x", Math.abs(scale.x()));
-        Require.size("scale along y", Math.abs(scale.y()));
-        Require.size("scale along z", Math.abs(scale.z()));
+        Require.scale(scale);
     }
 
     public static Placement at(double x, double y, double z) {

@@ -122,9 +122,34 @@ public final class RandomScenes {
     }
 
     private Material material() {
-        Pattern pattern = random.nextBoolean() ? new Pattern.Plain(color()) : new Pattern.Checker(number(), vector(), color(), color());
-        return new Material(pattern, random.nextDouble(), random.nextDouble(), number(), random.nextDouble(), random.nextDouble(),
+        return new Material(random.nextBoolean() ? new Pattern.Plain(color()) : pattern(), random.nextDouble(), random.nextDouble(), number(), random.nextDouble(), random.nextDouble(),
                 1 + random.nextDouble()).withFresnel(pick(Material.Fresnel.values()));
+    }
+
+    private Pattern pattern() {
+        int octaves = 1 + random.nextInt(12);
+        int seed = random.nextInt(1_000_001);
+        return switch (random.nextInt(9)) {
+            case 0 -> new Pattern.Checker(number(), vector(), color(), color());
+            case 1 -> new Pattern.Checker(new Vec3(number(), number(), number()), vector(), color(), color(), lay());
+            case 2 -> new Pattern.Gradient(colors(), lay());
+            case 3 -> new Pattern.Stripes(number(), color(), color(), lay());
+            case 4 -> new Pattern.Brick(new Vec3(number(), number(), number()), random.nextInt(2) * number(), color(), color(), lay());
+            case 5 -> new Pattern.Marble(number(), random.nextInt(2) * number(), octaves, seed, colors(), lay());
+            case 6 -> new Pattern.Wood(number(), random.nextInt(2) * number(), octaves, seed, colors(), lay());
+            case 7 -> new Pattern.Granite(octaves, seed, colors(), lay());
+            default -> new Pattern.Noise(octaves, seed, colors(), lay());
+        };
+    }
+
+    private Pattern.Colors colors() {
+        return random.nextBoolean() ? new Pattern.TwoColors(color(), color())
+                : Pattern.Stops.of(new Pattern.Stop(random.nextDouble() / 2, color()), new Pattern.Stop(0.5, color()), new Pattern.Stop(0.5, color()), new Pattern.Stop(1, color()));
+    }
+
+    private Pattern.Lay lay() {
+        Placement placement = placement();
+        return new Pattern.Lay(placement.position(), placement.rotation(), placement.scale());
     }
 
     /** Of a body of operands and of operands: many of them within each other must not add up to something flat. */

@@ -135,8 +135,7 @@ final class CrossCheckScenes {
 
     private Material material() {
         Material plain = Material.color(color()).withDiffusion(between(0.2, 0.7));
-        Material skin = random.nextInt(4) > 0 ? plain
-                : plain.withPattern(new Pattern.Checker(between(0.2, 0.5), new Vec3(between(0, 0.2), between(0, 0.2), between(0, 0.2)), color(), color()));
+        Material skin = random.nextInt(3) > 0 ? plain : plain.withPattern(pattern());
         return switch (random.nextInt(4)) {
             case 0 -> skin;
             case 1 -> skin.withHighlight(between(0.1, 0.8), random.nextBoolean() ? 1 + random.nextInt(100) : between(1, 100));
@@ -145,6 +144,23 @@ final class CrossCheckScenes {
                 double reflection = between(0, 0.4);
                 yield skin.withDiffusion(0.1).withReflection(reflection).withTransparency(1 - reflection, between(1.1, 1.8));
             }
+        };
+    }
+
+    private Pattern pattern() {
+        Pattern.Lay lay = new Pattern.Lay(new Vec3(between(0, 1), between(0, 1), between(0, 1)), turn(), new Vec3(between(0.3, 1), between(0.3, 1), -between(0.3, 1)));
+        Pattern.Colors two = new Pattern.TwoColors(color(), color());
+        Pattern.Colors several = Pattern.Stops.of(new Pattern.Stop(0.1, color()), new Pattern.Stop(between(0.2, 0.8), color()), new Pattern.Stop(0.9, color()));
+        int seed = random.nextInt(1000);
+        return switch (random.nextInt(8)) {
+            case 0 -> new Pattern.Checker(between(0.2, 0.5), new Vec3(between(0, 0.2), between(0, 0.2), between(0, 0.2)), color(), color());
+            case 1 -> new Pattern.Gradient(several, lay);
+            case 2 -> new Pattern.Stripes(between(0.1, 0.5), color(), color(), lay);
+            case 3 -> new Pattern.Brick(new Vec3(between(0.3, 1), between(0.3, 1), between(0.3, 1)), 0.1, color(), color(), lay);
+            case 4 -> new Pattern.Marble(between(1, 3), between(0, 2), 3, seed, several, lay);
+            case 5 -> new Pattern.Wood(between(1, 3), between(0, 1), 2, seed, two, lay);
+            case 6 -> new Pattern.Granite(4, seed, two, lay);
+            default -> new Pattern.Noise(3, seed, several, lay);
         };
     }
 

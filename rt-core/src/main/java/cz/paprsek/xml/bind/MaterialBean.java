@@ -6,13 +6,15 @@ import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
-import cz.paprsek.math.Vec3;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlAttribute;
 import jakarta.xml.bind.annotation.XmlElement;
+import jakarta.xml.bind.annotation.XmlElements;
 import jakarta.xml.bind.annotation.adapters.CollapsedStringAdapter;
 import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
@@ -28,8 +30,17 @@ final class MaterialBean extends Located {
     @XmlAttribute double transparency = Material.DEFAULT.transparency();
     @XmlAttribute(name = "refractive-index") double refractiveIndex = Material.DEFAULT.refractiveIndex();
     @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String fresnel = Described.word(Material.DEFAULT.fresnel());
-    @XmlElement @Nullable CheckerboardBean checkerboard;
-    @XmlElement @Nullable CheckerBean checker;
+    @XmlElements({
+        @XmlElement(name = "checkerboard", type = PatternBeans.CheckerboardBean.class),
+        @XmlElement(name = "checker", type = PatternBeans.CheckerBean.class),
+        @XmlElement(name = "gradient", type = PatternBeans.GradientBean.class),
+        @XmlElement(name = "stripes", type = PatternBeans.StripesBean.class),
+        @XmlElement(name = "brick", type = PatternBeans.BrickBean.class),
+        @XmlElement(name = "marble", type = PatternBeans.MarbleBean.class),
+        @XmlElement(name = "wood", type = PatternBeans.WoodBean.class),
+        @XmlElement(name = "granite", type = PatternBeans.GraniteBean.class),
+        @XmlElement(name = "noise", type = PatternBeans.NoiseBean.class)})
+    List<PatternBeans.PatternBean> patterns = new ArrayList<>();
 
     Material toMaterial() {
         return new Material(pattern(), diffusion, specular, shininess, reflection, transparency, refractiveIndex,
@@ -37,33 +48,8 @@ final class MaterialBean extends Located {
     }
 
     private Pattern pattern() {
-        Require.that(checker == null || checkerboard == null, "a material has one pattern at most; remove one of them");
-        Require.that(color == null || (checker == null && checkerboard == null),
-                "a material has either a color or a pattern, not both; remove one of them");
-        if (checkerboard != null) {
-            return new Pattern.Checkerboard(checkerboard.columns, checkerboard.rows, checkerboard.even, checkerboard.odd);
-        }
-        if (checker != null) {
-            return new Pattern.Checker(checker.size, checker.origin, checker.even, checker.odd);
-        }
-        return color == null ? Material.DEFAULT.pattern() : new Pattern.Plain(color);
-    }
-
-    /** {@code <checkerboard>}. */
-    @XmlAccessorType(XmlAccessType.FIELD)
-    static final class CheckerboardBean {
-        @XmlAttribute(required = true) int columns;
-        @XmlAttribute(required = true) int rows;
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb even = Rgb.WHITE;
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb odd = Rgb.BLACK;
-    }
-
-    /** {@code <checker>}. */
-    @XmlAccessorType(XmlAccessType.FIELD)
-    static final class CheckerBean {
-        @XmlAttribute(required = true) double size;
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 origin = Vec3.ZERO;
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb even = Rgb.WHITE;
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb odd = Rgb.BLACK;
+        Require.that(patterns.size() <= 1, "a material has one pattern at most; remove one of them");
+        Require.that(color == null || patterns.isEmpty(), "a material has either a color or a pattern, not both; remove one of them");
+        return !patterns.isEmpty() ? patterns.get(0).toPattern() : color == null ? Material.DEFAULT.pattern() : new Pattern.Plain(color);
     }
 }

@@ -33,6 +33,11 @@ final class Wording {
             image film output settings options resolution = render
             checkers checkered checkeredpattern chess cubes = checker
             board chessboard = checkerboard
+            ramp blend linear = gradient
+            bands strips = stripes
+            bricks masonry = brick
+            clouds perlin bozo fractal = noise
+            colorstop key = stop
             group add join merge compound = union
             subtract subtraction minus cut = difference
             intersect common and = intersection

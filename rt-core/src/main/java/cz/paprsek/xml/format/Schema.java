@@ -118,7 +118,18 @@ final class Schema {
         attributes(Material.class);
         text.close("complexType");
         extension("NamedMaterial", NamedMaterial.class, "Material", () -> {});
-        ElementTable.of(Pattern.class).forEach(this::leaf);
+        ElementTable.of(Pattern.class).forEach(this::pattern);
+        leaf(Pattern.Stop.class);
+    }
+
+    private void pattern(Class<? extends Record> record) {
+        text.open("complexType", "name", type(record)).documentation(ElementTable.means(record));
+        if (Arrays.stream(record.getRecordComponents()).anyMatch(component -> component.getType() == Pattern.Colors.class)) {
+            text.open("sequence").leaf("element", "name", ElementTable.name(Pattern.Stop.class), "type", "s:" + type(Pattern.Stop.class),
+                    "minOccurs", "0", "maxOccurs", "unbounded").close("sequence");
+        }
+        attributes(record);
+        text.close("complexType");
     }
 
     private void bodies() {

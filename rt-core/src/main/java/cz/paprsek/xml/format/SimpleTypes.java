@@ -101,6 +101,10 @@ final class SimpleTypes {
     }
 
     private void scale(Kind kind) {
+        if (kind == Kind.POSITIVE_SCALE) {
+            type(kind, () -> text.leaf("union", "memberTypes", "s:" + Kind.POSITIVE.type() + " s:" + Kind.POSITIVE_VECTOR.type()));
+            return;
+        }
         type("negative", "a finite number below 0", () -> bounded("s:" + Kind.NUMBER.type(), new Range(Double.NEGATIVE_INFINITY, false, 0, false)));
         type("factor", "a finite number other than 0", () -> text.leaf("union", "memberTypes", "s:positive s:negative"));
         type("factors", "three finite numbers, none of them 0", () -> list("factor", 3));

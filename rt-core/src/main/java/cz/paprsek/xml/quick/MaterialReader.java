@@ -1,10 +1,10 @@
 package cz.paprsek.xml.quick;
 
-import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -15,7 +15,6 @@ final class MaterialReader {
     private static final RecordForm<Material> MATERIAL = new RecordForm<>(Material.class);
     private static final List<Slot> OWN = List.of(Slot.optional("name", ValueForm.TEXT, Slot.NONE), Slot.optional("color", ValueForm.COLOR, Slot.NONE));
     private static final TagForm TAG = new TagForm(OWN, MATERIAL.slots());
-    private static final List<PatternForm> PATTERNS = ElementTable.of(Pattern.class).<PatternForm>map(PatternForm::new).toList();
 
     private final Markup markup;
     private final double[] room;
@@ -49,25 +48,26 @@ final class MaterialReader {
     }
 
     private Pattern pattern(int depth) throws IOException {
-        for (PatternForm form : PATTERNS) {
-            if (markup.isNamed(form.name)) {
-                Object[] values = form.tag.read(markup, room);
-                markup.noContent(form.name, depth);
-                return (Pattern) form.pattern.make(values, 0);
+        for (PatternForm form : PatternForm.ALL) {
+            if (form.name().isAtHand(markup)) {
+                Object[] values = form.tag().read(markup, room);
+                return form.make(values, stops(form, depth));
             }
         }
         throw new Unusual();
     }
 
-    private static final class PatternForm {
-        private final byte[] name;
-        private final RecordForm<? extends Record> pattern;
-        private final TagForm tag;
-
-        PatternForm(Class<? extends Record> type) {
-            name = Slot.ascii(ElementTable.name(type));
-            pattern = new RecordForm<>(type);
-            tag = new TagForm(List.of(), pattern.slots());
+    private List<Pattern.Stop> stops(PatternForm form, int depth) throws IOException {
+        List<Pattern.Stop> stops = new ArrayList<>();
+        if (markup.hasContent(depth)) {
+            while (markup.nextTag()) {
+                Unusual.unless(markup.isNamed(PatternForm.STOP) && stops.size() < Pattern.Stops.MOST);
+                Object[] values = PatternForm.STOP_TAG.read(markup, room);
+                markup.noContent(PatternForm.STOP, depth + 1);
+                stops.add(PatternForm.STOPS.make(values, 0));
+            }
+            form.name().end(markup);
         }
+        return stops;
     }
 }

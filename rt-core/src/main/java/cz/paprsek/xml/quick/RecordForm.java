@@ -85,6 +85,16 @@ final class RecordForm<R extends Record> {
         return value;
     }
 
+    /** Whether no value is given. */
+    boolean isUntouched(Object[] values, int from) {
+        for (int i = 0; i < slots.size(); i++) {
+            if (values[from + i] != slots.get(i).otherwise()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Whether all values are what they are if they are not given. */
     boolean isStandard(Object[] values, int from) {
         for (int i = 0; i < slots.size(); i++) {

@@ -6,6 +6,7 @@ import cz.paprsek.material.CustomPattern;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
@@ -160,7 +161,17 @@ public final class SceneWriter {
         if (material.pattern() instanceof CustomPattern) {
             throw MadeInCode.refusedBy(HERE, material.pattern().kind(), "pattern");
         }
-        ElementTable.of(material.pattern().getClass()).forEach(pattern -> leaf((Record) material.pattern()));
+        ElementTable.of(material.pattern().getClass()).forEach(pattern -> pattern(material.pattern()));
+        xml.close(element);
+    }
+
+    private void pattern(Pattern pattern) {
+        String element = ElementTable.name(pattern.getClass());
+        xml.open(element);
+        attributes((Record) pattern);
+        if (pattern.colors() instanceof Pattern.Stops stops) {
+            stops.stops().forEach(this::leaf);
+        }
         xml.close(element);
     }
 

@@ -47,7 +47,7 @@ class SchemaTest {
 
     /** All that are elements, and what has attributes without being one. */
     private static Stream<Class<?>> records() {
-        return Stream.of(Stream.of(RenderSettings.class, Camera.class, Lens.Perspective.class, Lens.Orthographic.class, Lens.Fisheye.class, Material.class, Placement.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
+        return Stream.of(Stream.of(RenderSettings.class, Camera.class, Lens.Perspective.class, Lens.Orthographic.class, Lens.Fisheye.class, Material.class, Placement.class, Pattern.Stop.class, Pattern.TwoColors.class, Pattern.Lay.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
                 ElementTable.of(Shape.class).filter(type -> type != Csg.class)).flatMap(some -> some);
     }
 
@@ -148,6 +148,8 @@ class SchemaTest {
                     : component == Vec3.class ? new Vec3(1, 1, 1)
                     : component == String.class ? ""
                     : component.isEnum() ? component.getEnumConstants()[0]
+                    : component == Pattern.Lay.class ? Pattern.Lay.NONE
+                    : component == Pattern.Colors.class ? Pattern.Colors.DEFAULT
                     : component == Pattern.class ? Material.DEFAULT.pattern()
                     : component == Camera.Aim.class ? new Camera.Direction(Vec3.X)
                     : component == Lens.class ? Lens.Perspective.DEFAULT

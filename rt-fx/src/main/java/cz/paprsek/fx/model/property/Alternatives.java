@@ -3,6 +3,7 @@ package cz.paprsek.fx.model.property;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Pattern.Checker;
 import cz.paprsek.material.Pattern.Checkerboard;
+import cz.paprsek.material.Pattern.Lay;
 import cz.paprsek.material.Pattern.Plain;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
@@ -32,7 +33,17 @@ public final class Alternatives {
             Pattern.class, List.of(
                     new Alternative(Plain.class, (owner, old) -> new Plain(color(old))),
                     new Alternative(Checkerboard.class, (owner, old) -> new Checkerboard(8, 8, color(old), contrast(old))),
-                    new Alternative(Checker.class, (owner, old) -> new Checker(0.25, Vec3.ZERO, color(old), contrast(old)))),
+                    new Alternative(Checker.class, (owner, old) -> new Checker(0.25, Vec3.ZERO, color(old), contrast(old))),
+                    new Alternative(Pattern.Gradient.class, (owner, old) -> new Pattern.Gradient(colors(old), Lay.NONE)),
+                    new Alternative(Pattern.Stripes.class, (owner, old) -> new Pattern.Stripes(0.25, color(old), contrast(old), Lay.NONE)),
+                    new Alternative(Pattern.Brick.class, (owner, old) -> new Pattern.Brick(new Vec3(0.5, 0.25, 0.25), 0.03, color(old), contrast(old), Lay.NONE)),
+                    new Alternative(Pattern.Marble.class, (owner, old) -> new Pattern.Marble(1, 1, 4, 0, colors(old), Lay.NONE)),
+                    new Alternative(Pattern.Wood.class, (owner, old) -> new Pattern.Wood(8, 0.4, 2, 0, colors(old), Lay.NONE)),
+                    new Alternative(Pattern.Granite.class, (owner, old) -> new Pattern.Granite(6, 0, colors(old), Lay.scaled(0.25))),
+                    new Alternative(Pattern.Noise.class, (owner, old) -> new Pattern.Noise(4, 0, colors(old), Lay.scaled(0.5)))),
+            Pattern.Colors.class, List.of(
+                    new Alternative(Pattern.TwoColors.class, (owner, old) -> new Pattern.TwoColors(color(owner), contrast(owner))),
+                    new Alternative(Pattern.Stops.class, (owner, old) -> new Pattern.Stops(((Pattern.Colors) old).stops()))),
             Aim.class, List.of(
                     new Alternative(Direction.class, (owner, old) -> new Direction(forward(owner))),
                     new Alternative(Target.class, (owner, old) -> new Target(inFront(owner)))),
@@ -69,11 +80,24 @@ public final class Alternatives {
 
     private static Rgb color(Object pattern) {
         return pattern instanceof Plain plain ? plain.color()
-                : pattern instanceof Checkerboard board ? board.even() : ((Checker) pattern).even();
+                : pattern instanceof Checkerboard board ? board.even() : pattern instanceof Checker checker ? checker.even()
+                : pattern instanceof Pattern.Stripes stripes ? stripes.even() : pattern instanceof Pattern.Brick brick ? brick.even()
+                : ((Pattern) pattern).colors().stops().get(0).color();
     }
 
     private static Rgb contrast(Object pattern) {
-        return pattern instanceof Checkerboard board ? board.odd() : pattern instanceof Checker checker ? checker.odd() : CONTRAST;
+        if (pattern instanceof Plain) {
+            return CONTRAST;
+        }
+        List<Pattern.Stop> stops = ((Pattern) pattern).colors().stops();
+        return pattern instanceof Checkerboard board ? board.odd() : pattern instanceof Checker checker ? checker.odd()
+                : pattern instanceof Pattern.Stripes stripes ? stripes.odd() : pattern instanceof Pattern.Brick brick ? brick.odd()
+                : stops.get(stops.size() - 1).color();
+    }
+
+    /** The stops there are, or the two colours. */
+    private static Pattern.Colors colors(Object pattern) {
+        return pattern instanceof Pattern had && had.colors() instanceof Pattern.Stops stops ? stops : new Pattern.TwoColors(color(pattern), contrast(pattern));
     }
 
     private static Vec3 forward(Record owner) {

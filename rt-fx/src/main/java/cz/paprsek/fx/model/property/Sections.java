@@ -90,18 +90,29 @@ public final class Sections {
             property(target, path, component).ifPresent(property -> {
                 found.add(property);
                 if (property.trait().kind() == Trait.Kind.ALTERNATIVE) {
-                    List<Object> values = records.stream().map(record -> value((Record) record, component.getName())).toList();
-                    found.addAll(within(target, property.path(), values));
+                    found.addAll(within(target, property.path(), values(records, component)));
                 }
             });
+            // What belongs together, as where a pattern lies.
+            if (!path.isEmpty() && component.getType().isRecord() && Traits.of(component).isEmpty()) {
+                found.addAll(within(target, longer(path, component), values(records, component)));
+            }
         }
         return found;
     }
 
     private static Optional<Property> property(Target target, List<String> path, RecordComponent component) {
+        return Traits.of(component).map(trait -> new Property(target, longer(path, component), component.getType(), trait));
+    }
+
+    private static List<String> longer(List<String> path, RecordComponent component) {
         List<String> longer = new ArrayList<>(path);
         longer.add(component.getName());
-        return Traits.of(component).map(trait -> new Property(target, longer, component.getType(), trait));
+        return longer;
+    }
+
+    private static List<Object> values(Collection<?> records, RecordComponent component) {
+        return records.stream().map(record -> value((Record) record, component.getName())).toList();
     }
 
     /** The components of the first record that those of all other kinds have too. */

@@ -10,11 +10,14 @@ import static cz.paprsek.attribute.Kind.FOVY;
 import static cz.paprsek.attribute.Kind.INTENSITY;
 import static cz.paprsek.attribute.Kind.LIGHT_SAMPLES;
 import static cz.paprsek.attribute.Kind.MOST_SAMPLES;
+import static cz.paprsek.attribute.Kind.OCTAVES;
 import static cz.paprsek.attribute.Kind.PIXELS;
+import static cz.paprsek.attribute.Kind.POSITIVE_SCALE;
 import static cz.paprsek.attribute.Kind.REFRACTIVE_INDEX;
 import static cz.paprsek.attribute.Kind.ROTATION;
 import static cz.paprsek.attribute.Kind.SAMPLES;
 import static cz.paprsek.attribute.Kind.SCALE;
+import static cz.paprsek.attribute.Kind.SEED;
 import static cz.paprsek.attribute.Kind.SHARE;
 import static cz.paprsek.attribute.Kind.SQUARES;
 import static java.util.Map.entry;
@@ -40,6 +43,9 @@ final class Traits {
                     new Preset("preset.vacuum", 1), new Preset("preset.ice", 1.31), new Preset("preset.water", 1.33),
                     new Preset("preset.glass", 1.5), new Preset("preset.sapphire", 1.77), new Preset("preset.diamond", 2.42))),
             entry(SQUARES, whole(SQUARES)),
+            entry(OCTAVES, whole(OCTAVES)),
+            entry(SEED, whole(SEED)),
+            entry(POSITIVE_SCALE, Trait.of(Kind.FACTORS)),
             entry(ROTATION, Trait.of(Kind.VECTOR).in(Unit.DEGREES).stepping(5)),
             entry(SCALE, Trait.of(Kind.FACTORS)),
             entry(FOVY, Trait.of(Kind.NUMBER).in(Unit.DEGREES).range(1, 179).stepping(1)),

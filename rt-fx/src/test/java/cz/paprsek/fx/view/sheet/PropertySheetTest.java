@@ -191,7 +191,7 @@ class PropertySheetTest {
     void otherPatternKeepsTheColourAndABoardIsRefusedOnABall() {
         choose("#pattern", Pattern.Checker.class);
         assertThat(material().pattern()).isEqualTo(new Pattern.Checker(0.25, Vec3.ZERO, Rgb.WHITE, new Rgb(40, 40, 40)));
-        gui.until("the cubes have a size", () -> gui.stage().getScene().lookup("#pattern-size") != null);
+        gui.until("the cubes have a size", () -> gui.stage().getScene().lookup("#pattern-size-x") != null);
         choose("#pattern", Pattern.Checkerboard.class);
         assertThat(material().pattern()).isInstanceOf(Pattern.Checker.class);
         assertThat(((Label) gui.node(".refusal")).getText()).contains("a checkerboard lies on a rectangle or a disc only");
