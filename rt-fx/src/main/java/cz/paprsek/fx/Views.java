@@ -57,7 +57,7 @@ final class Views {
         explaining = new ExplainMode(model, camera, projections, new ExplainPane(texts, theme, editor.treeChooser()));
         cameras = new CameraCommands(commands.edits(), () -> focus(editor));
         titled.get(1).addTool(cameras.chooser());
-        titled.get(1).addTool(explainButton(texts));
+        titled.get(1).addFoldingTool(explainButton(texts));
         camera.acceptMaterials(commands.edits());
         projections.forEach(pane -> pane.acceptMaterials(commands.edits()));
         camera.setContextMenu(commands.contextMenu());

@@ -4,7 +4,9 @@ import static cz.paprsek.fx.EditorGui.place;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.LightMoves;
+import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.math.Vec3;
@@ -265,6 +267,18 @@ class ProjectionTest {
         Vec3 scale = editor.model().scene().objects().get(1).placement().scale();
         assertThat(scale.x()).isCloseTo(2, within(0.1));
         assertThat(scale).isEqualTo(new Vec3(scale.x(), scale.x(), scale.x()));
+    }
+
+    @Test
+    void whatGrowsInProportionStaysAtItsDepth() {
+        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.MOVE), scene -> Moves.translated(scene, Set.of(BALL), new Vec3(0, 0, 2))));
+        ProjectionPane front = editor.projection("front");
+        editor.gui.act(() -> editor.model().select(BALL));
+        Point2D corner = place(front, 1, 1, 0).add(7, -7);
+        Point2D to = place(front, 3, 3, 0).add(7, -7);
+        editor.gui.drag(front, corner.getX(), corner.getY(), to.getX(), to.getY());
+        assertThat(editor.model().scene().objects().get(0).placement().scale().z()).isCloseTo(2, within(0.1));
+        assertThat(position(BALL).z()).isEqualTo(2);
     }
 
     @Test

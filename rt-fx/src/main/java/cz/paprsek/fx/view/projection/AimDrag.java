@@ -41,11 +41,9 @@ final class AimDrag implements Drag {
         Vec3 point = aim.plus(by);
         Camera camera = gesture.start().scene().cameras().get(index);
         Vec3 direction = point.minus(camera.position());
-        // Looking straight along its own up, or at itself, a camera has no view: the last one stays until the mouse has moved on.
-        if (direction.cross(camera.up()).length() > 1e-6 * direction.length()) {
-            gesture.preview(scene -> Cameras.changed(scene, index, old -> old.withAim(
-                    camera.aim() instanceof Camera.Target ? new Camera.Target(point) : new Camera.Direction(direction))));
-        }
+        // Looking along an up of its own, or at itself, a camera has no view, which is refused: the last one stays until the mouse has moved on.
+        gesture.preview(scene -> Cameras.changed(scene, index, old -> old.withAim(
+                camera.aim() instanceof Camera.Target ? new Camera.Target(point) : new Camera.Direction(direction))));
     }
 
     @Override

@@ -4,8 +4,10 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.Places;
+import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -187,8 +189,24 @@ final class PaneMouse {
         return handle == Handle.TURN
                 ? new TurnDrag(model.begin(label(Edit.ROTATE, items)), items, pane.axes(), pane.view(), box, pane.snaps(),
                         pane.theme().palette().selected(), pressX, pressY)
-                : new ResizeDrag(model.begin(label(Edit.RESIZE, items)), items, pane.axes(), pane.view(), box, handle, pane.snaps(),
+                : new ResizeDrag(model.begin(label(Edit.RESIZE, items)), items, pane.axes(), pane.view(), box, inDepth(items), handle, pane.snaps(),
                         pane.isProportional(), pressX, pressY);
+    }
+
+    /** What stays at its depth when items grow towards the viewer, too: where a single thing says it is, else their mean. */
+    private Vec3 inDepth(Set<ScenePath> items) {
+        List<Vec3> places = items.stream().map(this::place).toList();
+        Vec3 sum = places.stream().reduce(Vec3.ZERO, Vec3::plus);
+        return pane.axes().inDepth(places.size() == 1 ? sum : sum.times(1.0 / places.size()));
+    }
+
+    private Vec3 place(ScenePath item) {
+        Scene scene = model.scene();
+        if (item instanceof ScenePath.LightAt light) {
+            return LightMoves.place(scene.lights().get(light.index()));
+        }
+        return item instanceof ScenePath.BodyAt body ? body.toWorld(scene).point(Vec3.ZERO)
+                : item instanceof ScenePath.CameraAt camera ? scene.cameras().get(camera.index()).position() : Vec3.ZERO;
     }
 
     private Label label(Edit edit, Set<ScenePath> items) {

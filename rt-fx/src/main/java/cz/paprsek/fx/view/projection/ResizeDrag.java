@@ -17,6 +17,7 @@ final class ResizeDrag implements Drag {
     private final Axes axes;
     private final Viewport view;
     private final Box box;
+    private final Vec3 depth;
     private final Handle handle;
     private final boolean snaps;
     private final boolean proportional;
@@ -25,14 +26,18 @@ final class ResizeDrag implements Drag {
     private double width;
     private double height;
 
-    /** @param proportional whether corners keep the proportions; Shift then does the other */
-    ResizeDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, Handle handle, boolean snaps,
+    /**
+     * @param depth what stays where it is along the axis that points at the viewer
+     * @param proportional whether corners keep the proportions; Shift then does the other
+     */
+    ResizeDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, Vec3 depth, Handle handle, boolean snaps,
             boolean proportional, double startX, double startY) {
         this.gesture = gesture;
         this.items = items;
         this.axes = axes;
         this.view = view;
         this.box = box;
+        this.depth = depth;
         this.handle = handle;
         this.snaps = snaps;
         this.proportional = proportional;
@@ -53,7 +58,7 @@ final class ResizeDrag implements Drag {
         Vec3 factors = even ? new Vec3(evenly, evenly, evenly) : axes.factors(alongU, alongV);
         double pivotU = pivot(handle.alongU(), box.minU(), box.maxU());
         double pivotV = pivot(handle.alongV(), box.minV(), box.maxV());
-        gesture.preview(scene -> Moves.scaled(scene, items, axes.vector(pivotU, pivotV), factors));
+        gesture.preview(scene -> Moves.scaled(scene, items, axes.vector(pivotU, pivotV).plus(depth), factors));
     }
 
     @Override

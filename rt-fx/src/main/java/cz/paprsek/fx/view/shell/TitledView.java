@@ -1,9 +1,12 @@
 package cz.paprsek.fx.view.shell;
 
+import javafx.beans.binding.Bindings;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
+import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Label;
+import javafx.scene.control.Labeled;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
@@ -14,6 +17,9 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignW;
 
 /** One of the four views: a narrow title with a button that makes it fill the whole, and the view itself. */
 public final class TitledView extends BorderPane {
+    /** A narrower title has room for its caption and one name only, pixels. */
+    private static final double ROOM_FOR_TEXTS = 330;
+
     private final Node content;
     private final FontIcon icon = new FontIcon(MaterialDesignW.WINDOW_MAXIMIZE);
     private final HBox title;
@@ -24,6 +30,7 @@ public final class TitledView extends BorderPane {
         this.content = content;
         Label label = new Label(caption);
         label.getStyleClass().add("view-caption");
+        label.setMinWidth(Region.USE_PREF_SIZE);
         Region space = new Region();
         HBox.setHgrow(space, Priority.ALWAYS);
         Button maximize = new Button("", icon);
@@ -57,6 +64,13 @@ public final class TitledView extends BorderPane {
     /** Puts buttons and the like into the title, left of the button that maximises. */
     public void addTool(Node tool) {
         title.getChildren().add(title.getChildren().size() - 1, tool);
+    }
+
+    /** Puts a button into the title which loses its text, but not its icon, where there is no room. */
+    public void addFoldingTool(Labeled tool) {
+        addTool(tool);
+        tool.contentDisplayProperty().bind(Bindings.when(title.widthProperty().lessThan(ROOM_FOR_TEXTS)).then(ContentDisplay.GRAPHIC_ONLY).otherwise(ContentDisplay.LEFT));
+        tool.setMinWidth(Region.USE_PREF_SIZE);
     }
 
     /** The view itself. */
