@@ -11,8 +11,10 @@ import cz.paprsek.shape.placed.Spans;
  * <li>A solid is entered from outside and left from inside; whatever else rounding puts near the start of a ray is behind it.
  * <li>Where one transparent solid ends and another begins, that one is entered before this one is left, as if they overlapped by nothing: the
  * ray is bent once, from the one index to the other.
+ * <li>What has been left in a place is entered there again only if that lies ahead, as behind a slit; else a pile of panes would never end.
  * <li>What else touches a transparent solid from outside is met when that has been left.
- * <li>Of all others the lowest part is met first. So a figure without an inside lies beyond all lower parts, and before all higher ones.
+ * <li>Of all others the lowest part is met first. So a figure without an inside lies beyond all lower parts, and before all higher ones, which those of
+ * transparent solids are: it lies on glass, never in it.
  * </ul>
  */
 public final class Contacts {
@@ -111,7 +113,8 @@ public final class Contacts {
         int part = spans.part(i);
         int object = parts.object(part);
         if (scene.isSolid(object)) {
-            return isEntry(ray, i) != media.hold(object);
+            boolean entry = isEntry(ray, i);
+            return entry != media.hold(object) && !(entry && atStart && beyond && spans.t(i) <= 0 && media.havePassed(object));
         }
         if (!atStart) {
             return true;

@@ -13,6 +13,9 @@ public final class Media {
     private double[] index = new double[8];
     private int size;
     private int opaque;
+    /** The solids the ray has left in the place where it is. */
+    private int[] passed = {};
+    private int passedSize;
 
     /** The refractive index around the ray. */
     public double refractiveIndex() {
@@ -52,6 +55,30 @@ public final class Media {
     public void clear() {
         size = 0;
         opaque = 0;
+        passedSize = 0;
+    }
+
+    /** Whether the ray has left a solid in the place where it is, going the way it goes. */
+    public boolean havePassed(int solid) {
+        for (int i = 0; i < passedSize; i++) {
+            if (passed[i] == solid) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Notes that the ray has left a solid in the place where it is. */
+    public void pass(int solid) {
+        if (passedSize == passed.length) {
+            passed = Arrays.copyOf(passed, Math.max(4, 2 * passedSize));
+        }
+        passed[passedSize++] = solid;
+    }
+
+    /** The ray is in another place, or goes another way. */
+    public void forgetPassed() {
+        passedSize = 0;
     }
 
     /** Puts the ray into an opaque solid; to be done before it enters any other. */
@@ -71,6 +98,10 @@ public final class Media {
         for (int i = 0; i < size; i++) {
             object[i] = other.object[i];
             index[i] = other.index[i];
+        }
+        passedSize = 0;
+        for (int i = 0; i < other.passedSize; i++) {
+            pass(other.passed[i]);
         }
     }
 

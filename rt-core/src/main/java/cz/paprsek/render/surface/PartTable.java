@@ -7,6 +7,9 @@ import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Surface;
@@ -70,14 +73,25 @@ public final class PartTable {
         return object.shape().place(toWorld, new Scope(number, own(object.material(), toWorld, standard)));
     }
 
-    private Finish own(MaterialSource source, Affine toWorld, Finish inherited) {
-        if (source == Inherited.INHERITED) {
-            return inherited;
+    /** Whether light gets through a shape of some material, or through a part of it. */
+    boolean letsLightThrough(MaterialSource material, Shape shape) {
+        if (shape instanceof Csg csg) {
+            for (Operand operand : csg.operands()) {
+                if (letsLightThrough(operand.material() == Inherited.INHERITED ? material : operand.material(), operand.solid())) {
+                    return true;
+                }
+            }
+            return false;
         }
-        Material material = source instanceof MaterialName reference
-                ? materials.getOrDefault(reference.name(), Material.DEFAULT)
-                : (Material) source;
-        return finish(material, toWorld);
+        return material != Inherited.INHERITED && material(material).transparency() > 0;
+    }
+
+    private Finish own(MaterialSource source, Affine toWorld, Finish inherited) {
+        return source == Inherited.INHERITED ? inherited : finish(material(source), toWorld);
+    }
+
+    private Material material(MaterialSource source) {
+        return source instanceof MaterialName reference ? materials.getOrDefault(reference.name(), Material.DEFAULT) : (Material) source;
     }
 
     /** A pattern in space depends on where it is declared; all other finishes are shared. */

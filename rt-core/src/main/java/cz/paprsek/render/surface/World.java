@@ -4,6 +4,7 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.TreeBuilder;
@@ -40,17 +41,26 @@ public final class World {
         this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
         this.surfaces = new Surface[scene.objects().size()];
         this.opaque = new boolean[surfaces.length];
-        for (int i = 0; i < surfaces.length; i++) {
-            TreeBuilder.stopIfAsked(i, stop);
-            int first = parts.size();
-            surfaces[i] = parts.place(i, scene.objects().get(i));
-            opaque[i] = isOpaque(first, parts.size());
-        }
+        // Of what lies in one place the lowest part is met first: other things lie on bodies of glass, never a hair's breadth in them.
+        place(false, stop);
+        place(true, stop);
         this.bodies = Bodies.of(surfaces, opaque, stop);
         this.glows = Glows.of(scene.lights(), parts.size());
         this.mayTouch = touching();
         this.endless = findEndless();
         this.aroundCamera = new Surroundings(this).around(scene.camera().position());
+    }
+
+    private void place(boolean media, BooleanSupplier stop) {
+        for (int i = 0; i < surfaces.length; i++) {
+            TreeBuilder.stopIfAsked(i, stop);
+            SceneObject object = scene.objects().get(i);
+            if ((isSolid(i) && parts.letsLightThrough(object.material(), object.shape())) == media) {
+                int first = parts.size();
+                surfaces[i] = parts.place(i, object);
+                opaque[i] = isOpaque(first, parts.size());
+            }
+        }
     }
 
     /** Takes over the bodies of another prepared scene, which has the same. */
@@ -171,9 +181,13 @@ public final class World {
     public double enterBeyond(Level level, Finish finish, boolean leaving, Media beyond) {
         beyond.set(level.media);
         int object = parts.object(level.ray.part);
+        if (level.ray.max > level.ray.contact || !level.beyond) {
+            beyond.forgetPassed();
+        }
         if (isSolid(object)) {
             if (leaving) {
                 beyond.leave(object);
+                beyond.pass(object);
             } else {
                 beyond.enter(object, finish.refractiveIndex);
             }
