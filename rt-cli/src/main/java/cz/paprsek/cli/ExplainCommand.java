@@ -4,7 +4,6 @@ import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.PixelPlace;
 import cz.paprsek.cli.input.RayWishes;
-import cz.paprsek.cli.input.Samples;
 import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.input.Wishes;
 import cz.paprsek.cli.process.ExitCode;
@@ -19,7 +18,6 @@ import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.text.Decoration;
 import cz.paprsek.render.explain.text.TreeJson;
 import cz.paprsek.render.explain.text.TreeText;
-import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.text.Similar;
 import cz.paprsek.words.Words;
@@ -31,6 +29,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -54,7 +53,6 @@ import picocli.CommandLine.Parameters;
         })
 final class ExplainCommand implements Callable<Integer> {
     private static final double SMALLEST_SHARE = 0.01;
-    private static final Samples ONE = new Samples(1, 0);
 
     private final Terminal terminal;
     private final Stop stop;
@@ -74,14 +72,15 @@ final class ExplainCommand implements Callable<Integer> {
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height of the picture in pixels. Default: the scene's.")
     private Optional<Size> size;
 
-    @Option(names = "--samples", paramLabel = "N|A..B", description =
-            "Rays along each side of the pixel, as for 'render'; with more than 1 there is a tree for each ray. Default: 1, whatever the scene says.")
-    private Optional<Samples> samples;
+    @Mixin
+    private RayWishes rays;
 
     @Option(names = "--max-depth", paramLabel = "N", description = "Levels of reflected and refracted rays, 1-250. Default: the scene's.")
     private Optional<Integer> maxDepth;
 
-    @Option(names = "--all", description = "Shows all rays, also those whose share in the pixel's light is below 1 percent.")
+    @Option(names = "--all", description = 
+            "Shows all rays, also those whose share in the pixel's light is below 1 percent, and of a pixel of several samples the tree of each, "
+                    + "not only of the one whose light is nearest to the pixel's.")
     private boolean all;
 
     @Option(names = "--color", paramLabel = "WHEN", defaultValue = "auto",
@@ -92,7 +91,7 @@ final class ExplainCommand implements Callable<Integer> {
     private boolean json;
 
     @Option(names = "--svg", paramLabel = "FILE", description =
-            "Draws the rays in three projections, with the outlines of what they meet; with more than one ray in the pixel, the first.")
+            "Draws the rays in three projections, with the outlines of what they meet; of a pixel of several samples, the one whose light is nearest to the pixel's.")
     private Optional<Path> svg;
 
     /** When to use colours. */
@@ -105,12 +104,12 @@ final class ExplainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Wishes wishes = new Wishes(size, maxDepth, new RayWishes(), Optional.empty(), Optional.empty());
+        Wishes wishes = new Wishes(size, maxDepth, rays, Optional.empty(), Optional.empty());
         try {
             Scene scene = seen(scene());
             Pixel pixel = pixel(scene, wishes);
-            show(pixel, scene.settings());
-            if (svg.isPresent() && !draw(TreeDrawing.svg(scene, pixel.rays().get(0), all ? 0 : SMALLEST_SHARE, Words.ENGLISH), svg.get())) {
+            show(pixel);
+            if (svg.isPresent() && !draw(TreeDrawing.svg(scene, pixel.rays().get(pixel.typical()), all ? 0 : SMALLEST_SHARE, Words.ENGLISH), svg.get())) {
                 return ExitCode.FAILED;
             }
             return stop.requested() ? ExitCode.INTERRUPTED : ExitCode.DONE;
@@ -146,9 +145,7 @@ final class ExplainCommand implements Callable<Integer> {
 
     private Pixel pixel(Scene scene, Wishes wishes) {
         try {
-            Samples rays = samples.orElse(ONE);
-            RenderSettings settings = wishes.applyTo(scene.settings()).settings().withSamples(rays.least(), rays.most());
-            return RenderScene.of(scene).explain(settings, place.column(), place.row());
+            return RenderScene.of(scene).explain(wishes.applyTo(scene.settings()), place.column(), place.row());
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(file + ": " + refused.getMessage());
         }
@@ -164,7 +161,7 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
-    private void show(Pixel pixel, RenderSettings ofScene) {
+    private void show(Pixel pixel) {
         if (json) {
             terminal.result(TreeJson.of(pixel).toString());
             return;
@@ -175,10 +172,8 @@ final class ExplainCommand implements Callable<Integer> {
         } else {
             TreeText.lines(pixel, smallest, Decoration.NONE).forEach(line -> terminal.result(Letters.fit(line)));
         }
-        if (samples.isEmpty() && ofScene.mostRays() > 1) {
-            terminal.message("This is the ray through the middle of the pixel. The scene's picture has the average of "
-                    + (ofScene.isAdaptive() ? ofScene.samples() * ofScene.samples() + " to " : "") + ofScene.mostRays()
-                    + " rays here: --samples " + Samples.text(ofScene) + " explains each.");
+        if (!all && pixel.rays().size() > 1) {
+            terminal.message("--all tells of each of the " + pixel.rays().size() + " rays in full, --samples 1 of the one through the middle of the pixel");
         }
     }
 

@@ -66,7 +66,7 @@ class ExplainCommandTest {
     @Test
     void aSceneOfADatabaseIsChosenByItsName() {
         Path database = Path.of("../scenes/database.xml");
-        assertThat(Run.cli("explain", database, "100,100", "--size", "200x150", "--scene", "Gears").out()).contains("pixel 100, 100: the light of E");
+        assertThat(Run.cli("explain", database, "100,100", "--size", "200x150", "--scene", "Gears").out()).contains("pixel 100, 100: the average of 4 rays");
         Run unnamed = Run.cli("explain", database, "1,1");
         assertThat(unnamed.code()).isEqualTo(ExitCode.WRONG_USAGE);
         assertThat(unnamed.err()).containsPattern("is a database of \\d+ scenes; name one with --scene NAME");
@@ -79,10 +79,15 @@ class ExplainCommandTest {
         assertThat(Run.cli("explain", file, "8,4").err()).isEmpty();
         Path smooth = folder.resolve("smooth.xml");
         Files.writeString(smooth, Files.readString(file).replace("height=\"8\"", "height=\"8\" samples=\"3\""));
-        assertThat(Run.cli("explain", smooth, "8,4").err()).contains("the average of 9 rays here: --samples 3 explains each");
-        Run all = Run.cli("explain", smooth, "8,4", "--samples", "3");
+        Run typical = Run.cli("explain", smooth, "8,4");
+        assertThat(typical.out()).contains("ray 9 of 9", "the average of 9 rays");
+        assertThat(typical.err()).contains("--all tells of each of the 9 rays in full, --samples 1 of the one through the middle");
+        Run all = Run.cli("explain", smooth, "8,4", "--all");
         assertThat(all.out()).contains("ray 9 of 9", "the average of 9 rays");
         assertThat(all.err()).isEmpty();
+        Run middle = Run.cli("explain", smooth, "8,4", "--samples", "1");
+        assertThat(middle.out()).contains("the light of E").doesNotContain("ray 1 of");
+        assertThat(middle.err()).isEmpty();
     }
 
     @Test

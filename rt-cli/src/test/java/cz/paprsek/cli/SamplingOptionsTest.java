@@ -14,6 +14,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -79,9 +85,63 @@ class SamplingOptionsTest {
     }
 
     @Test
-    void aPixelOfManyRaysListsThem() {
+    void aPixelOfManyRaysListsThemAndTellsOfOneInFull() {
         Run run = Run.cli("explain", scene, "8,4", "--samples", "2..3");
         assertThat(run.code()).isZero();
-        assertThat(run.out()).contains("ray 4 of").contains(" · 0.").contains("the average of");
+        assertThat(run.out()).containsPattern("(?m)^ray \\d of 9, whose light is nearest to the pixel's").containsPattern("(?m)^ray 4 of 9 +\\(.*\\) · 0\\.1111  from the eye, hits sphere #1$")
+                .contains("the average of 9 rays").containsOnlyOnce("medium  ");
+        assertThat(run.err()).contains("--all tells of each of the 9 rays in full");
+        assertThat(Run.cli("explain", scene, "8,4", "--samples", "2..3", "--all").out().split("  medium  ", -1)).hasSize(10);
+    }
+
+    /** A lens, lights with sizes, as many rays as it takes, and a filter that takes away: what is explained is what the scene asks for. */
+    @Test
+    void whatIsExplainedAddsUpToThePictureBitForBit() throws Exception {
+        Files.writeString(scene, "<scene xmlns='urn:paprsek:scene:1'><render width='16' height='12' samples='2..4' error='0.002' filter='mitchell'/>"
+                + "<camera position='0 1 6' target='0 0.7 0' aperture='0.2'/><background color='30 60 120'/>"
+                + "<area-light position='-2 4 3' rotation='60 30 0' size='1.5 1.5' samples='4' reference-distance='3'/>"
+                + "<sun-light direction='-1 -1 -0.5' angle='5' intensity='0.3'/><sphere-light radius='0.2' position='1.2 1 1' samples='3' intensity='0.5'/>"
+                + "<sphere radius='0.7' position='0 0.7 0'/><rectangle min='-9 -9' max='9 9' rotation='-90 0 0'><material reflection='0.3'/></rectangle></scene>");
+        Path picture = folder.resolve("a.pfm");
+        for (String[] options : new String[][] {{}, {"--sampler", "fixed"}, {"--samples", "3", "--filter", "box"}}) {
+            assertThat(Run.cli(Stream.concat(Stream.of("render", scene, "-o", picture, "--quiet"), Stream.of(options)).toArray()).code()).isZero();
+            Image image = ImageFiles.read(picture);
+            boolean isSharpened = false;
+            for (int i = 0; i < 16 * 12; i += 5) {
+                String json = Run.cli(Stream.concat(Stream.of("explain", scene, i % 16 + "," + i / 16, "--json"), Stream.of(options)).toArray()).out();
+                double[] weights = numbers(json, "\"weights\":\\[([^\\]]*)").get(0);
+                List<double[]> rays = numbers(json, "\"kind\":\"primary\".*?\"light\":\\[([^\\]]*)");
+                double light = DoubleStream.of(weights).distinct().map(weight -> weight * IntStream.range(0, weights.length).filter(k -> weights[k] == weight)
+                        .mapToDouble(k -> rays.get(k)[2]).reduce(0, Double::sum)).reduce(0, Double::sum);
+                isSharpened |= DoubleStream.of(weights).distinct().count() > 1;
+                assertThat((float) Math.max(0, light)).as("pixel %d, %d", i % 16, i / 16).isEqualTo(image.blue(i % 16, i / 16));
+                assertShadowRaysAddUp(json);
+            }
+            assertThat(isSharpened).isEqualTo(options.length < 4);
+        }
+    }
+
+    private static void assertShadowRaysAddUp(String json) {
+        double sum = 0;
+        int count = 0;
+        Matcher ray = Pattern.compile("\"highlight\":[^,]+,\"added\":\\[([^\\]]*)\\]\\}(?:\\],\"added\":\\[([^\\]]*))?").matcher(json);
+        while (ray.find()) {
+            sum += numbers(ray.group(1))[0];
+            count++;
+            if (ray.group(2) != null) {
+                assertThat(sum * (1.0 / count)).isEqualTo(numbers(ray.group(2))[0]);
+                sum = 0;
+                count = 0;
+            }
+        }
+        assertThat(count).isZero();
+    }
+
+    private static List<double[]> numbers(String json, String pattern) {
+        return Pattern.compile(pattern).matcher(json).results().map(found -> numbers(found.group(1))).toList();
+    }
+
+    private static double[] numbers(String list) {
+        return Stream.of(list.split(",")).mapToDouble(Double::parseDouble).toArray();
     }
 }

@@ -95,7 +95,16 @@ public final class RenderScene {
      * @throws IllegalArgumentException if there is no such pixel
      */
     public Pixel explain(RenderSettings settings, int column, int row) {
-        return Explainer.pixel(world, settings, column, row);
+        return Explainer.pixel(world, settings, false, column, row);
+    }
+
+    /**
+     * Why a pixel has its colour, in the picture that would be rendered with these options: of them, size, depth and what is said of samples counts.
+     *
+     * @throws IllegalArgumentException if there is no such pixel
+     */
+    public Pixel explain(RenderOptions options, int column, int row) {
+        return Explainer.pixel(world, options.settings(), options.fixedSampler(), column, row);
     }
 
     /**

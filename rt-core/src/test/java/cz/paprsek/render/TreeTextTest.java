@@ -14,10 +14,12 @@ import cz.paprsek.render.explain.text.Step;
 import cz.paprsek.render.explain.text.TreeJson;
 import cz.paprsek.render.explain.text.TreeText;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SphereLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
@@ -35,10 +37,12 @@ import java.io.StringReader;
 import java.util.List;
 import java.util.Locale;
 import java.util.ResourceBundle;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.xml.sax.InputSource;
 
@@ -173,7 +177,7 @@ class TreeTextTest {
     @Test
     void severalRaysOfAPixelFollowEachOther() {
         Scene scene = glassBall();
-        assertThat(text(scene.withSettings(scene.settings().withSamples(2)), 0.5))
+        assertThat(text(scene.withSettings(scene.settings().withSamples(2)), 0))
                 .startsWith("ray 1 of 4\nE  from the eye").contains("\nray 4 of 4\n")
                 .containsPattern("\npixel 0, 0: the average of 4 rays = \\(.*\\), in sRGB \\d+ \\d+ \\d+$");
     }
@@ -202,6 +206,23 @@ class TreeTextTest {
         assertThat(TreeDrawing.svg(scene, pixel.rays().get(0), 0.9, Words.ENGLISH)).doesNotContain(">ETT<");
         Scene nothing = Scenes.empty();
         assertThat(TreeDrawing.svg(nothing, RenderScene.of(nothing).explain(0, 0).rays().get(0), 0, Words.ENGLISH)).contains(">E<");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en, looked for by 5 shadow rays, their mean, 'right, up of its middle', all rays meet in, ray , ' of 4, whose light is nearest'",
+            "cs, hledáno stínovými paprsky (počet: 5), jejich průměr, 'vpravo, nahoru od středu', všechny paprsky se protnou v, paprsek , ' z 4, jehož světlo je bodu nejblíž'"})
+    void lensSizedLightsAndSamplesAreToldInBothLanguages(Locale language, String shadows, String mean, String lens, String focus, String ray, String nearest) {
+        Scene scene = Scenes.empty().withCamera(Camera.lookingAt(new Vec3(0, 0, 5), Vec3.ZERO).withLens(Lens.Perspective.DEFAULT.withAperture(0.1)))
+                .withLights(List.of(SphereLight.of(new Vec3(2, 3, 4), 0.5).withSamples(5))).plus(SceneObject.of(new Sphere(1)));
+        Pixel pixel = RenderScene.of(scene).explain(scene.settings().withSamples(2, 2), 16, 12);
+        List<String> typical = TreeText.lines(pixel, 0.01, Decoration.NONE, Words.in(language));
+        assertThat(String.join("\n", typical)).containsOnlyOnce(shadows).containsOnlyOnce(mean).containsOnlyOnce(lens).containsOnlyOnce(focus)
+                .contains(ray.strip() + " " + (pixel.typical() + 1) + nearest);
+        assertThat(typical).filteredOn(line -> line.matches("\\s+\\d: .*")).as("a line for each shadow ray").hasSize(5);
+        assertThat(typical).filteredOn(line -> line.contains(" · 0.25 ")).as("a line for each sample").hasSize(4);
+        String all = String.join("\n", TreeText.lines(pixel, 0, Decoration.NONE, Words.in(language)));
+        assertThat(all.split(Pattern.quote(shadows), -1)).hasSize(5);
+        assertThat(all).doesNotContain(nearest);
     }
 
     private static int rays(List<TracedRay> rays) {

@@ -31,6 +31,11 @@ public record LinearRgb(double red, double green, double blue) {
         return Math.max(red, Math.max(green, blue));
     }
 
+    /** How far two lights are apart: the differences of the channels added up. */
+    public double distance(LinearRgb other) {
+        return Math.abs(red - other.red) + Math.abs(green - other.green) + Math.abs(blue - other.blue);
+    }
+
     /** As a picture shows it: sRGB, clamped to 0–255. */
     public Rgb shown() {
         return Rgb.ofLinear(clamped(red), clamped(green), clamped(blue));

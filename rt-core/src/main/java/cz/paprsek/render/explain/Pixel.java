@@ -1,7 +1,9 @@
 package cz.paprsek.render.explain;
 
 import cz.paprsek.math.Require;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * One pixel of a picture: its light is that of its rays, each times its weight.
@@ -17,6 +19,12 @@ public record Pixel(int column, int row, List<TracedRay> rays, List<Double> weig
         weights = List.copyOf(weights);
         Require.that(!rays.isEmpty(), "a pixel needs at least one ray");
         Require.that(weights.size() == rays.size() && weights.stream().distinct().count() <= 2, "a pixel's rays need a weight each, of two at most");
+    }
+
+    /** Which of its rays, counted from 0, brings the light that is nearest to the pixel's; of several the first. */
+    public int typical() {
+        LinearRgb light = light();
+        return IntStream.range(0, rays.size()).boxed().min(Comparator.comparingDouble(i -> rays.get(i).light().distance(light))).orElseThrow();
     }
 
     /** Whether its filter takes the light of some rays away. */

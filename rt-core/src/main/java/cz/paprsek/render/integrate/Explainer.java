@@ -16,11 +16,11 @@ import java.util.stream.IntStream;
 public final class Explainer {
     private Explainer() {}
 
-    public static Pixel pixel(World scene, RenderSettings settings, int column, int row) {
+    public static Pixel pixel(World scene, RenderSettings settings, boolean fixed, int column, int row) {
         Require.that(column >= 0 && column < settings.width() && row >= 0 && row < settings.height(),
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
         Eye eye = eye(scene, settings);
-        Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.of(settings, false));
+        Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.of(settings, fixed));
         recorder.lookThrough(eye);
         PixelSums sums = recorder.pixel(eye, column, row);
         List<Double> weights = IntStream.range(0, sums.count()).mapToObj(i -> sums.isNegative(i) ? sums.negativeWeight : sums.weight).toList();

@@ -7,6 +7,7 @@ import cz.paprsek.text.Numbers;
 import cz.paprsek.words.Words;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** A pixel's tree as lines of text: every ray a worked exercise, in columns, the rays it gives rise to below it. */
 public final class TreeText {
@@ -30,7 +31,8 @@ public final class TreeText {
     /**
      * The tree in English, without line ends.
      *
-     * @param smallestShare rays of a {@linkplain Outline#share share} below this are only mentioned; 0 for none
+     * @param smallestShare rays of a {@linkplain Outline#share share} below this are only mentioned, and of several rays from the eye only the
+     *     {@linkplain Pixel#typical typical} one is told in full; 0 for all
      */
     public static List<String> lines(Pixel pixel, double smallestShare, Decoration decoration) {
         return lines(pixel, smallestShare, decoration, Words.ENGLISH);
@@ -40,15 +42,18 @@ public final class TreeText {
     public static List<String> lines(Pixel pixel, double smallestShare, Decoration decoration, Words words) {
         TreeText text = new TreeText(words, decoration, smallestShare);
         List<Outline> outlines = pixel.rays().stream().map(Outline::of).toList();
-        outlines.forEach(text::measure);
-        for (int i = 0; i < outlines.size(); i++) {
+        boolean isOneOfSeveral = outlines.size() > 1 && smallestShare > 0;
+        int first = isOneOfSeveral ? pixel.typical() : 0;
+        int end = isOneOfSeveral ? first + 1 : outlines.size();
+        outlines.subList(first, end).forEach(text::measure);
+        for (int i = first; i < end; i++) {
             if (outlines.size() > 1) {
-                text.lines.add(words.of("ray-of", i + 1, outlines.size()));
+                text.lines.add(words.of("ray-of", i + 1, outlines.size()) + (isOneOfSeveral ? words.of("nearest-to-pixel") : ""));
             }
             text.ray(outlines.get(i), "", "");
             text.lines.add("");
         }
-        text.total(pixel);
+        text.total(pixel, outlines);
         return text.lines;
     }
 
@@ -114,23 +119,23 @@ public final class TreeText {
         return Figures.of(pixel.rays().get(ray).light()) + " · " + Figures.of(pixel.weights().get(ray));
     }
 
-    private void total(Pixel pixel) {
+    private void total(Pixel pixel, List<Outline> outlines) {
         LinearRgb light = pixel.light();
         int rays = pixel.rays().size();
         if (rays > 1) {
-            samples(pixel);
+            samples(pixel, outlines);
         }
         String patch = decoration.patch(light);
         lines.add(words.of("pixel", pixel.column(), pixel.row()) + ": " + sum(pixel, words) + (patch.isEmpty() ? "" : "  " + patch));
     }
 
-    /** The light of each ray and how much of it the pixel gets, a line each. */
-    private void samples(Pixel pixel) {
-        for (int i = 0; i < pixel.rays().size(); i++) {
-            LinearRgb light = pixel.rays().get(i).light();
-            String patch = decoration.patch(light);
-            lines.add(padded(words.of("ray-of", i + 1, pixel.rays().size()), nameWidth) + " " + weighed(pixel, i)
-                    + (patch.isEmpty() ? "" : "  " + patch));
+    /** The light of each ray, how much of it the pixel gets, and what the ray meets, a line each. */
+    private void samples(Pixel pixel, List<Outline> outlines) {
+        int width = IntStream.range(0, outlines.size()).map(i -> length(weighed(pixel, i))).max().orElse(0);
+        for (int i = 0; i < outlines.size(); i++) {
+            String patch = decoration.patch(outlines.get(i).ray().light());
+            lines.add(padded(words.of("ray-of", i + 1, outlines.size()), nameWidth) + " " + padded(weighed(pixel, i), width) + "  "
+                    + outlines.get(i).headline(words) + (patch.isEmpty() ? "" : "  " + patch));
         }
     }
 
