@@ -1,5 +1,7 @@
 package cz.paprsek.math;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A point, a direction or three numbers of any kind, in a right-handed space with y up.
  * Every component is finite; the constructor refuses anything else.
@@ -16,6 +18,17 @@ public record Vec3(double x, double y, double z) {
         Require.finite("x", x);
         Require.finite("y", y);
         Require.finite("z", z);
+    }
+
+    /** As that of any record, but at hand: what makes those of records takes long the first time, and every start needs this one. */
+    @Override
+    public boolean equals(@Nullable Object other) {
+        return other instanceof Vec3 v && Double.compare(x, v.x) == 0 && Double.compare(y, v.y) == 0 && Double.compare(z, v.z) == 0;
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * (31 * Double.hashCode(x) + Double.hashCode(y)) + Double.hashCode(z);
     }
 
     public Vec3 plus(Vec3 v) {

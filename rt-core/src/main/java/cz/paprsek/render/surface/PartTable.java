@@ -23,8 +23,10 @@ import java.util.function.IntFunction;
 public final class PartTable {
     private final Map<String, Material> materials;
     private final BooleanSupplier stop;
+    private final Map<String, Finish> named = new HashMap<>();
+    /** Of materials without a name. */
     private final Map<Material, Finish> shared = new HashMap<>();
-    private final Finish standard = new Finish(Material.DEFAULT, Paint.of(Material.DEFAULT.pattern(), Affine.IDENTITY));
+    private final Finish standard = anywhere(Material.DEFAULT);
     private Material lastMaterial = Material.DEFAULT;
     private Finish lastFinish = standard;
     private Part[] parts;
@@ -86,25 +88,34 @@ public final class PartTable {
         return material != Inherited.INHERITED && material(material).transparency() > 0;
     }
 
-    private Finish own(MaterialSource source, Affine toWorld, Finish inherited) {
-        return source == Inherited.INHERITED ? inherited : finish(material(source), toWorld);
-    }
-
     private Material material(MaterialSource source) {
         return source instanceof MaterialName reference ? materials.getOrDefault(reference.name(), Material.DEFAULT) : (Material) source;
     }
 
+    private Finish own(MaterialSource source, Affine toWorld, Finish inherited) {
+        if (source == Inherited.INHERITED) {
+            return inherited;
+        }
+        Material material = material(source);
+        if (Paint.isPlaced(material.pattern())) {
+            return placed(material, toWorld);
+        }
+        return source instanceof MaterialName reference ? named.computeIfAbsent(reference.name(), name -> anywhere(material)) : shared(material);
+    }
+
+    private static Finish anywhere(Material material) {
+        return new Finish(material, Paint.of(material.pattern(), Affine.IDENTITY));
+    }
+
     /** A pattern in space depends on where it is declared; all other finishes are shared. */
-    private Finish finish(Material material, Affine toWorld) {
-        return Paint.isPlaced(material.pattern())
-                ? new Finish(material, Paint.of(material.pattern(), toWorld.inverse()))
-                : shared(material);
+    private static Finish placed(Material material, Affine toWorld) {
+        return new Finish(material, Paint.of(material.pattern(), toWorld.inverse()));
     }
 
     /** Neighbours are mostly of one material: that saves hashing it. */
     private Finish shared(Material material) {
         if (!material.equals(lastMaterial)) {
-            lastFinish = shared.computeIfAbsent(material, m -> new Finish(m, Paint.of(m.pattern(), Affine.IDENTITY)));
+            lastFinish = shared.computeIfAbsent(material, PartTable::anywhere);
             lastMaterial = material;
         }
         return lastFinish;

@@ -27,9 +27,10 @@ public final class Surroundings {
         this.gatherer = world.bodies().newGatherer(ahead);
     }
 
-    /** Makes ready for rays that start within a box. */
+    /** Makes ready for rays that start within a box: mostly the very one of the time before, and looking at it once more does no harm. */
+    @SuppressWarnings("ReferenceEquality")
     public void from(Bounds box) {
-        if (!box.equals(origins)) {
+        if (box != origins) {
             origins = box;
             isFree = isFree(box);
         }
