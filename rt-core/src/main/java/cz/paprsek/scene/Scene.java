@@ -165,11 +165,13 @@ public record Scene(
      * @throws IllegalArgumentException if the change makes a scene that cannot be
      */
     public Scene with(Collection<ScenePath.BodyAt> places, BiFunction<ScenePath.BodyAt, Body, Body> change) {
+        Objects.requireNonNull(change, "change");
         return BodyChanges.of(this, places, change);
     }
 
     /** As {@link #with(Collection, BiFunction)}, at one place. */
     public Scene with(ScenePath.BodyAt place, UnaryOperator<Body> change) {
+        Objects.requireNonNull(change, "change");
         return with(List.of(place), (at, body) -> change.apply(body));
     }
 
