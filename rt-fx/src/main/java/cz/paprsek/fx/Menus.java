@@ -75,7 +75,7 @@ final class Menus {
     ToolBar toolBar() {
         ToolBar bar = new ToolBar(
                 open.button(), save.button(), new Separator(Orientation.VERTICAL), undo.button(), redo.button(), new Separator(Orientation.VERTICAL),
-                fitAll.button(), snapButton(), new Separator(Orientation.VERTICAL), render.button());
+                fitAll.button(), snapButton(), new Separator(Orientation.VERTICAL), selection.soften().button(), views.cameras().focus().button(), render.button());
         bar.getItems().addAll(6, selection.forButtons().stream().map(Command::button).toList());
         bar.getItems().add(6 + selection.forButtons().size(), new Separator(Orientation.VERTICAL));
         bar.setId("tool-bar");

@@ -102,7 +102,7 @@ final class Views {
         camera.awaitClick(point -> point.pick().ifPresentOrElse(
                 pick -> {
                     int eye = model.state().eye();
-                    model.edit(Label.of(Label.Edit.CAMERA), scene -> Cameras.changed(scene, eye, now -> Cameras.focused(now, pick.point())));
+                    model.edit(Label.of(Label.Edit.CAMERA), scene -> Cameras.focused(scene, eye, pick.point()));
                     editor.say(editor.texts().of("view.focus-done", PathNames.of(point.scene().scene(), pick.place(), editor.texts())));
                 },
                 () -> editor.say(editor.texts().of("view.focus-nothing"))));

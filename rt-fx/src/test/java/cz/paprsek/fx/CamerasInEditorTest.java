@@ -7,6 +7,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SphereLight;
 import cz.paprsek.scene.ScenePath;
 import java.nio.file.Path;
 import javafx.geometry.Bounds;
@@ -17,6 +18,8 @@ import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCode;
+import javafx.stage.Stage;
+import javafx.stage.Window;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -58,6 +61,23 @@ class CamerasInEditorTest {
         assertThat(Screenshots.save(editor.gui, "camera-focus")).isNotEmptyFile();
         editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
         assertThat(editor.model().scene().camera().lens()).isEqualTo(Lens.Perspective.DEFAULT.withFovy(25));
+    }
+
+    @Test
+    void theFirstPictureWithSoftEdgesShadowsAndBackgroundTakesFourClicks() {
+        editor.menu("template-studio");
+        editor.gui.until("the picture is complete", editor.editor::isPictureComplete);
+        editor.gui.click("#object-soften-button");
+        editor.gui.click("#view-menu-focus-button");
+        Node picture = editor.gui.node(".live-picture");
+        Bounds frame = editor.gui.node(".picture-frame").getBoundsInParent();
+        editor.gui.click(picture, frame.getMinX() + 0.5 * frame.getWidth(), frame.getMinY() + 0.5 * frame.getHeight());
+        Scene scene = editor.model().scene();
+        assertThat(scene.settings().mostRays()).as("smooth edges").isGreaterThan(16);
+        assertThat(scene.lights()).as("soft shadows").allMatch(SphereLight.class::isInstance);
+        assertThat(((Lens.Perspective) scene.camera().lens()).aperture()).as("a blurred background").isPositive();
+        editor.gui.click("#render-menu-render-button");
+        assertThat(Gui.on(() -> Window.getWindows().stream().anyMatch(window -> window instanceof Stage stage && stage.getTitle().contains("pictures")))).isTrue();
     }
 
     @Test

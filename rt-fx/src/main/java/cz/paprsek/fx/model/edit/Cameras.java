@@ -24,6 +24,9 @@ public final class Cameras {
     /** Of the distance that is sharp: the radius of a lens that had none. */
     private static final double APERTURE = 0.02;
 
+    /** Fewer rays a pixel make a blur grainy. */
+    private static final int RAYS_FOR_BLUR = 16;
+
     private Cameras() {}
 
     /** Changes one of a scene's cameras, counted from 0. */
@@ -76,8 +79,15 @@ public final class Cameras {
                         .map(item -> item instanceof CameraAt at ? ScenePath.camera(staying.indexOf(at.index())) : item));
     }
 
+    /** Makes a point sharp for one of a scene's cameras; a picture of too few rays for a blur gets the rays that new scenes have. */
+    public static Scene focused(Scene scene, int camera, Vec3 point) {
+        Scene sharp = changed(scene, camera, now -> focused(now, point));
+        boolean isGrainy = !sharp.equals(scene) && sharp.settings().mostRays() < RAYS_FOR_BLUR;
+        return isGrainy ? sharp.withSettings(sharp.settings().withSamples(2, 6)) : sharp;
+    }
+
     /** Makes a point sharp for a camera, by a thin lens. One that has no size gets a small one; other projections become perspective. */
-    public static Camera focused(Camera camera, Vec3 point) {
+    static Camera focused(Camera camera, Vec3 point) {
         double distance = round(point.minus(camera.position()).dot(camera.forward()));
         if (!(distance > 0)) {
             return camera;

@@ -19,6 +19,7 @@ import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Region;
 import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignV;
 
 /** Through which camera the user looks, and what can be done with it: the same words in the menu and in the title of the picture. */
@@ -28,7 +29,7 @@ public final class CameraCommands {
     private final EditorModel model;
     private final Texts texts;
     private final List<Command> commands;
-    private final List<Command> lens;
+    private final Command focus;
 
     /** @param focus asks for a click on what shall be sharp */
     public CameraCommands(Edits edits, Runnable focus) {
@@ -41,7 +42,7 @@ public final class CameraCommands {
                 Command.of("view-menu.new-camera", texts, edits::addCamera).keys("Shortcut+Shift+K"),
                 Command.of("view-menu.first-camera", texts, () -> edits.makeFirst(model.state().eye())).disabledIf(isFirst),
                 Command.of("view-menu.remove-camera", texts, () -> edits.removeCamera(model.state().eye())).disabledIf(isOnly));
-        lens = List.of(Command.of("view-menu.focus", texts, focus).keys("Shortcut+Shift+F"));
+        this.focus = Command.of("view-menu.focus", texts, focus).keys("Shortcut+Shift+F").icon(MaterialDesignI.IMAGE_FILTER_CENTER_FOCUS);
     }
 
     /** A menu with the cameras there are when it opens. */
@@ -53,6 +54,11 @@ public final class CameraCommands {
         menu.getItems().setAll(below);
         menu.setOnShowing(event -> fill(menu.getItems(), below));
         return menu;
+    }
+
+    /** What asks for a click on what shall be sharp. */
+    public Command focus() {
+        return focus;
     }
 
     /** A button that tells which camera is looked through, with the same menu. */
@@ -88,7 +94,7 @@ public final class CameraCommands {
         items.add(new SeparatorMenuItem());
         commands.forEach(command -> items.add(making.item(command)));
         items.add(new SeparatorMenuItem());
-        lens.forEach(command -> items.add(making.item(command)));
+        items.add(making.item(focus));
         return items;
     }
 

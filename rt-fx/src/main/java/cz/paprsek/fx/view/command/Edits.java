@@ -10,6 +10,7 @@ import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.Clipboard;
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.model.edit.Softness;
 import cz.paprsek.fx.model.edit.Structure;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
@@ -99,6 +100,12 @@ public final class Edits {
     /** Makes a camera the first. */
     void makeFirst(int camera) {
         edit(Edit.REORDER, Set.of(ScenePath.camera(camera)), state -> Cameras.first(state, camera));
+    }
+
+    /** Makes shadows softer: of the lights that are selected, or of all if none is. */
+    void soften() {
+        List<LightAt> lights = Places.lights(model.selection());
+        edit(Label.of(Edit.CHANGE, texts.of("object.soften")), state -> state.withScene(Softness.softened(state, lights)));
     }
 
     void removeCamera(int camera) {

@@ -14,6 +14,7 @@ import javafx.beans.binding.BooleanBinding;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignD;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
@@ -34,6 +35,7 @@ public final class SelectionCommands {
     private final Command look;
     private final Command makeFirst;
     private final Command addCamera;
+    private final Command soften;
     private final Command union;
     private final Command difference;
     private final Command intersection;
@@ -60,6 +62,7 @@ public final class SelectionCommands {
         look = command("object.look", camera, () -> selectedCamera(at -> edits.model().look(at)));
         makeFirst = command("object.first-camera", items -> camera.test(items) && !items.contains(ScenePath.camera()), () -> selectedCamera(edits::makeFirst));
         addCamera = command("view-menu.new-camera", items -> true, edits::addCamera);
+        soften = command("object.soften", items -> true, edits::soften).keys("Shortcut+Shift+B").icon(MaterialDesignB.BOX_SHADOW);
         union = command("object.union", several, () -> edits.combine(Operation.UNION)).keys("Shortcut+Shift+U").icon(MaterialDesignV.VECTOR_UNION);
         difference = command("object.difference", several, () -> edits.combine(Operation.DIFFERENCE)).keys("Shortcut+Shift+D")
                 .icon(MaterialDesignV.VECTOR_DIFFERENCE_AB);
@@ -90,6 +93,11 @@ public final class SelectionCommands {
         return List.of(duplicate, delete, union, difference, intersection);
     }
 
+    /** What makes all shadows softer, or those of the selected lights. */
+    public Command soften() {
+        return soften;
+    }
+
     /** Cutting, copying, pasting, deleting. */
     public List<MenuItem> editItems() {
         return items(cut, copy, paste, duplicate, delete);
@@ -104,11 +112,11 @@ public final class SelectionCommands {
         Places.cameras(edits.model().selection()).stream().findFirst().ifPresent(camera -> action.accept(camera.index()));
     }
 
-    /** Names, operations, cameras, hiding and locking. */
+    /** Names, operations, lights and cameras, hiding and locking. */
     public List<MenuItem> objectItems() {
         List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve));
         items.add(new SeparatorMenuItem());
-        items.addAll(items(look, makeFirst, addCamera));
+        items.addAll(items(soften, look, makeFirst, addCamera));
         items.add(new SeparatorMenuItem());
         items.addAll(items(hide, showAll, lock, unlockAll));
         return items;
