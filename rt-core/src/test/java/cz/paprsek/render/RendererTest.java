@@ -12,7 +12,6 @@ import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Level;
-import cz.paprsek.render.surface.PartTable;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -93,9 +92,8 @@ class RendererTest {
         for (long seed = 1; seed <= 8; seed++) {
             Scene scene = Scenes.random(seed, 300);
             RenderScene ready = RenderScene.of(scene);
-            PartTable table = new PartTable(scene, () -> false);
             Surface[] all = new Surface[scene.objects().size()];
-            Arrays.setAll(all, i -> table.place(i, scene.objects().get(i)));
+            Arrays.setAll(all, ready.world()::surface);
             Bodies.Finder finder = ready.world().bodies().newFinder();
             Spans spans = new Spans();
             for (int i = 0; i < 4000; i++) {
@@ -114,21 +112,12 @@ class RendererTest {
                 fast.start(n[0], n[1], n[2], n[3] / length, n[4] / length, n[5] / length, 5, length, -1, false);
                 boolean blocked = false;
                 for (int k = 0; k < all.length; k++) {
-                    blocked |= isOpaque(table, k) && all[k].occludes(fast);
+                    blocked |= ready.world().isOpaque(k) && all[k].occludes(fast);
                 }
                 assertThat(ready.world().bodies().occluder(fast, ready.world().bodies().whole(), finder, spans) != null).isEqualTo(blocked);
                 spans.release(0);
             }
         }
-    }
-
-    private static boolean isOpaque(PartTable table, int object) {
-        for (int part = 0; part < table.size(); part++) {
-            if (table.object(part) == object && table.finish(part).transparency > 0) {
-                return false;
-            }
-        }
-        return true;
     }
 
     @Test
