@@ -18,6 +18,11 @@ import java.util.function.Consumer;
  * @param transparency share of transmitted light kT, 0–1
  * @param refractiveIndex index of the medium inside relative to the vacuum, above 0 and at most 100
  * @param fresnel how what is mirrored and what is let through depends on the angle
+ * @param attenuationColor the colour c, in linear light, of the substance inside: on its way d through it light is weakened to exp(−(1 − c)·d/D) of what it was, by
+ *     the law of Bouguer, Lambert and Beer; white does not weaken it
+ * @param attenuationDistance D, above 0, scene units
+ * @param emission colour of the light that the surface gives off to both sides, the same in all directions
+ * @param emissionStrength what that is multiplied by, at least 0
  */
 @Element("How a surface answers light. A pattern inside takes the place of the colour.")
 public record Material(
@@ -28,7 +33,11 @@ public record Material(
         @Attribute(value = Kind.SHARE, means = "Share of mirrored light", otherwise = "0") double reflection,
         @Attribute(value = Kind.SHARE, means = "Share of transmitted light", otherwise = "0") double transparency,
         @Attribute(value = Kind.REFRACTIVE_INDEX, means = "Index of the medium inside", otherwise = "1") double refractiveIndex,
-        @Attribute(value = Kind.WORD, means = "How reflection depends on the angle: not, as that of glass or water, as that of metals", otherwise = "false") Fresnel fresnel)
+        @Attribute(value = Kind.WORD, means = "How reflection depends on the angle: not, as that of glass or water, as that of metals", otherwise = "false") Fresnel fresnel,
+        @Attribute(value = Kind.COLOR, means = "What the substance inside leaves of light, white being all", otherwise = "255 255 255") Rgb attenuationColor,
+        @Attribute(value = Kind.POSITIVE, means = "Depth that the attenuation-color is stated for", otherwise = "1") double attenuationDistance,
+        @Attribute(value = Kind.COLOR, means = "Light of its own", otherwise = "0 0 0") Rgb emission,
+        @Attribute(value = Kind.INTENSITY, means = "Factor of the emission", otherwise = "1") double emissionStrength)
         implements MaterialSource {
 
     /** Matte white: what an object without a material is made of. */
@@ -64,11 +73,15 @@ public record Material(
         Require.positive("refractive-index", refractiveIndex);
         Require.within("refractive-index", refractiveIndex, 0, 100);
         Objects.requireNonNull(fresnel, "fresnel");
+        Objects.requireNonNull(attenuationColor, "attenuation-color");
+        Require.size("attenuation-distance", attenuationDistance);
+        Objects.requireNonNull(emission, "emission");
+        Require.within("emission-strength", emissionStrength, 0, Kind.INTENSITY.most());
     }
 
-    /** A material whose reflection does not depend on the angle. */
+    /** A material that neither glows nor absorbs, and whose reflection does not depend on the angle. */
     public Material(Pattern pattern, double diffusion, double specular, double shininess, double reflection, double transparency, double refractiveIndex) {
-        this(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, Fresnel.FALSE);
+        this(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, Fresnel.FALSE, Rgb.WHITE, 1, Rgb.BLACK, 1);
     }
 
     /** The default material in a colour of sRGB channels 0–255. */
@@ -113,6 +126,22 @@ public record Material(
         return with(it -> it.fresnel = value);
     }
 
+    /** Weakening light inside: to exp(c − 1) of what it was, c being the colour in linear light, after each distance. */
+    public Material withAttenuation(Rgb color, double distance) {
+        return with(it -> {
+            it.attenuationColor = color;
+            it.attenuationDistance = distance;
+        });
+    }
+
+    /** Giving off light of its own. */
+    public Material withEmission(Rgb color, double strength) {
+        return with(it -> {
+            it.emission = color;
+            it.emissionStrength = strength;
+        });
+    }
+
     private Material with(Consumer<Parts> change) {
         Parts parts = new Parts(this);
         change.accept(parts);
@@ -129,6 +158,10 @@ public record Material(
         private double transparency;
         private double refractiveIndex;
         private Fresnel fresnel;
+        private Rgb attenuationColor;
+        private double attenuationDistance;
+        private Rgb emission;
+        private double emissionStrength;
 
         Parts(Material of) {
             pattern = of.pattern;
@@ -139,10 +172,15 @@ public record Material(
             transparency = of.transparency;
             refractiveIndex = of.refractiveIndex;
             fresnel = of.fresnel;
+            attenuationColor = of.attenuationColor;
+            attenuationDistance = of.attenuationDistance;
+            emission = of.emission;
+            emissionStrength = of.emissionStrength;
         }
 
         Material together() {
-            return new Material(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, fresnel);
+            return new Material(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, fresnel,
+                    attenuationColor, attenuationDistance, emission, emissionStrength);
         }
     }
 }

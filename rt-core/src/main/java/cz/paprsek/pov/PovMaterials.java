@@ -20,7 +20,8 @@ import java.util.Set;
  */
 final class PovMaterials {
     /** The attributes that words are found for here. */
-    static final Set<String> TOLD = Set.of("color", "diffusion", "specular", "shininess", "reflection", "transparency", "refractive-index", "fresnel");
+    static final Set<String> TOLD = Set.of("color", "diffusion", "specular", "shininess", "reflection", "transparency", "refractive-index", "fresnel",
+            "attenuation-color", "attenuation-distance", "emission", "emission-strength");
 
     /** 1 − 2⁻²⁰: the most that is written as shining through, so that diffuse light is not multiplied by 0. No step of 16 bits. */
     private static final double MOST = 1 - 0x1p-20;
@@ -50,14 +51,42 @@ final class PovMaterials {
         return PovWarnings.materials(scene, object).stream()
                 .filter(material -> material.transparency() > 0 ? isSolid : material.fresnel() == Fresnel.TRUE)
                 .max(Comparator.comparing(material -> material.transparency() > 0))
-                .map(material -> "interior { ior " + text(material.refractiveIndex()) + " }").orElse("");
+                .map(material -> "interior { ior " + text(material.refractiveIndex()) + absorption(material)).orElse("");
+    }
+
+    /** The rest of an interior. Of POV-Ray's two ways the one that also takes from what is mirrored within: {@code fade_power} does not. */
+    private static String absorption(Material material) {
+        Rgb color = material.attenuationColor();
+        double per = 1 / material.attenuationDistance();
+        return color.equals(Rgb.WHITE) ? " }" : " media { absorption rgb " + vector(per * (1 - color.linearRed()), per * (1 - color.linearGreen()),
+                per * (1 - color.linearBlue())) + " } } hollow";
+    }
+
+    /** POV-Ray multiplies it by the pigment. */
+    private static String emission(Material material, double weakened) {
+        Rgb light = material.emission();
+        Rgb color = oneColor(material.pattern());
+        double strength = material.emissionStrength() / weakened;
+        return light.equals(Rgb.BLACK) || strength == 0 ? "" : " emission rgb " + vector(strength * quotient(light.linearRed(), color.linearRed()),
+                strength * quotient(light.linearGreen(), color.linearGreen()), strength * quotient(light.linearBlue(), color.linearBlue()));
+    }
+
+    private static double quotient(double light, double color) {
+        return light == 0 || color == 0 ? 0 : light / color;
+    }
+
+    /** Whether POV-Ray can be told what a material gives off: not if the pigment takes it away. */
+    static boolean emits(Material material) {
+        Rgb light = material.emission();
+        return light.equals(Rgb.BLACK) || material.emissionStrength() == 0 || (material.pattern() instanceof Pattern.Plain plain
+                && (light.red() == 0 || plain.color().red() > 0) && (light.green() == 0 || plain.color().green() > 0) && (light.blue() == 0 || plain.color().blue() > 0));
     }
 
     private static String texture(Material material, String pigment) {
         double weakened = 1 - transmit(material);
         return "texture { pigment { " + pigment + " } finish { ambient " + text(1 / weakened) + " diffuse " + text(material.diffusion() / weakened)
                 + (material.specular() > 0 ? " phong " + text(material.specular()) + " phong_size " + text(material.shininess()) : "")
-                + reflection(material) + " } }";
+                + emission(material, weakened) + reflection(material) + " } }";
     }
 
     private static String reflection(Material material) {
@@ -66,11 +95,11 @@ final class PovMaterials {
             return " reflection { 0, " + share + " fresnel on } conserve_energy";
         }
         return material.reflection() == 0 ? "" : material.fresnel() == Fresnel.FALSE ? " reflection " + share
-                : " reflection { " + rgb(metal(material.pattern()), material.reflection()) + ", " + share + " falloff 5 }";
+                : " reflection { " + rgb(oneColor(material.pattern()), material.reflection()) + ", " + share + " falloff 5 }";
     }
 
-    /** A metal's colour as POV-Ray is told it: one for all of its surface. */
-    private static Rgb metal(Pattern pattern) {
+    /** A colour for all of a surface, where POV-Ray takes one only. */
+    private static Rgb oneColor(Pattern pattern) {
         return pattern instanceof Pattern.Plain plain ? plain.color() : pattern instanceof Pattern.Checker checker ? checker.even()
                 : pattern instanceof Pattern.Checkerboard board ? board.even() : Rgb.WHITE;
     }

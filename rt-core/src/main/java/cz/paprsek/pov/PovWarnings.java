@@ -168,6 +168,9 @@ final class PovWarnings {
             if (material.fresnel() == Fresnel.METAL && material.reflection() > 0 && !(material.pattern() instanceof Pattern.Plain)) {
                 sentences.add(name + " is a metal of several colours; POV-Ray lets it mirror in one");
             }
+            if (!PovMaterials.emits(material)) {
+                sentences.add(name + " shines where its own colour is black, or in one light over several colours; POV-Ray multiplies the one by the other");
+            }
             Untold.of(material).forEach(attribute -> sentences.add(name + ": POV-Ray is not told the " + attribute + " of its material"));
         }
     }

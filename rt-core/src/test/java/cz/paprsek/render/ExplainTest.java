@@ -106,7 +106,8 @@ class ExplainTest {
         assertThat(ray.level()).isEqualTo(level);
         assertThat(ray.direction().length()).isCloseTo(1, Offset.offset(1e-9));
         ray.encounter().ifPresent(met -> {
-            assertThat(met.terms().stream().reduce(LinearRgb::plus).orElseThrow()).isEqualTo(ray.light());
+            LinearRgb sum = met.terms().stream().reduce(LinearRgb::plus).orElseThrow();
+            assertThat(ray.absorbed().map(by -> by.left().times(sum)).orElse(sum)).isEqualTo(ray.light());
             met.lights().forEach(term -> assertIsConsistent(met, term));
         });
         ray.children().forEach(child -> assertAddsUp(child, level + 1));

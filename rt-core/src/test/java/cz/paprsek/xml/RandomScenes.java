@@ -123,7 +123,8 @@ public final class RandomScenes {
 
     private Material material() {
         return new Material(random.nextBoolean() ? new Pattern.Plain(color()) : pattern(), random.nextDouble(), random.nextDouble(), number(), random.nextDouble(), random.nextDouble(),
-                1 + random.nextDouble()).withFresnel(pick(Material.Fresnel.values()));
+                1 + random.nextDouble()).withFresnel(pick(Material.Fresnel.values()))
+                .withAttenuation(color(), number()).withEmission(color(), number());
     }
 
     private Pattern pattern() {

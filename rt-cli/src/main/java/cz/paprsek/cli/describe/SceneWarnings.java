@@ -185,6 +185,10 @@ public final class SceneWarnings {
         if (indices > 1) {
             add("indices", label, object, label + " is transparent, but its operands have different refractive indices; one body has one index");
         }
+        if (made.stream().filter(material -> material.transparency() > 0)
+                .map(material -> List.of(material.attenuationColor(), material.attenuationDistance())).distinct().count() > 1) {
+            add("indices", label, object, label + " is transparent, but its operands absorb differently; one body is of one substance, that of its first transparent operand");
+        }
         Surface placed = object.placed(scene);
         if (!isOpaque && placed instanceof Volume volume) {
             double index = made.stream().filter(material -> material.transparency() > 0).findFirst().orElseThrow().refractiveIndex();

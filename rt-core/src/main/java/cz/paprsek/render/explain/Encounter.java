@@ -18,6 +18,7 @@ import java.util.Optional;
  * @param color C, the surface's colour at this point
  * @param ambientLight A, the scene's light that reaches every point alike
  * @param ambient the ambient term, A·C
+ * @param emitted light that the surface gives off of its own
  * @param lights the term of each light; empty if the material shows no light that falls on it
  * @param refraction what becomes of the ray at a transparent surface; empty at an opaque one, and where the depth ends
  * @param split how much is mirrored at this angle; empty if that does not depend on the angle, and where the depth ends
@@ -31,6 +32,7 @@ public record Encounter(
         LinearRgb color,
         LinearRgb ambientLight,
         LinearRgb ambient,
+        LinearRgb emitted,
         List<LightTerm> lights,
         Optional<Refraction> refraction,
         Optional<Split> split,
@@ -44,6 +46,7 @@ public record Encounter(
         Objects.requireNonNull(color, "color");
         Objects.requireNonNull(ambientLight, "ambientLight");
         Objects.requireNonNull(ambient, "ambient");
+        Objects.requireNonNull(emitted, "emitted");
         Objects.requireNonNull(refraction, "refraction");
         Objects.requireNonNull(split, "split");
         Objects.requireNonNull(reflected, "reflected");
@@ -55,6 +58,9 @@ public record Encounter(
     public List<LinearRgb> terms() {
         List<LinearRgb> terms = new ArrayList<>();
         terms.add(ambient);
+        if (!emitted.equals(LinearRgb.BLACK)) {
+            terms.add(emitted);
+        }
         lights.forEach(term -> terms.add(term.added()));
         reflected.ifPresent(ray -> terms.add(ray.light().times(ray.weight())));
         refracted.ifPresent(ray -> terms.add(ray.light().times(ray.weight())));

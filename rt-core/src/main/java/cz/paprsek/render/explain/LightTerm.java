@@ -39,7 +39,7 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
     }
 
     /**
-     * A ray that went to look for a light, and what the light brings along it: V·I·(kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ).
+     * A ray that went to look for a light, and what the light brings along it: V·τ·I·(kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ).
      *
      * @param target the point of the light, world space; empty for a sun
      * @param intensity I, what arrives from there if nothing is in the way; black if the light does not shine this way
@@ -49,6 +49,8 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
      * @param alignment R·L
      * @param visibility V, the share of the light that arrives; 0 also if the surface is turned away
      * @param obstacles what stands between, the nearest to the point first, up to the first opaque one
+     * @param absorptions what substances on the way take, the nearest to the point first
+     * @param left τ, the share that they leave; white also in shadow
      * @param diffuse kD·max(0, N·L); 0 in shadow
      * @param highlight kS·max(0, R·L)ⁿ; 0 in shadow
      * @param added what it brings
@@ -62,6 +64,8 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
             double alignment,
             double visibility,
             List<Obstacle> obstacles,
+            List<Absorption> absorptions,
+            LinearRgb left,
             double diffuse,
             double highlight,
             LinearRgb added) {
@@ -71,12 +75,14 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
             Objects.requireNonNull(intensity, "intensity");
             Objects.requireNonNull(direction, "direction");
             Objects.requireNonNull(added, "added");
+            Objects.requireNonNull(left, "left");
             obstacles = List.copyOf(obstacles);
+            absorptions = List.copyOf(absorptions);
         }
 
         /** The same with what the light brings. */
         public ShadowRay lit(double diffuseShare, double highlightShare, LinearRgb term) {
-            return new ShadowRay(target, intensity, direction, distance, facing, alignment, visibility, obstacles, diffuseShare, highlightShare, term);
+            return new ShadowRay(target, intensity, direction, distance, facing, alignment, visibility, obstacles, absorptions, left, diffuseShare, highlightShare, term);
         }
 
         /** Whether the surface faces the light, and that shines this way; if not, nobody looked what stands between. */

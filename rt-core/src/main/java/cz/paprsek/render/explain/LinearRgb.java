@@ -8,6 +8,11 @@ public record LinearRgb(double red, double green, double blue) {
 
     public static final LinearRgb WHITE = new LinearRgb(1, 1, 1);
 
+    /** The light that a colour stands for. */
+    public static LinearRgb of(Rgb color) {
+        return new LinearRgb(color.linearRed(), color.linearGreen(), color.linearBlue());
+    }
+
     public LinearRgb plus(LinearRgb other) {
         return new LinearRgb(red + other.red, green + other.green, blue + other.blue);
     }

@@ -21,11 +21,12 @@ import java.util.stream.Stream;
  * @param encounter what object it hits; empty if it sees a light or the background
  * @param seen what light it sees as it is, at which it ends
  * @param sight how the camera's lens made it; empty for rays that are not from the eye, and through pinholes
- * @param light what it brings back, the exact sum of the encounter's {@linkplain Encounter#terms terms}
+ * @param absorbed what the substance it comes through takes of the light it brings
+ * @param light what it brings back, the exact sum of the encounter's {@linkplain Encounter#terms terms}, of which a share is left if there is an absorption
  */
 public record TracedRay(
         Kind kind, int level, LinearRgb weight, Vec3 origin, Vec3 direction, Medium medium, Optional<Encounter> encounter,
-        Optional<SeenLight> seen, Optional<Sight> sight, LinearRgb light) {
+        Optional<SeenLight> seen, Optional<Sight> sight, Optional<Absorption> absorbed, LinearRgb light) {
     public TracedRay {
         Objects.requireNonNull(kind, "kind");
         Objects.requireNonNull(weight, "weight");
@@ -35,6 +36,7 @@ public record TracedRay(
         Objects.requireNonNull(encounter, "encounter");
         Objects.requireNonNull(seen, "seen");
         Objects.requireNonNull(sight, "sight");
+        Objects.requireNonNull(absorbed, "absorbed");
         Objects.requireNonNull(light, "light");
     }
 

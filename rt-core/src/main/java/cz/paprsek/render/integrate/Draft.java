@@ -1,6 +1,7 @@
 package cz.paprsek.render.integrate;
 
 import cz.paprsek.material.Material;
+import cz.paprsek.render.explain.Absorption;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.Encounter.Split;
@@ -21,6 +22,7 @@ public final class Draft {
     private final LinearRgb ambientLight;
     public final ShadowWalk.Start start;
     private final List<LightTerm> lights = new ArrayList<>();
+    public LinearRgb emitted = LinearRgb.BLACK;
     public Optional<Refraction> refraction = Optional.empty();
     public Optional<Split> split = Optional.empty();
     private Optional<TracedRay> reflected = Optional.empty();
@@ -70,9 +72,9 @@ public final class Draft {
         }
     }
 
-    public TracedRay finished(LinearRgb light, int maxDepth) {
+    public TracedRay finished(Optional<Absorption> absorbed, LinearRgb light, int maxDepth) {
         boolean cutOff = ray.level() == maxDepth && (material.reflection() > 0 || material.transparency() > 0);
-        Encounter encounter = new Encounter(place, material, color, ambientLight, ray.light(), lights, refraction, split, reflected, refracted, cutOff);
-        return new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.of(encounter), Optional.empty(), ray.sight(), light);
+        Encounter encounter = new Encounter(place, material, color, ambientLight, ray.light(), emitted, lights, refraction, split, reflected, refracted, cutOff);
+        return new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.of(encounter), Optional.empty(), ray.sight(), absorbed, light);
     }
 }

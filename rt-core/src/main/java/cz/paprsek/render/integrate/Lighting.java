@@ -19,6 +19,7 @@ import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
 import java.util.function.BooleanSupplier;
+import java.util.function.IntPredicate;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
@@ -60,6 +61,11 @@ final class Lighting {
     private final Entries[] between;
     private final Entries anywhere;
     private double[] shares = new double[16];
+    /** Whether substances weaken light on its way, and by how much along the last shadow ray. */
+    private final boolean dims;
+    private final Dimming dimming;
+    private final IntPredicate isMet = this::isMet;
+    private Media around = new Media();
     /** What the light that was last looked for brings along its shadow ray. */
     private double red;
     private double green;
@@ -88,6 +94,8 @@ final class Lighting {
         this.towardsLamp = Stream.generate(() -> new Entries(MOST_ENTRIES)).limit(lamps.length).toArray(Entries[]::new);
         this.between = new Entries[lamps.length];
         this.anywhere = bodies.whole();
+        this.dims = scene.absorbs();
+        this.dimming = new Dimming(scene);
     }
 
     /** Whether some light is looked for at random points: then the sampler is to be started before each hit is lit. */
@@ -205,9 +213,15 @@ final class Lighting {
             return false;
         }
         double visibility = visibility(depth, light, level, leaving);
+        if (dims && visibility > 0) {
+            witness.dimmed(dimming.red, dimming.green, dimming.blue);
+        }
         witness.sought(light, arrival, facing, visibility);
         if (!(visibility > 0)) {
             return false;
+        }
+        if (dims) {
+            arrival.light(arrival.red * dimming.red, arrival.green * dimming.green, arrival.blue * dimming.blue);
         }
         double diffuse = finish.diffusion * facing;
         double highlight = finish.highlight(mirrorX * lx + mirrorY * ly + mirrorZ * lz);
@@ -221,7 +235,7 @@ final class Lighting {
     private double visibility(int depth, int light, Level level, boolean leaving) {
         rays++;
         Entries among = depth == 0 ? between[light] : anywhere;
-        if (bodies.isClear(among) && glows.areNone()) {
+        if (bodies.isClear(among) && glows.areNone() && !dims) {
             return 1;
         }
         Hit hit = level.hit;
@@ -229,7 +243,8 @@ final class Lighting {
         shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, ray.part,
                 leaving != ray.face < 0);
         backFrom(level, shadow);
-        double share = share(depth * lamps.length + light, among, level.media);
+        around = level.media;
+        double share = share(depth * lamps.length + light, among);
         return share > 0 && glows.occluder(shadow, light) != Glows.NONE ? 0 : share;
     }
 
@@ -241,14 +256,17 @@ final class Lighting {
     }
 
     /** The share of a light that comes along the shadow ray: the product of the transparencies of all surfaces in between. */
-    private double share(int memory, Entries among, Media around) {
+    private double share(int memory, Entries among) {
         Surface last = lastOccluder[memory];
         if (last != null && last.occludes(shadow)) {
             return 0;
         }
         int mark = spans.size();
         Surface occluder = bodies.occluder(shadow, among, finder, spans);
-        double product = occluder == null ? product(mark, around) : 0;
+        double product = occluder == null ? product(mark) : 0;
+        if (dims && product > 0) {
+            dimming.along(spans, mark, isMet, around, arrival.distance, Dimming.UNTOLD);
+        }
         spans.release(mark);
         if (occluder != last) {
             lastOccluder[memory] = occluder;
@@ -256,15 +274,20 @@ final class Lighting {
         return product;
     }
 
+    /** Whether the shadow ray meets a boundary that was found, which may lie in one place with its start. */
+    private boolean isMet(int boundary) {
+        return spans.t(boundary) > shadow.contact || contacts.counts(shadow, around, true, false, boundary);
+    }
+
     /** The smallest share first, so that the product does not depend on the order in which the surfaces were found. */
-    private double product(int mark, Media around) {
+    private double product(int mark) {
         int most = spans.size() - mark;
         if (most > shares.length) {
             shares = new double[2 * most];
         }
         int count = 0;
         for (int i = mark; i < mark + most; i++) {
-            if (spans.t(i) <= shadow.contact && !contacts.counts(shadow, around, true, false, i)) {
+            if (!isMet(i)) {
                 continue;
             }
             double share = parts.finish(spans.part(i)).transparency;

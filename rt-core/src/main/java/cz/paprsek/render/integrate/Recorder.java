@@ -3,6 +3,7 @@ package cz.paprsek.render.integrate;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.explain.Absorption;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.Encounter.Split;
@@ -42,6 +43,9 @@ public final class Recorder extends Whitted {
     private final Deque<Draft> open = new ArrayDeque<>();
     private TracedRay.Kind kind = TracedRay.Kind.PRIMARY;
     private LinearRgb weight = LinearRgb.WHITE;
+    /** What the substance around the ray at hand takes, once that is known. */
+    private Optional<Absorption> absorbed = Optional.empty();
+    private LinearRgb left = LinearRgb.WHITE;
     /** What makes the rays, if an eye does. */
     private Optional<Eye> eye = Optional.empty();
 
@@ -99,7 +103,7 @@ public final class Recorder extends Whitted {
     public void seen(Level level, int lamp) {
         TracedRay ray = begin(level);
         deliver(new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.empty(),
-                Optional.of(new SeenLight(lamp, scene.scene().lights().get(lamp).name(), level.ray.max)), ray.sight(), ray.light()));
+                Optional.of(new SeenLight(lamp, scene.scene().lights().get(lamp).name(), level.ray.max)), ray.sight(), ray.absorbed(), ray.light()));
     }
 
     @Override
@@ -110,7 +114,13 @@ public final class Recorder extends Whitted {
         draft.sought(lamp, scene.scene().lights().get(lamp).name(), new ShadowRay(target(lamp, draft, direction, arrival.distance), new LinearRgb(arrival.red, arrival.green, arrival.blue),
                 direction, arrival.distance, facing, draft.place.mirrored().dot(direction), visibility,
                 isSent && visibility < 1 ? shadowWalk.obstacles(draft.start, direction, arrival.distance, lamp) : List.of(),
-                0, 0, LinearRgb.BLACK));
+                left.equals(LinearRgb.WHITE) ? List.of() : shadowWalk.absorptions(draft.start, direction, arrival.distance), left, 0, 0, LinearRgb.BLACK));
+        left = LinearRgb.WHITE;
+    }
+
+    @Override
+    public void dimmed(double red, double green, double blue) {
+        left = new LinearRgb(red, green, blue);
     }
 
     /** Of a light without a size, to the last bit where it stands. */
@@ -141,8 +151,24 @@ public final class Recorder extends Whitted {
     }
 
     @Override
+    public void emitted(double red, double green, double blue) {
+        open.element().emitted = new LinearRgb(red, green, blue);
+    }
+
+    @Override
+    public void absorbed(int object, double length, double red, double green, double blue) {
+        absorbed = Optional.of(shadowWalk.absorption(object, length, new LinearRgb(red, green, blue)));
+    }
+
+    @Override
     public void ended(Level level) {
-        deliver(open.pop().finished(light(level), maxDepth));
+        deliver(open.pop().finished(takeAbsorbed(), light(level), maxDepth));
+    }
+
+    private Optional<Absorption> takeAbsorbed() {
+        Optional<Absorption> taken = absorbed;
+        absorbed = Optional.empty();
+        return taken;
     }
 
     private TracedRay begin(Level level) {
@@ -150,7 +176,7 @@ public final class Recorder extends Whitted {
         int around = level.media.innermost();
         return new TracedRay(kind, open.size() + 1, weight, new Vec3(ray.ox, ray.oy, ray.oz), new Vec3(ray.dx, ray.dy, ray.dz),
                 new Medium(around < 0 ? Optional.empty() : Optional.of(new InScene<>(scene.scene(), ScenePath.body(around))), level.media.refractiveIndex()),
-                Optional.empty(), Optional.empty(), kind == TracedRay.Kind.PRIMARY ? eye.flatMap(from -> sight(from, ray)) : Optional.empty(), light(level));
+                Optional.empty(), Optional.empty(), kind == TracedRay.Kind.PRIMARY ? eye.flatMap(from -> sight(from, ray)) : Optional.empty(), takeAbsorbed(), light(level));
     }
 
     private Optional<Sight> sight(Eye from, Ray ray) {

@@ -1,7 +1,9 @@
 package cz.paprsek.render.integrate;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.Absorption;
 import cz.paprsek.render.explain.LightTerm.ShadowRay.Obstacle;
+import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Contacts;
@@ -16,6 +18,7 @@ import cz.paprsek.shape.placed.Spans;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
@@ -29,6 +32,7 @@ public final class ShadowWalk {
     private final Spans spans = new Spans();
     private final Ray ray = new Ray(spans);
     private final IntFunction<InScene<BodyAt>> path;
+    private final Dimming dimming;
 
     /**
      * Where a shadow ray starts.
@@ -48,19 +52,16 @@ public final class ShadowWalk {
         this.gatherer = bodies.newGatherer(spans);
         this.contacts = new Contacts(scene, bodies.newFinder(), spans);
         this.path = path;
+        this.dimming = new Dimming(scene);
     }
 
     /** The surfaces in the way to a light, the nearest first, up to the first that lets no light through. */
     public List<Obstacle> obstacles(Start start, Vec3 direction, double distance, int lamp) {
-        Vec3 point = start.point();
-        ray.start(point.x(), point.y(), point.z(), direction.x(), direction.y(), direction.z(), start.size(),
-                distance - Ray.TOUCH * start.size(), start.part(), start.inwards());
+        aim(start, direction, distance);
         int blocking = scene.glows().occluder(ray, lamp);
         double reach = blocking == Glows.NONE ? Double.POSITIVE_INFINITY : scene.glows().distance(ray, blocking);
-        spans.release(0);
-        bodies.crossings(ray, gatherer);
         int[] inOrder = IntStream.range(0, spans.size())
-                .filter(i -> spans.t(i) > ray.contact || isMetAtOnce(start, i))
+                .filter(i -> isMet(start, i))
                 .boxed().sorted(Comparator.<Integer>comparingDouble(spans::t).thenComparingInt(spans::part))
                 .mapToInt(Integer::intValue).toArray();
         List<Obstacle> found = new ArrayList<>();
@@ -77,6 +78,39 @@ public final class ShadowWalk {
             found.add(new Obstacle(new InScene<>(scene.scene(), ScenePath.light(blocking)), reach, 0));
         }
         return found;
+    }
+
+    private void aim(Start start, Vec3 direction, double distance) {
+        Vec3 point = start.point();
+        ray.start(point.x(), point.y(), point.z(), direction.x(), direction.y(), direction.z(), start.size(),
+                distance - Ray.TOUCH * start.size(), start.part(), start.inwards());
+        spans.release(0);
+        bodies.crossings(ray, gatherer);
+    }
+
+    /** What substances take of light that comes all the way, the nearest first. */
+    public List<Absorption> absorptions(Start start, Vec3 direction, double distance) {
+        aim(start, direction, distance);
+        List<Absorption> found = new ArrayList<>();
+        dimming.along(spans, 0, i -> isMet(start, i), start.around(), distance, (object, length) -> found.add(alone(object, length)));
+        return found;
+    }
+
+    /** What is left after a way through an object, worked out by itself. */
+    private Absorption alone(int object, double length) {
+        Dimming stretch = new Dimming(scene);
+        stretch.go(object, length);
+        stretch.finish();
+        return absorption(object, length, new LinearRgb(stretch.red, stretch.green, stretch.blue));
+    }
+
+    /** What is left after a way through an object that takes something. */
+    public Absorption absorption(int object, double length, LinearRgb left) {
+        return new Absorption(new InScene<>(scene.scene(), ScenePath.body(object)), Objects.requireNonNull(scene.absorption(object)).material, length, left);
+    }
+
+    private boolean isMet(Start start, int i) {
+        return spans.t(i) > ray.contact || isMetAtOnce(start, i);
     }
 
     private boolean isMetAtOnce(Start start, int i) {

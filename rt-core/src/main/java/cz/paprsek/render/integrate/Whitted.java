@@ -46,6 +46,8 @@ public class Whitted extends Witness implements Integrator {
     private final Sampling sampling;
     /** What is random: started for a sample of a pixel before its ray is, and anew before the block's hits are shaded, if there is a light that asks. */
     private final Sampler sampler;
+    private final boolean dims;
+    private final Dimming dimming;
     private final double[] background;
     private final double[] ambient;
     private final Arrival seen = new Arrival();
@@ -71,6 +73,8 @@ public class Whitted extends Witness implements Integrator {
         this.cameraRays = new CameraRays(scene, sampling, sampler);
         this.sums = sampling.newSums();
         this.lighting = new Lighting(scene, maxDepth, intersector, spans, sampler, this, this::isToStop);
+        this.dims = scene.absorbs();
+        this.dimming = new Dimming(scene);
         this.levels = new Level[maxDepth];
         this.scatters = new Scatter[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
@@ -319,6 +323,9 @@ public class Whitted extends Witness implements Integrator {
 
         level.light(ambient[0] * level.colorRed, ambient[1] * level.colorGreen, ambient[2] * level.colorBlue);
         met(level, leaving, c, mirrorX, mirrorY, mirrorZ, size);
+        if (finish.glows) {
+            emit(level, finish);
+        }
         if (finish.isLit()) {
             lighting.illuminate(depth, level, finish, leaving, mirrorX, mirrorY, mirrorZ);
         }
@@ -329,7 +336,27 @@ public class Whitted extends Witness implements Integrator {
                 scatter(level, levels[depth + 1], depth + 1, finish, leaving, c, size);
             }
         }
+        if (dims) {
+            dim(level);
+        }
         ended(level);
+    }
+
+    private void emit(Level level, Finish finish) {
+        level.add(finish.red, finish.green, finish.blue);
+        emitted(finish.red, finish.green, finish.blue);
+    }
+
+    /** Takes from the level's light what the substance takes that its ray comes through. */
+    private void dim(Level level) {
+        int object = level.media.innermost();
+        double way = level.ray.part < 0 ? Double.POSITIVE_INFINITY : level.ray.max;
+        dimming.clear();
+        if (!level.ray.isBlind() && dimming.go(object, way)) {
+            dimming.finish();
+            level.light(dimming.red * level.red, dimming.green * level.green, dimming.blue * level.blue);
+            absorbed(object, way, dimming.red, dimming.green, dimming.blue);
+        }
     }
 
     /** The ray sees a light's body, and ends there. */
@@ -342,6 +369,9 @@ public class Whitted extends Witness implements Integrator {
         }
         glows.shine(ray.part, isBehind, seen);
         level.light(seen.red, seen.green, seen.blue);
+        if (dims) {
+            dim(level);
+        }
         seen(level, glows.lamp(ray.part));
     }
 
@@ -350,9 +380,15 @@ public class Whitted extends Witness implements Integrator {
         int sun = isBlind ? Glows.NONE : glows.sky(level.ray.dx, level.ray.dy, level.ray.dz, seen);
         if (sun == Glows.NONE) {
             level.light(isBlind ? 0 : background[0], isBlind ? 0 : background[1], isBlind ? 0 : background[2]);
+            if (dims) {
+                dim(level);
+            }
             missed(level);
         } else {
             level.light(seen.red, seen.green, seen.blue);
+            if (dims) {
+                dim(level);
+            }
             seen(level, sun);
         }
     }

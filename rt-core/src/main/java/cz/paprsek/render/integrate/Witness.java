@@ -48,6 +48,9 @@ public abstract class Witness {
      */
     public void sought(int lamp, Arrival arrival, double facing, double visibility) {}
 
+    /** The substances on the way leave this share of what arrives of the light that is told next by {@link #sought}. */
+    public void dimmed(double red, double green, double blue) {}
+
     /**
      * What the light sought last adds to the level's light, or to the mean of those sought.
      *
@@ -78,6 +81,17 @@ public abstract class Witness {
      * @param red the share that is mirrored at this angle, of what the material mirrors
      */
     public void split(double from, double to, double cosine, double beyond, double red, double green, double blue) {}
+
+    /** The surface gives off light of its own, which has been added to the level's. */
+    public void emitted(double red, double green, double blue) {}
+
+    /**
+     * What the level's ray brings is about to be told: the substance it comes through has left a share of it.
+     *
+     * @param object number of the object it is inside of
+     * @param length of its way
+     */
+    public void absorbed(int object, double length, double red, double green, double blue) {}
 
     /** The level's light is complete. */
     public void ended(Level level) {}

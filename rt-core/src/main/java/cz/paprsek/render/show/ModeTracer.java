@@ -21,6 +21,8 @@ public final class ModeTracer extends Whitted {
     private final boolean numbers;
     private final double[] all = new double[3];
     private final double[] arrived = new double[3];
+    /** What substances leave of the light that is told next. */
+    private final double[] left = {1, 1, 1};
     private double red;
     private double green;
     private double blue;
@@ -117,13 +119,21 @@ public final class ModeTracer extends Whitted {
     }
 
     @Override
+    public void dimmed(double red, double green, double blue) {
+        left[0] = red;
+        left[1] = green;
+        left[2] = blue;
+    }
+
+    @Override
     public void sought(int lamp, Arrival arrival, double facing, double visibility) {
         if (mode == RenderMode.SHADOWS) {
             Lamp light = scene.lamps()[lamp];
             double share = visibility / light.samples();
-            arrived[0] += share * light.red();
-            arrived[1] += share * light.green();
-            arrived[2] += share * light.blue();
+            arrived[0] += share * left[0] * light.red();
+            arrived[1] += share * left[1] * light.green();
+            arrived[2] += share * left[2] * light.blue();
+            Arrays.fill(left, 1);
         }
     }
 

@@ -15,6 +15,11 @@ public final class Finish {
     public final Fresnel fresnel;
     /** Whether it mirrors and lets through the same shares at every angle: nearly all surfaces do, and are shaded by a shorter way. */
     public final boolean isPlain;
+    /** Whether it gives off light of its own: {@link #red} and so on, linear. */
+    public final boolean glows;
+    public final double red;
+    public final double green;
+    public final double blue;
     private final double shininess;
     /** The exponent if it is a whole number, else −1. */
     private final int wholeShininess;
@@ -31,6 +36,10 @@ public final class Finish {
         refractiveIndex = material.refractiveIndex();
         fresnel = material.fresnel();
         isPlain = fresnel == Fresnel.FALSE;
+        red = material.emission().linearRed() * material.emissionStrength();
+        green = material.emission().linearGreen() * material.emissionStrength();
+        blue = material.emission().linearBlue() * material.emissionStrength();
+        glows = red > 0 || green > 0 || blue > 0;
     }
 
     /** Whether light that falls on it shows: if not, no shadow ray is needed. */

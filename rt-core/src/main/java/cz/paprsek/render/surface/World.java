@@ -8,8 +8,11 @@ import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.TreeBuilder;
+import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /** A scene as rays meet it: shapes placed in the world, materials resolved, the tree built. Immutable; any number of workers may use it at once. */
 public final class World {
@@ -26,6 +29,9 @@ public final class World {
     private final Glows glows;
     /** Whether each object is transparent, has an inside, and may touch another such object. */
     private final boolean[] mayTouch;
+    /** What the inside of each object takes of light: nothing in place of null. */
+    private final @Nullable Absorption[] absorbing;
+    private final boolean absorbs;
     /** The first part of every solid without end. */
     private final int[] endless;
     private final int[] aroundCamera;
@@ -41,9 +47,11 @@ public final class World {
         this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
         this.surfaces = new Surface[scene.objects().size()];
         this.opaque = new boolean[surfaces.length];
+        this.absorbing = new Absorption[surfaces.length];
         // Of what lies in one place the lowest part is met first: other things lie on bodies of glass, never a hair's breadth in them.
         place(false, stop);
         place(true, stop);
+        this.absorbs = Stream.of(absorbing).anyMatch(Objects::nonNull);
         this.bodies = Bodies.of(surfaces, opaque, stop);
         this.glows = Glows.of(scene.lights(), parts.size());
         this.mayTouch = touching();
@@ -59,6 +67,7 @@ public final class World {
                 int first = parts.size();
                 surfaces[i] = parts.place(i, object);
                 opaque[i] = isOpaque(first, parts.size());
+                absorbing[i] = isSolid(i) ? absorbing(first, parts.size()) : null;
             }
         }
     }
@@ -70,6 +79,8 @@ public final class World {
         this.surfaces = other.surfaces;
         this.opaque = other.opaque;
         this.bodies = other.bodies;
+        this.absorbing = other.absorbing;
+        this.absorbs = other.absorbs;
         this.mayTouch = other.mayTouch;
         this.endless = other.endless;
         this.glows = Glows.of(scene.lights(), parts.size());
@@ -126,6 +137,20 @@ public final class World {
         return mayTouch[object];
     }
 
+    /** Whether the inside of any object takes something of light. */
+    public boolean absorbs() {
+        return absorbs;
+    }
+
+    /**
+     * What the inside of an object takes of light; null if that is nothing.
+     *
+     * @param object −1 for what is around all objects
+     */
+    public @Nullable Absorption absorption(int object) {
+        return object < 0 ? null : absorbing[object];
+    }
+
     public Surface surface(int object) {
         return surfaces[object];
     }
@@ -147,6 +172,17 @@ public final class World {
             }
         }
         return true;
+    }
+
+    /** One body has one inside: that of its first part which light gets through. */
+    private @Nullable Absorption absorbing(int firstPart, int endPart) {
+        for (int i = firstPart; i < endPart; i++) {
+            if (parts.finish(i).transparency > 0) {
+                Absorption inside = new Absorption(parts.finish(i).material);
+                return inside.isAny() ? inside : null;
+            }
+        }
+        return null;
     }
 
     private int[] findEndless() {

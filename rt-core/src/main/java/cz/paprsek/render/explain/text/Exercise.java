@@ -3,6 +3,7 @@ package cz.paprsek.render.explain.text;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.TracedRay.SeenLight;
 import cz.paprsek.render.explain.TracedRay.Sight;
@@ -61,6 +62,7 @@ final class Exercise {
 
     private void missed() {
         ray.seen().ifPresentOrElse(this::seen, () -> say(Topic.POINT, words.of("name.hits"), words.of("nothing")));
+        ray.absorbed().ifPresent(by -> steps.add(Absorbing.step(Topic.SUM, by, words)));
         step(Topic.SUM, words.of("name.light-of", name), "", "", Figures.of(ray.light()));
     }
 
@@ -76,6 +78,11 @@ final class Exercise {
         material(met.material());
         step(Topic.POINT, words.of("name.color"), "C", "", Figures.of(met.color()));
         step(Topic.AMBIENT, words.of("name.ambient"), "A·C", Figures.of(met.ambientLight()) + "·" + Figures.of(met.color()), Figures.of(met.ambient()));
+        if (!met.emitted().equals(LinearRgb.BLACK)) {
+            Material material = met.material();
+            step(Topic.AMBIENT, words.of("name.emission"), "E·" + words.of("strength"), Figures.of(LinearRgb.of(material.emission())) + "·"
+                    + Figures.of(material.emissionStrength()), Figures.of(met.emitted()));
+        }
         met.lights().forEach(term -> new LightSteps(met, term, words, steps).write());
         if (met.material().diffusion() == 0 && met.material().specular() == 0) {
             say(Topic.LIGHT, words.of("name.lights"), words.of("no-light-shows"));

@@ -31,9 +31,18 @@ record LightSteps(Encounter met, LightTerm term, Words words, List<Step> steps) 
         ray.obstacles().forEach(this::obstacle);
         steps.add(new Step(Topic.SHADOW, "", "V", ray.obstacles().size() < 2 ? ""
                 : ray.obstacles().stream().map(o -> Figures.of(o.transparency())).collect(Collectors.joining("·")),
-                Figures.of(ray.visibility()) + (ray.obstacles().isEmpty() ? words.of("free") : ray.visibility() > 0 ? "" : words.of("in-shadow"))));
+                Figures.of(ray.visibility()) + (ray.obstacles().isEmpty() && ray.absorptions().isEmpty() ? words.of("free") : ray.visibility() > 0 ? "" : words.of("in-shadow"))));
+        absorptions(ray);
         if (ray.visibility() > 0) {
             shine(ray);
+        }
+    }
+
+    /** What the substances on the way leave; of several, the product. */
+    private void absorptions(ShadowRay ray) {
+        ray.absorptions().forEach(one -> steps.add(Absorbing.step(Topic.SHADOW, one, words)));
+        if (ray.absorptions().size() > 1) {
+            steps.add(new Step(Topic.SHADOW, "", "τ", "", Figures.of(ray.left())));
         }
     }
 
@@ -51,11 +60,11 @@ record LightSteps(Encounter met, LightTerm term, Words words, List<Step> steps) 
                     Figures.of(material.specular()) + "·" + (ray.alignment() > 0 ? Figures.power(ray.alignment(), material.shininess()) : "0"),
                     Figures.of(ray.highlight()));
         }
-        step("", material.specular() > 0 ? "V·I·(D·C + S)" : "V·I·D·C", brings(ray), Figures.of(ray.added()));
+        step("", (ray.absorptions().isEmpty() ? "V·I" : "V·τ·I") + (material.specular() > 0 ? "·(D·C + S)" : "·D·C"), brings(ray), Figures.of(ray.added()));
     }
 
     private String brings(ShadowRay ray) {
-        return Figures.of(ray.visibility()) + "·" + Figures.of(ray.intensity()) + "·"
+        return Figures.of(ray.visibility()) + "·" + (ray.absorptions().isEmpty() ? "" : Figures.share(ray.left()) + "·") + Figures.of(ray.intensity()) + "·"
                 + (met.material().specular() > 0 ? "(" + Figures.of(ray.diffuse()) + "·C + " + Figures.of(ray.highlight()) + ")" : Figures.of(ray.diffuse()) + "·C");
     }
 
@@ -70,6 +79,7 @@ record LightSteps(Encounter met, LightTerm term, Words words, List<Step> steps) 
                 steps.add(Step.saying(Topic.SHADOW, "", (i + 1) + ": " + name + ": " + words.of(ray.facing() > 0 ? "shines-elsewhere" : "turned-away")));
             } else if (ray.visibility() > 0) {
                 ray.obstacles().forEach(this::obstacle);
+                absorptions(ray);
                 step("", (i + 1) + ": " + name, brings(ray), Figures.of(ray.added()));
             } else {
                 Obstacle last = ray.obstacles().get(ray.obstacles().size() - 1);

@@ -3,6 +3,7 @@ package cz.paprsek.render.explain.text;
 import cz.paprsek.attribute.Described;
 import cz.paprsek.io.Json;
 import cz.paprsek.material.Material;
+import cz.paprsek.render.explain.Absorption;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.Encounter.Split;
@@ -42,6 +43,7 @@ public final class TreeJson {
                 .with("medium", new Json().with("name", ray.medium().solid().map(solid -> solid.part().label(solid.scene())).orElse(""))
                         .with("refractive-index", ray.medium().refractiveIndex()));
         ray.sight().ifPresent(sight -> json.with("lens", of(sight)));
+        ray.absorbed().ifPresent(by -> json.with("absorption", of(by)));
         color(json, "light", ray.light());
         ray.seen().ifPresent(light -> json.with("seen", of(light)));
         ray.encounter().ifPresent(met -> json.with("hit", of(met)));
@@ -59,6 +61,9 @@ public final class TreeJson {
         color(json, "color", met.color());
         color(json, "ambient-light", met.ambientLight());
         color(json, "ambient", met.ambient());
+        if (!met.emitted().equals(LinearRgb.BLACK)) {
+            color(json, "emitted", met.emitted());
+        }
         json.with("lights", met.lights().stream().map(TreeJson::of).toList());
         met.refraction().ifPresent(bend -> json.with("refraction", of(bend)));
         met.split().ifPresent(split -> json.with("fresnel", of(split)));
@@ -118,6 +123,9 @@ public final class TreeJson {
         if (Double.isFinite(ray.distance())) {
             json.with("distance", ray.distance());
         }
+        if (!ray.absorptions().isEmpty()) {
+            color(json.with("absorptions", ray.absorptions().stream().map(TreeJson::of).toList()), "left", ray.left());
+        }
         return json
                 .with("n-dot-l", ray.facing())
                 .with("r-dot-l", ray.alignment())
@@ -125,6 +133,12 @@ public final class TreeJson {
                 .with("obstacles", ray.obstacles().stream().map(TreeJson::of).toList())
                 .with("diffuse", ray.diffuse())
                 .with("highlight", ray.highlight());
+    }
+
+    private static Json of(Absorption by) {
+        Json json = new Json().with("body", of(by.body()));
+        // JSON has no number for a way without end.
+        return color(Double.isFinite(by.length()) ? json.with("length", by.length()) : json, "left", by.left());
     }
 
     private static Json of(SeenLight light) {
