@@ -15,7 +15,8 @@ import cz.paprsek.shape.placed.Spans;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import java.util.function.Supplier;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 
 /** A scene prepared for tracing: shapes placed in the world, materials resolved, the hierarchy built. Any number of renders may use it at once. */
 public final class RenderScene {
@@ -44,9 +45,14 @@ public final class RenderScene {
      * @throws IllegalStateException if the monitor throws anything, or there is too little memory: with what was thrown as its cause
      */
     public static RenderScene of(Scene scene, RenderMonitor monitor) {
+        return prepared(scene, monitor, stop -> new World(scene, stop));
+    }
+
+    private static RenderScene prepared(Scene scene, RenderMonitor monitor, Function<BooleanSupplier, World> how) {
         Preparation preparation = new Preparation(monitor);
+        long begin = System.nanoTime();
         try {
-            return ready(System.nanoTime(), () -> new World(scene, preparation::cancelled));
+            return new RenderScene(how.apply(preparation::cancelled), (System.nanoTime() - begin) / 1e9);
         } catch (CancellationException cancelled) {
             preparation.throwFault();
             throw cancelled;
@@ -56,22 +62,15 @@ public final class RenderScene {
     }
 
     /**
-     * Prepares a scene that was made from this one by a change. If camera, lights, background or ambient light are all that changed, that
-     * takes no time.
+     * Prepares a scene that was made from this one by changes, with the same pictures as if it were prepared anew. What has not changed is taken over: cameras,
+     * lights and surroundings take no time, and objects that were moved, resized or made of something else only their own, however many others there
+     * are. Only if objects were added or removed, named materials changed, or a sixteenth of all objects, are all prepared anew.
      *
      * @throws CancellationException as {@link #of(Scene, RenderMonitor)}
      * @throws IllegalStateException as there
      */
     public RenderScene changedTo(Scene changed, RenderMonitor monitor) {
-        Objects.requireNonNull(monitor, "monitor");
-        // The lists of two scenes that share their objects are one list; comparing what is in them would take as long as preparing them.
-        boolean sameBodies = changed.objects() == scene().objects() && changed.materials().equals(scene().materials());
-        return sameBodies ? ready(System.nanoTime(), () -> new World(changed, world)) : of(changed, monitor);
-    }
-
-    private static RenderScene ready(long begin, Supplier<World> preparing) {
-        World world = preparing.get();
-        return new RenderScene(world, (System.nanoTime() - begin) / 1e9);
+        return prepared(changed, monitor, stop -> world.changedTo(changed, stop));
     }
 
     /** The scene this was made of. */

@@ -17,20 +17,18 @@ final class BodyChanges {
     static Scene of(Scene scene, Collection<BodyAt> places, BiFunction<BodyAt, Body, Body> change) {
         Map<Integer, List<BodyAt>> byObject = new HashMap<>();
         places.forEach(at -> byObject.computeIfAbsent(at.numbers().get(0), object -> new ArrayList<>()).add(at));
-        List<SceneObject> objects = new ArrayList<>(scene.objects());
-        boolean isChanged = false;
+        Map<Integer, SceneObject> changes = new HashMap<>();
         for (Map.Entry<Integer, List<BodyAt>> entry : byObject.entrySet()) {
             BodyAt at = ScenePath.body(entry.getKey());
             if (at.isIn(scene)) {
                 Body old = at.in(scene);
                 Body fresh = changed(old, at, entry.getValue(), change);
                 if (!fresh.equals(old)) {
-                    objects.set(at.index(), fresh.toObject());
-                    isChanged = true;
+                    changes.put(at.index(), fresh.toObject());
                 }
             }
         }
-        return isChanged ? scene.withObjects(objects) : scene;
+        return changes.isEmpty() ? scene : scene.withObjects(changes);
     }
 
     private static Body changed(Body body, BodyAt at, List<BodyAt> places, BiFunction<BodyAt, Body, Body> change) {

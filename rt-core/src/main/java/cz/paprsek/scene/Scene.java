@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
 /**
@@ -57,16 +58,21 @@ public record Scene(
         Objects.requireNonNull(background, "background");
         Objects.requireNonNull(ambient, "ambient");
         tags = List.copyOf(tags);
-        cameras = List.copyOf(cameras);
-        lights = List.copyOf(lights);
-        materials = Collections.unmodifiableMap(new LinkedHashMap<>(materials));
-        objects = List.copyOf(objects);
-        SceneRules.Report refuse = (culprit, sentence) -> {
-            throw new IllegalArgumentException(sentence);
-        };
         Require.that(!cameras.isEmpty(), "a scene needs a camera");
-        SceneRules.checkCameras(cameras, refuse);
-        SceneRules.check(lights, materials, objects, refuse);
+        cameras = checked(cameras, Camera.class, all -> SceneRules.checkCameras(all, SceneRules.REFUSE));
+        lights = checked(lights, Light.class, all -> SceneRules.checkLights(all, SceneRules.REFUSE));
+        Palette palette = materials instanceof Palette known ? known : new Palette(materials);
+        materials = palette;
+        objects = checked(objects, palette, all -> SceneRules.checkObjects(all, palette, SceneRules.REFUSE));
+    }
+
+    /** The list as it is kept. What another scene has been made of is not checked again. */
+    private static <T> Pieces<T> checked(List<T> list, Object with, Consumer<List<T>> check) {
+        Pieces<T> all = Pieces.of(list);
+        if (!all.isCheckedWith(with)) {
+            check.accept(all);
+        }
+        return all.checkedWith(with);
     }
 
     public Scene withName(String value) {
@@ -151,11 +157,38 @@ public record Scene(
     }
 
     public Scene withMaterials(Map<String, Material> value) {
-        return new Scene(name, description, tags, settings, background, ambient, cameras, lights, value, objects);
+        Palette fresh = value instanceof Palette known ? known : new Palette(value);
+        List<SceneObject> known = SceneRules.allow(materials, fresh) ? pieces().checkedWith(fresh) : objects;
+        return new Scene(name, description, tags, settings, background, ambient, cameras, lights, fresh, known);
     }
 
+    /** Only those are checked that are not the very same as before in their places. */
     public Scene withObjects(List<SceneObject> value) {
-        return new Scene(name, description, tags, settings, background, ambient, cameras, lights, materials, value);
+        return withPieces(pieces().like(value));
+    }
+
+    /** With other objects at some indexes. */
+    Scene withObjects(Map<Integer, SceneObject> changes) {
+        return withPieces(pieces().with(changes));
+    }
+
+    private Scene withPieces(Pieces<SceneObject> fresh) {
+        if (!fresh.isCheckedWith(materials)) {
+            SceneRules.checkChanged(objects, fresh, fresh.otherThanIn(pieces()), materials, SceneRules.REFUSE);
+        }
+        return new Scene(name, description, tags, settings, background, ambient, cameras, lights, materials, fresh.checkedWith(materials));
+    }
+
+    private Pieces<SceneObject> pieces() {
+        return (Pieces<SceneObject>) objects;
+    }
+
+    /**
+     * The indexes of the objects that are not the very same as at that index of another scene, rising. Where one scene was made from the other by
+     * changing a few of very many, that takes hardly any time.
+     */
+    public int[] objectsOtherThanIn(Scene other) {
+        return pieces().otherThanIn(other.pieces());
     }
 
     /**

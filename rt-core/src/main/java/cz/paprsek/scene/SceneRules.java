@@ -26,6 +26,11 @@ public final class SceneRules {
     /** The longest name, in characters of Java. */
     public static final int LONGEST_NAME = 200;
 
+    /** Refuses a scene with the first rule that is broken. */
+    static final Report REFUSE = (culprit, sentence) -> {
+        throw new IllegalArgumentException(sentence);
+    };
+
     /** Is told of every rule that is broken. */
     @FunctionalInterface
     public interface Report {
@@ -47,23 +52,58 @@ public final class SceneRules {
     public static void check(
             List<Light> lights, Map<String, Material> materials, List<SceneObject> objects, Report report) {
         Objects.requireNonNull(report, "report");
+        checkLights(lights, report);
+        checkMaterials(materials, report);
+        checkObjects(objects, materials, report);
+    }
+
+    static void checkLights(List<Light> lights, Report report) {
         Set<String> names = new HashSet<>();
-        for (Light light : lights) {
-            checkName("light", light.name(), light, names, report);
-        }
+        lights.forEach(light -> checkName("light", light.name(), light, names, report));
+    }
+
+    static void checkMaterials(Map<String, Material> materials, Report report) {
         materials.forEach((name, material) -> {
             if (name.isBlank()) {
                 report.broken(material, "a material's name must not be blank");
             }
             checkText("material name", name, material, report);
         });
-        names.clear();
+    }
+
+    static void checkObjects(List<SceneObject> objects, Map<String, Material> materials, Report report) {
+        Set<String> names = new HashSet<>();
         for (SceneObject object : objects) {
             checkName("object", object.name(), object, names, report);
-            checkMaterial(object.material(), object.shape(), object, materials, report);
-            if (object.shape() instanceof Csg) {
-                checkOperands(object.shape(), object.placement().toParent(), materials, report);
-            }
+            checkMade(object, materials, report);
+        }
+    }
+
+    /** As {@link #checkObjects}, where all objects but those at some indexes stood in another list, which has been checked with these materials. */
+    static void checkChanged(List<SceneObject> before, List<SceneObject> objects, int[] changed, Map<String, Material> materials, Report report) {
+        boolean isRenamed = false;
+        for (int i : changed) {
+            SceneObject object = objects.get(i);
+            checkText("object name", object.name(), object, report);
+            checkMade(object, materials, report);
+            isRenamed |= !object.name().isEmpty() && (i >= before.size() || !object.name().equals(before.get(i).name()));
+        }
+        Set<String> names = new HashSet<>();
+        for (int i = 0; isRenamed && i < objects.size(); i++) {
+            checkUnique("object", objects.get(i).name(), objects.get(i), names, report);
+        }
+    }
+
+    /** Whether what has been checked with some materials may have others. */
+    static boolean allow(Map<String, Material> before, Map<String, Material> materials) {
+        return materials.keySet().containsAll(before.keySet()) && materials.entrySet().stream().noneMatch(material ->
+                material.getValue().pattern() instanceof Pattern.Checkerboard && !material.getValue().equals(before.get(material.getKey())));
+    }
+
+    private static void checkMade(SceneObject object, Map<String, Material> materials, Report report) {
+        checkMaterial(object.material(), object.shape(), object, materials, report);
+        if (object.shape() instanceof Csg) {
+            checkOperands(object.shape(), object.placement().toParent(), materials, report);
         }
     }
 
@@ -121,6 +161,10 @@ public final class SceneRules {
 
     private static void checkName(String kind, String name, Object owner, Set<String> seen, Report report) {
         checkText(kind + " name", name, owner, report);
+        checkUnique(kind, name, owner, seen, report);
+    }
+
+    private static void checkUnique(String kind, String name, Object owner, Set<String> seen, Report report) {
         if (!name.isEmpty() && !seen.add(name)) {
             report.broken(owner, "there is already " + (kind.startsWith("o") ? "an " : "a ") + kind + " named \"" + name
                     + "\" here; give one of them another name");

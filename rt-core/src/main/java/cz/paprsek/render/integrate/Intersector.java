@@ -32,7 +32,7 @@ final class Intersector {
 
     /** Nodes of the tree visited so far, leaves included, those of bundles not. */
     long nodeVisits() {
-        return finder.visits();
+        return finder.visited();
     }
 
     /** Finds what the level's ray hits, and where. */

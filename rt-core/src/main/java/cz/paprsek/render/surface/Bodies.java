@@ -10,6 +10,7 @@ import cz.paprsek.tree.Search;
 import cz.paprsek.tree.Tree;
 import cz.paprsek.tree.TreeBuilder;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -22,18 +23,80 @@ public final class Bodies {
     private final boolean[] opaque;
     /** In place of which bodies are opaque, for who wants the boundaries of all. */
     private final boolean[] none;
+    private final Tree tree;
+    /** How many bodies there are, also empty ones. */
+    private final int count;
+    /** Which body, by its number in the scene, each of the surfaces is. */
+    private final int[] order;
     private final Surface[] endless;
     private final boolean[] endlessOpaque;
-    private final Tree tree;
+    private final int[] endlessOrder;
+    /** Which of the surfaces in the tree are no longer there, and the bodies that are there instead; null if all are. */
+    private final BitSet gone;
+    private final @Nullable Bodies beside;
+    /** Where among the surfaces each body is; empty until it is asked for. */
+    private int[] places = {};
 
     private Bodies(Surface[] all, boolean[] allOpaque, int[] finite, int[] infinite, Tree tree) {
         this.surfaces = pick(all, finite);
         this.balls = new Balls(surfaces);
         this.opaque = pick(allOpaque, finite);
         this.none = new boolean[finite.length];
+        this.tree = tree;
+        this.count = all.length;
+        this.order = finite;
         this.endless = pick(all, infinite);
         this.endlessOpaque = pick(allOpaque, infinite);
-        this.tree = tree;
+        this.endlessOrder = infinite;
+        this.gone = new BitSet(0);
+        this.beside = null;
+    }
+
+    private Bodies(Bodies all, BitSet gone, int[] endlessLeft, Bodies beside) {
+        this.surfaces = all.surfaces;
+        this.balls = all.balls;
+        this.opaque = all.opaque;
+        this.none = all.none;
+        this.tree = all.tree;
+        this.count = all.count;
+        this.order = all.order;
+        this.endless = pick(all.endless, endlessLeft);
+        this.endlessOpaque = pick(all.endlessOpaque, endlessLeft);
+        this.endlessOrder = all.endlessOrder;
+        this.gone = gone;
+        this.beside = beside;
+    }
+
+    /**
+     * These bodies, of which none has been exchanged, with others in the place of some: in a tree of their own, while this one's passes over
+     * those that are gone.
+     *
+     * @param which numbers in the scene, rising
+     */
+    Bodies with(int[] which, Surface[] fresh, boolean[] freshOpaque, BooleanSupplier stop) {
+        int[] known = places();
+        BitSet missing = new BitSet();
+        for (int body : which) {
+            if (known[body] >= 0) {
+                missing.set(known[body]);
+            }
+        }
+        int[] left = IntStream.range(0, endless.length).filter(i -> Arrays.binarySearch(which, endlessOrder[i]) < 0).toArray();
+        return new Bodies(this, missing, left, of(fresh, freshOpaque, stop));
+    }
+
+    /** Found once; several threads that do so find the same. */
+    private int[] places() {
+        int[] known = places;
+        if (known.length < count) {
+            known = new int[count];
+            Arrays.fill(known, -1);
+            for (int i = 0; i < order.length; i++) {
+                known[order[i]] = i;
+            }
+            places = known;
+        }
+        return known;
     }
 
     /** Builds the tree; empty surfaces are left out. */
@@ -77,19 +140,23 @@ public final class Bodies {
 
     /** Whether a search of these subtrees can find nothing at all. */
     public boolean isClear(Entries entries) {
-        return entries.isEmpty() && endless.length == 0;
+        return entries.isEmpty() && endless.length == 0 && beside == null;
     }
 
     /** The scratch that one worker needs to look for bodies. */
     public Finder newFinder() {
-        return new Finder(surfaces, balls, opaque);
+        return newFinder(opaque, beside == null ? null : beside.newFinder());
     }
 
     /** The scratch that one worker needs to gather {@link #crossings}. */
     public Finder newGatherer(Spans into) {
-        Finder gatherer = new Finder(surfaces, balls, none);
+        Finder gatherer = newFinder(none, beside == null ? null : beside.newGatherer(into));
         gatherer.pushTo(into);
         return gatherer;
+    }
+
+    private Finder newFinder(boolean[] takenAsOpaque, @Nullable Finder among) {
+        return among == null ? new Finder(this, takenAsOpaque, null) : new PassingFinder(this, takenAsOpaque, among);
     }
 
     /** Pushes every boundary between the ray's min and max, whatever it belongs to. */
@@ -98,6 +165,10 @@ public final class Bodies {
             surface.crossings(ray, gatherer.through);
         }
         tree.any(gatherer, ray, tree.whole());
+        Finder more = gatherer.beside;
+        if (more != null) {
+            more.bodies.crossings(ray, more);
+        }
     }
 
     /** Finds the ray's nearest hit in the given subtrees. */
@@ -105,7 +176,11 @@ public final class Bodies {
         for (Surface surface : endless) {
             surface.nearest(ray);
         }
-        tree.nearest(finder, ray, entries, ray.max);
+        tree.nearest(finder, ray, entries, ray.reach);
+        Finder more = finder.beside;
+        if (more != null) {
+            more.bodies.nearest(ray, more.bodies.whole(), more);
+        }
     }
 
     /**
@@ -121,7 +196,11 @@ public final class Bodies {
             }
         }
         finder.pushTo(through);
-        return tree.any(finder, ray, entries) ? surfaces[finder.occluder] : null;
+        if (tree.any(finder, ray, entries)) {
+            return surfaces[finder.occluder];
+        }
+        Finder more = finder.beside;
+        return more == null ? null : more.bodies.occluder(ray, more.bodies.whole(), more, through);
     }
 
     private static boolean blocks(Surface surface, boolean isOpaque, Ray ray, Spans through) {
@@ -133,19 +212,29 @@ public final class Bodies {
     }
 
     /** What is done at the leaves: scratch of one worker. */
-    public static final class Finder extends Search<Ray> {
+    public static class Finder extends Search<Ray> {
+        private final Bodies bodies;
         private final Surface[] surfaces;
         private final Balls balls;
         private final boolean[] opaque;
+        /** Looks among those that are beside them. */
+        private final @Nullable Finder beside;
         private Spans through = new Spans();
         private int occluder;
         /** Where the ray starts, for the tree: not before its origin, or a little. */
         private double back;
 
-        private Finder(Surface[] surfaces, Balls balls, boolean[] opaque) {
-            this.surfaces = surfaces;
-            this.balls = balls;
+        private Finder(Bodies bodies, boolean[] opaque, @Nullable Finder beside) {
+            this.bodies = bodies;
+            this.surfaces = bodies.surfaces;
+            this.balls = bodies.balls;
             this.opaque = opaque;
+            this.beside = beside;
+        }
+
+        /** The number of tree nodes visited so far. */
+        public final long visited() {
+            return visits() + (beside == null ? 0 : beside.visited());
         }
 
         private void pushTo(Spans spans) {
@@ -160,7 +249,7 @@ public final class Bodies {
             // Trees measure from where a line starts, and know nothing of what lies behind.
             back = ray.min < 0 ? ray.min : 0;
             along(ray.ox + back * ray.dx, ray.oy + back * ray.dy, ray.oz + back * ray.dz, ray.rx, ray.ry, ray.rz,
-                    ray.min - back, ray.max - back);
+                    ray.min - back, ray.reach - back);
         }
 
         @Override
@@ -170,7 +259,11 @@ public final class Bodies {
                     surfaces[i].nearest(ray);
                 }
             }
-            // What lies in one place with the hit may still replace it.
+            return reach(ray);
+        }
+
+        /** How far the search goes on: what lies in one place with the hit may still replace it. */
+        final double reach(Ray ray) {
             return ray.max + ray.touch(ray.max) - back;
         }
 
@@ -179,6 +272,36 @@ public final class Bodies {
             for (int i = end - 1; i >= first; i--) {
                 if (balls.mayBeMet(i, ray) && blocks(surfaces[i], opaque[i], ray, through)) {
                     occluder = i;
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+
+    /** Passes over those that are gone. */
+    private static final class PassingFinder extends Finder {
+        private final BitSet gone;
+
+        PassingFinder(Bodies bodies, boolean[] opaque, Finder beside) {
+            super(bodies, opaque, beside);
+            gone = bodies.gone;
+        }
+
+        @Override
+        protected double meet(Ray ray, int first, int end) {
+            for (int i = end - 1; i >= first; i--) {
+                if (!gone.get(i)) {
+                    super.meet(ray, i, i + 1);
+                }
+            }
+            return reach(ray);
+        }
+
+        @Override
+        protected boolean stopsAt(Ray ray, int first, int end) {
+            for (int i = end - 1; i >= first; i--) {
+                if (!gone.get(i) && super.stopsAt(ray, i, i + 1)) {
                     return true;
                 }
             }

@@ -1,46 +1,69 @@
 package cz.paprsek.render.surface;
 
-import cz.paprsek.material.Inherited;
-import cz.paprsek.material.Material;
-import cz.paprsek.material.MaterialName;
-import cz.paprsek.material.MaterialSource;
-import cz.paprsek.math.Affine;
-import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.SceneObject;
-import cz.paprsek.shape.Csg;
-import cz.paprsek.shape.Operand;
-import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.placed.Part;
-import cz.paprsek.shape.placed.Parts;
-import cz.paprsek.shape.placed.Surface;
 import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Map;
-import java.util.function.BooleanSupplier;
-import java.util.function.IntFunction;
+import java.util.Optional;
 
-/** The primitives of a scene, numbered as they are placed: for each its geometry, its finish and the object it belongs to. */
+/** The primitives of a scene, numbered as they are placed: for each its geometry, its finish and the object it belongs to. Immutable. */
 public final class PartTable {
-    private final Map<String, Material> materials;
-    private final BooleanSupplier stop;
-    private final Map<String, Finish> named = new HashMap<>();
-    /** Of materials without a name. */
-    private final Map<Material, Finish> shared = new HashMap<>();
-    private final Finish standard = anywhere(Material.DEFAULT);
-    private Material lastMaterial = Material.DEFAULT;
-    private Finish lastFinish = standard;
-    private Part[] parts;
-    private Finish[] finishes;
-    private int[] objects;
-    private int size;
+    private final Part[] parts;
+    private final Finish[] finishes;
+    private final int[] objects;
+    /** The first part of each object. */
+    private final int[] firsts;
+    private final int size;
+    /** The numbers of the parts that stand here in the place of others, rising, and these parts. */
+    private final int[] exchanged;
+    private final int firstExchanged;
+    private final Part[] freshParts;
+    private final Finish[] freshFinishes;
 
-    public PartTable(Scene scene, BooleanSupplier stop) {
-        this.stop = stop;
-        int expected = Math.max(16, scene.objects().size());
-        materials = scene.materials();
-        parts = new Part[expected];
-        finishes = new Finish[expected];
-        objects = new int[expected];
+    /**
+     * Takes over all that has been placed.
+     *
+     * @param firsts the first part of each object
+     */
+    PartTable(Placing all, int[] firsts) {
+        this(all.parts, all.finishes, all.objects, firsts, all.size, new int[0], all.parts, all.finishes);
+    }
+
+    private PartTable(Part[] parts, Finish[] finishes, int[] objects, int[] firsts, int size, int[] exchanged, Part[] freshParts, Finish[] freshFinishes) {
+        this.parts = parts;
+        this.finishes = finishes;
+        this.objects = objects;
+        this.firsts = firsts;
+        this.size = size;
+        this.exchanged = exchanged;
+        this.firstExchanged = exchanged.length == 0 ? Integer.MAX_VALUE : exchanged[0];
+        this.freshParts = freshParts;
+        this.freshFinishes = freshFinishes;
+    }
+
+    /**
+     * This table, in which nothing has been exchanged, with some objects placed anew, in the order in which they were; all else is
+     * shared. Empty if one of them no longer has as many parts as it had.
+     */
+    Optional<PartTable> with(Placing fresh) {
+        int[] numbers = new int[fresh.size];
+        int next = 0;
+        for (int k = 0; k < fresh.size; k++) {
+            boolean isFirst = k == 0 || fresh.objects[k] != fresh.objects[k - 1];
+            if (isFirst && k > 0 && !isEnd(next, fresh.objects[k - 1])) {
+                return Optional.empty();
+            }
+            next = isFirst ? firsts[fresh.objects[k]] : next;
+            if (isEnd(next, fresh.objects[k])) {
+                return Optional.empty();
+            }
+            numbers[k] = next++;
+        }
+        return fresh.size == 0 || !isEnd(next, fresh.objects[fresh.size - 1]) ? Optional.empty()
+                : Optional.of(new PartTable(parts, finishes, objects, firsts, size, numbers, fresh.parts, fresh.finishes));
+    }
+
+    /** Whether an object has no part of a number. */
+    private boolean isEnd(int number, int object) {
+        return number >= size || objects[number] != object;
     }
 
     public int size() {
@@ -48,11 +71,17 @@ public final class PartTable {
     }
 
     public Part part(int i) {
-        return parts[i];
+        int fresh = fresh(i);
+        return fresh < 0 ? parts[i] : freshParts[fresh];
     }
 
     public Finish finish(int i) {
-        return finishes[i];
+        int fresh = fresh(i);
+        return fresh < 0 ? finishes[i] : freshFinishes[fresh];
+    }
+
+    private int fresh(int i) {
+        return i < firstExchanged ? -1 : Arrays.binarySearch(exchanged, i);
     }
 
     /** The number of the scene's object that the part belongs to. */
@@ -62,102 +91,11 @@ public final class PartTable {
 
     /** The first part of the object that the part belongs to. */
     public int firstOfObject(int i) {
-        int first = i;
-        while (first > 0 && objects[first - 1] == objects[i]) {
-            first--;
-        }
-        return first;
+        return firsts[objects[i]];
     }
 
-    /** Places an object and registers its parts. */
-    public Surface place(int number, SceneObject object) {
-        Affine toWorld = object.placement().toParent();
-        return object.shape().place(toWorld, new Scope(number, own(object.material(), toWorld, standard)));
-    }
-
-    /** Whether light gets through a shape of some material, or through a part of it. */
-    boolean letsLightThrough(MaterialSource material, Shape shape) {
-        if (shape instanceof Csg csg) {
-            for (Operand operand : csg.operands()) {
-                if (letsLightThrough(operand.material() == Inherited.INHERITED ? material : operand.material(), operand.solid())) {
-                    return true;
-                }
-            }
-            return false;
-        }
-        return material != Inherited.INHERITED && material(material).transparency() > 0;
-    }
-
-    private Material material(MaterialSource source) {
-        return source instanceof MaterialName reference ? materials.getOrDefault(reference.name(), Material.DEFAULT) : (Material) source;
-    }
-
-    private Finish own(MaterialSource source, Affine toWorld, Finish inherited) {
-        if (source == Inherited.INHERITED) {
-            return inherited;
-        }
-        Material material = material(source);
-        if (Paint.isPlaced(material.pattern())) {
-            return placed(material, toWorld);
-        }
-        return source instanceof MaterialName reference ? named.computeIfAbsent(reference.name(), name -> anywhere(material)) : shared(material);
-    }
-
-    private static Finish anywhere(Material material) {
-        return new Finish(material, Paint.of(material.pattern(), Affine.IDENTITY));
-    }
-
-    /** A pattern in space depends on where it is declared; all other finishes are shared. */
-    private static Finish placed(Material material, Affine toWorld) {
-        return new Finish(material, Paint.of(material.pattern(), toWorld.inverse()));
-    }
-
-    /** Neighbours are mostly of one material: that saves hashing it. */
-    private Finish shared(Material material) {
-        if (!material.equals(lastMaterial)) {
-            lastFinish = shared.computeIfAbsent(material, PartTable::anywhere);
-            lastMaterial = material;
-        }
-        return lastFinish;
-    }
-
-    private int add(int object, Finish finish) {
-        if (size == parts.length) {
-            parts = Arrays.copyOf(parts, 2 * size);
-            finishes = Arrays.copyOf(finishes, 2 * size);
-            objects = Arrays.copyOf(objects, 2 * size);
-        }
-        objects[size] = object;
-        finishes[size] = finish;
-        return size++;
-    }
-
-    /** What parts registered here belong to, and what they are made of. */
-    private final class Scope implements Parts {
-        private final int object;
-        private final Finish finish;
-
-        Scope(int object, Finish finish) {
-            this.object = object;
-            this.finish = finish;
-        }
-
-        @Override
-        public <P extends Part> P add(IntFunction<P> maker) {
-            int number = PartTable.this.add(object, finish);
-            P part = maker.apply(number);
-            parts[number] = part;
-            return part;
-        }
-
-        @Override
-        public Parts within(MaterialSource material, Affine toWorld) {
-            return new Scope(object, own(material, toWorld, finish));
-        }
-
-        @Override
-        public boolean isCancelled() {
-            return stop.getAsBoolean();
-        }
+    /** The first part of an object. */
+    int firstOf(int object) {
+        return firsts[object];
     }
 }

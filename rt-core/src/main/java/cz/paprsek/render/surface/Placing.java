@@ -1,0 +1,171 @@
+package cz.paprsek.render.surface;
+
+import cz.paprsek.material.Inherited;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.MaterialSource;
+import cz.paprsek.math.Affine;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Solid;
+import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Surface;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.BooleanSupplier;
+import java.util.function.IntFunction;
+import org.jspecify.annotations.Nullable;
+
+/** Objects on their way into the world, one after the other: each of their primitives gets a number, a finish and a place in the table of parts. */
+final class Placing {
+    private final Map<String, Material> materials;
+    private final BooleanSupplier stop;
+    private final Map<String, Finish> named = new HashMap<>();
+    /** Of materials without a name. */
+    private final Map<Material, Finish> shared = new HashMap<>();
+    private final Finish standard = anywhere(Material.DEFAULT);
+    private Material lastMaterial = Material.DEFAULT;
+    private Finish lastFinish = standard;
+    Part[] parts;
+    Finish[] finishes;
+    int[] objects;
+    int size;
+    /** The number of the next part. */
+    private int next;
+
+    /** @param expected about how many parts there will be */
+    Placing(Scene scene, int expected, BooleanSupplier stop) {
+        this.stop = stop;
+        materials = scene.materials();
+        parts = new Part[expected];
+        finishes = new Finish[expected];
+        objects = new int[expected];
+    }
+
+    /**
+     * Places an object and registers its parts.
+     *
+     * @param first the number of its first part
+     */
+    Surface place(int number, SceneObject object, int first) {
+        next = first;
+        Affine toWorld = object.placement().toParent();
+        return object.shape().place(toWorld, new Scope(number, own(object.material(), toWorld, standard)));
+    }
+
+    /** Whether no light gets through any part from the {@code from}-th that was registered on. */
+    boolean isOpaque(int from) {
+        for (int i = from; i < size; i++) {
+            if (finishes[i].transparency > 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Whether light gets through a solid, or through a part of it. */
+    boolean isMedium(SceneObject object) {
+        return object.shape() instanceof Solid && letsLightThrough(object.material(), object.shape());
+    }
+
+    private boolean letsLightThrough(MaterialSource material, Shape shape) {
+        if (shape instanceof Csg csg) {
+            for (Operand operand : csg.operands()) {
+                if (letsLightThrough(operand.material() == Inherited.INHERITED ? material : operand.material(), operand.solid())) {
+                    return true;
+                }
+            }
+            return false;
+        }
+        return material != Inherited.INHERITED && material(material).transparency() > 0;
+    }
+
+    /** What the inside takes of the parts from the {@code from}-th that was registered on: one body has one, that of its first part which light gets through. */
+    @Nullable Absorption absorbing(int from) {
+        for (int i = from; i < size; i++) {
+            if (finishes[i].transparency > 0) {
+                Absorption inside = new Absorption(finishes[i].material);
+                return inside.isAny() ? inside : null;
+            }
+        }
+        return null;
+    }
+
+    private Material material(MaterialSource source) {
+        return source instanceof MaterialName reference ? materials.getOrDefault(reference.name(), Material.DEFAULT) : (Material) source;
+    }
+
+    private Finish own(MaterialSource source, Affine toWorld, Finish inherited) {
+        if (source == Inherited.INHERITED) {
+            return inherited;
+        }
+        Material material = material(source);
+        if (Paint.isPlaced(material.pattern())) {
+            return placed(material, toWorld);
+        }
+        return source instanceof MaterialName reference ? named.computeIfAbsent(reference.name(), name -> anywhere(material)) : shared(material);
+    }
+
+    private static Finish anywhere(Material material) {
+        return new Finish(material, Paint.of(material.pattern(), Affine.IDENTITY));
+    }
+
+    /** A pattern in space depends on where it is declared; all other finishes are shared. */
+    private static Finish placed(Material material, Affine toWorld) {
+        return new Finish(material, Paint.of(material.pattern(), toWorld.inverse()));
+    }
+
+    /** Neighbours are mostly of one material: that saves hashing it. */
+    private Finish shared(Material material) {
+        if (!material.equals(lastMaterial)) {
+            lastFinish = shared.computeIfAbsent(material, Placing::anywhere);
+            lastMaterial = material;
+        }
+        return lastFinish;
+    }
+
+    private int add(int object, Finish finish) {
+        if (size == parts.length) {
+            parts = Arrays.copyOf(parts, 2 * size);
+            finishes = Arrays.copyOf(finishes, 2 * size);
+            objects = Arrays.copyOf(objects, 2 * size);
+        }
+        objects[size] = object;
+        finishes[size] = finish;
+        return size++;
+    }
+
+    /** What parts registered here belong to, and what they are made of. */
+    private final class Scope implements Parts {
+        private final int object;
+        private final Finish finish;
+
+        Scope(int object, Finish finish) {
+            this.object = object;
+            this.finish = finish;
+        }
+
+        @Override
+        public <P extends Part> P add(IntFunction<P> maker) {
+            int place = Placing.this.add(object, finish);
+            P part = maker.apply(next++);
+            parts[place] = part;
+            return part;
+        }
+
+        @Override
+        public Parts within(MaterialSource material, Affine toWorld) {
+            return new Scope(object, own(material, toWorld, finish));
+        }
+
+        @Override
+        public boolean isCancelled() {
+            return stop.getAsBoolean();
+        }
+    }
+}

@@ -1,0 +1,71 @@
+package cz.paprsek.render;
+
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.standard.StandardScenes;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.function.Supplier;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+/** Prints what it takes to move one of many spheres. Not a test, and left out of the build by its name; {@code -Dtest=ChangeFigures} runs it. */
+class ChangeFigures {
+    private static final int ROUNDS = 41;
+
+    @Test
+    void oneOfManySpheres() {
+        for (int count : new int[] {1_000, 10_000, 100_000, 1_000_000}) {
+            Scene scene = StandardScenes.cloud(count);
+            RenderScene ready = RenderScene.of(scene);
+            int[] round = {0};
+            Supplier<Scene> move = () -> scene.with(ScenePath.body(round[0]++ * 37 % count), body ->
+                    body.placed(body.placement().withPosition(body.placement().position().times(1.001))));
+            double edit = millis(count, move);
+            double change = millis(count, () -> ready.changedTo(move.get(), RenderMonitor.NONE));
+            double anew = millis(count, () -> RenderScene.of(checkedAnew(move.get())));
+            Scene moved = move.get();
+            Scene many = scene.with(IntStream.range(0, count / 20).mapToObj(i -> ScenePath.body(16 * i)).toList(), (at, body) ->
+                    body.placed(body.placement().withPosition(body.placement().position().times(1.001))));
+            System.out.printf(Locale.ROOT, "%,d spheres: edit %.3f ms, edit and prepare %.3f ms, all anew %.1f ms; a ray takes %.0f ns, with one moved %.0f ns, "
+                            + "with one of twenty moved %.0f ns%n",
+                    count, edit, change, anew, nanos(ready), nanos(ready.changedTo(moved, RenderMonitor.NONE)), nanos(ready.changedTo(many, RenderMonitor.NONE)));
+        }
+    }
+
+    private static Scene checkedAnew(Scene scene) {
+        return new Scene(scene.name(), scene.description(), scene.tags(), scene.settings(), scene.background(), scene.ambient(),
+                new ArrayList<>(scene.cameras()), new ArrayList<>(scene.lights()), new LinkedHashMap<>(scene.materials()), new ArrayList<>(scene.objects()));
+    }
+
+    /** The median. */
+    private static double millis(int count, Supplier<?> work) {
+        int rounds = count >= 1_000_000 ? 5 : ROUNDS;
+        double[] taken = new double[rounds];
+        for (int warm = 0; warm < (count > 1_000 ? 2 : 20); warm++) {
+            for (int i = 0; i < rounds; i++) {
+                long begin = System.nanoTime();
+                if (work.get() == null) {
+                    throw new IllegalStateException();
+                }
+                taken[i] = (System.nanoTime() - begin) / 1e6;
+            }
+        }
+        Arrays.sort(taken);
+        return taken[rounds / 2];
+    }
+
+    /** The least of several pictures. */
+    private static double nanos(RenderScene scene) {
+        RenderOptions options = RenderOptions.of(scene.scene().settings().withSize(320, 240)).withThreads(1);
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < 6; i++) {
+            RenderStats stats = Renderer.render(scene, options, RenderMonitor.NONE).stats();
+            long rays = stats.primary() + stats.reflected() + stats.refracted() + stats.shadow();
+            least = Math.min(least, stats.traceSeconds() * 1e9 / rays);
+        }
+        return least;
+    }
+}
