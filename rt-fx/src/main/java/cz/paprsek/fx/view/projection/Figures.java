@@ -10,9 +10,12 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
 import cz.paprsek.scene.ScenePath.LightAt;
+import java.util.Arrays;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
 
 /** The figures of a scene's objects in one projection, each made once and kept as long as its object is in the scene. */
 final class Figures {
@@ -20,7 +23,7 @@ final class Figures {
     private static final int MANY = 2000;
 
     private final Axes axes;
-    private IdentityHashMap<SceneObject, Figure> known = new IdentityHashMap<>();
+    private final IdentityHashMap<SceneObject, Figure> known = new IdentityHashMap<>();
     private Scene scene = Scene.EMPTY;
 
     Figures(Axes axes) {
@@ -28,18 +31,19 @@ final class Figures {
     }
 
     void show(Scene fresh) {
-        if (fresh.objects().equals(scene.objects()) && fresh.lights().equals(scene.lights())) {
-            scene = fresh;
-            return;
+        if (fresh.objects().size() == scene.objects().size()) {
+            // What still stands somewhere else is drawn anew when it is asked for.
+            Arrays.stream(scene.objectsOtherThanIn(fresh)).mapToObj(scene.objects()::get).forEach(known::remove);
+        } else {
+            known.keySet().retainAll(identities(fresh.objects()));
         }
         scene = fresh;
-        boolean coarse = fresh.objects().size() > MANY;
-        IdentityHashMap<SceneObject, Figure> next = new IdentityHashMap<>();
-        for (SceneObject object : fresh.objects()) {
-            Figure figure = known.get(object);
-            next.put(object, figure == null ? Figure.of(Body.of(object), axes, coarse) : figure);
-        }
-        known = next;
+    }
+
+    private static Set<SceneObject> identities(List<SceneObject> objects) {
+        Set<SceneObject> all = Collections.newSetFromMap(new IdentityHashMap<>());
+        all.addAll(objects);
+        return all;
     }
 
     Scene scene() {
@@ -51,7 +55,7 @@ final class Figures {
     }
 
     Figure of(SceneObject object) {
-        return known.computeIfAbsent(object, missing -> Figure.of(Body.of(missing), axes, false));
+        return known.computeIfAbsent(object, missing -> Figure.of(Body.of(missing), axes, scene.objects().size() > MANY));
     }
 
     Figure of(BodyAt at) {

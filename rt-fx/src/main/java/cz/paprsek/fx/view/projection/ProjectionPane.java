@@ -17,6 +17,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -66,8 +67,7 @@ public final class ProjectionPane extends Region {
     private boolean fits = true;
     private int openings;
     private @Nullable Look drawnLook;
-    private List<?> drawnObjects = List.of();
-    private List<?> drawnLights = List.of();
+    private Scene drawn = Scene.EMPTY;
     private @Nullable Drag drag;
     private Point2D mouse = Point2D.ZERO;
     private Optional<ContextMenu> menu = Optional.empty();
@@ -301,39 +301,17 @@ public final class ProjectionPane extends Region {
         if (!look.equals(drawnLook) || !sameRest(state.scene(), apart)) {
             drawRest(state, apart);
             drawnLook = look;
-            drawnObjects = state.scene().objects();
-            drawnLights = state.scene().lights();
+            drawn = state.scene();
         }
         drawSelection(state);
     }
 
     /** Whether all that is not drawn apart is what has been drawn. */
     private boolean sameRest(Scene scene, Set<ScenePath> apart) {
-        return sameExcept(scene.objects(), drawnObjects, objects(apart)) && sameExcept(scene.lights(), drawnLights, lights(apart));
-    }
-
-    private static boolean sameExcept(List<?> now, List<?> drawn, Set<Integer> apart) {
-        if (now.size() != drawn.size()) {
-            return false;
-        }
-        for (int i = 0; i < now.size(); i++) {
-            if (!now.get(i).equals(drawn.get(i)) && !apart.contains(i)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private static Set<Integer> objects(Set<ScenePath> items) {
-        Set<Integer> indices = new HashSet<>();
-        Places.bodies(items).stream().filter(body -> body.depth() == 0).forEach(body -> indices.add(body.index()));
-        return indices;
-    }
-
-    private static Set<Integer> lights(Set<ScenePath> items) {
-        Set<Integer> indices = new HashSet<>();
-        Places.lights(items).forEach(light -> indices.add(light.index()));
-        return indices;
+        return scene.objects().size() == drawn.objects().size() && scene.lights().size() == drawn.lights().size()
+                && Arrays.stream(scene.objectsOtherThanIn(drawn)).mapToObj(ScenePath::body).allMatch(apart::contains)
+                && IntStream.range(0, scene.lights().size()).filter(i -> !scene.lights().get(i).equals(drawn.lights().get(i)))
+                        .mapToObj(ScenePath::light).allMatch(apart::contains);
     }
 
     private void drawRest(EditorState state, Set<ScenePath> apart) {

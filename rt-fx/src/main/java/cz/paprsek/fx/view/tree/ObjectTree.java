@@ -7,8 +7,11 @@ import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.Csg;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -43,6 +46,8 @@ public final class ObjectTree extends BorderPane {
     private final ChangeListener<Scene> onScene = (property, was, is) -> later();
     private final ChangeListener<Set<ScenePath>> onSelection = (property, was, is) -> reveal(is);
     private boolean isStale;
+    /** The scene that the lines are of, or one that has the same. */
+    private Scene shown = Scene.EMPTY;
 
     /** @param commands what can be done with what is selected */
     public ObjectTree(EditorModel model, Texts texts, SelectionCommands commands) {
@@ -93,9 +98,7 @@ public final class ObjectTree extends BorderPane {
 
     /** The lines as they are now. */
     List<TreeRow> rows() {
-        if (isStale) {
-            refresh();
-        }
+        refreshIfStale();
         return list.getItems();
     }
 
@@ -127,16 +130,32 @@ public final class ObjectTree extends BorderPane {
     private void later() {
         if (!isStale) {
             isStale = true;
-            Platform.runLater(() -> {
-                if (isStale) {
-                    refresh();
-                }
-            });
+            Platform.runLater(this::refreshIfStale);
         }
+    }
+
+    private void refreshIfStale() {
+        if (isStale && !hasSameLines(model.scene(), shown)) {
+            refresh();
+        }
+        isStale = false;
+        shown = model.scene();
+    }
+
+    /** Whether nothing but numbers differs, as while something is dragged. */
+    private static boolean hasSameLines(Scene scene, Scene other) {
+        return scene.cameras().equals(other.cameras()) && scene.lights().equals(other.lights()) && scene.objects().size() == other.objects().size()
+                && Arrays.stream(scene.objectsOtherThanIn(other)).allMatch(i -> hasSameLine(scene.objects().get(i), other.objects().get(i)));
+    }
+
+    private static boolean hasSameLine(SceneObject object, SceneObject other) {
+        return object.name().equals(other.name()) && (object.shape() == other.shape()
+                || (object.shape().getClass() == other.shape().getClass() && !(object.shape() instanceof Csg)));
     }
 
     private void refresh() {
         isStale = false;
+        shown = model.scene();
         expansion.follow(model.scene());
         List<TreeRow> now = new TreeRows(texts, expansion.open(), find.getText()).of(model.scene());
         if (!now.equals(list.getItems())) {
