@@ -14,6 +14,8 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Examples;
 import cz.paprsek.shape.Sphere;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.lang.reflect.Array;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.Executable;
@@ -42,7 +44,7 @@ class NullsTest {
             .filter(NullsTest::isVisible).sorted(Comparator.comparing(Class::getName)).toList();
     /** Only this library itself goes there. */
     private static final Pattern INNER = Pattern.compile("cz\\.paprsek\\.(tree|attribute|image\\.(exr|png)|xml\\.(bind|format|quick|text|write)|render\\.(eye|integrate|light|show|surface|work)|shape\\.placed)|"
-            + "cz\\.paprsek\\.math\\.Require");
+            + "cz\\.paprsek\\.(math\\.Require|io\\.BinaryInput)");
     /** Equal to nothing; for the renderer alone; and what a caller's own function is asked about. */
     private static final Set<String> NOT_CHECKED = Set.of("equals", "place", "cell");
     private final List<Object> known = new ArrayList<>();
@@ -50,7 +52,7 @@ class NullsTest {
     @Test
     void nullsAreRefusedWhereTheyComeIn() {
         known.addAll(List.of("a", 1, 1.0, true, Path.of("target", "nulls", "a.png"), Vec3.ZERO, List.of(), Map.of(), new Image(2, 2), Material.DEFAULT,
-                (BooleanSupplier) () -> false, RenderMonitor.NONE, Scene.EMPTY.plus(SceneObject.of(new Sphere(1))), Optional.empty()));
+                (BooleanSupplier) () -> false, new ByteArrayInputStream(new byte[0]), new ByteArrayOutputStream(), NullsTest.class.getClassLoader(), RenderMonitor.NONE, Scene.EMPTY.plus(SceneObject.of(new Sphere(1))), Optional.empty()));
         known.addAll(Examples.ALL.values());
         for (int round = 0; round < 3; round++) {
             PUBLIC.forEach(this::make);

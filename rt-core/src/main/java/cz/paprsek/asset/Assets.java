@@ -142,7 +142,7 @@ public final class Assets {
     }
 
     private byte[] read(String name) throws IOException {
-        try (InputStream input = source.open(name)) {
+        try (InputStream input = Objects.requireNonNull(source.open(name), () -> "the source of assets gave null for " + quoted(name))) {
             require(!(input instanceof Sized file) || file.size <= largest, "is larger than the " + largest + " bytes that a file may have here");
             // What says nothing of its size, or something wrong, is read no further than it may be.
             byte[] bytes = input.readNBytes((int) largest + 1);

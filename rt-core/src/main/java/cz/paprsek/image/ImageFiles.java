@@ -58,10 +58,11 @@ public final class ImageFiles {
     /**
      * Writes a picture and what else is known of its pixels to an OpenEXR file, which appears as a whole.
      *
-     * @throws IllegalArgumentException if the options ask for other than 16 or 32 bits, or for a change of exposure or tone
+     * @throws IllegalArgumentException if there are no planes, or the options ask for other than 16 or 32 bits, or for a change of exposure or tone
      */
     public static void write(Layers layers, Path file, ImageOptions options) throws IOException {
         int bits = options.bitsOf(ImageFormat.EXR);
+        Require.that(!layers.names().isEmpty(), "these layers have no planes, of which a picture has one at least");
         Require.that(options.exposure() == 0 && options.tone() == Tone.NONE, "layers are written as they are: no exposure, no tone");
         AtomicFile.write(file, out -> Exr.write(layers, bits, options.origin(), out));
     }

@@ -1,12 +1,19 @@
 package cz.paprsek.material;
 
 import cz.paprsek.ray.Hit;
+import cz.paprsek.text.MadeInCode;
 
 /**
  * A pattern that is made in code rather than read from a file. Must be immutable; any number of workers ask it at once. Scene files and POV-Ray
  * cannot hold it.
  */
 public non-sealed interface CustomPattern extends Pattern {
+
+    /** The word for its kind in lists, explanations and messages: the name of its class unless it says otherwise. */
+    @Override
+    default String kind() {
+        return MadeInCode.kind(this);
+    }
 
     /**
      * Sets the colour at a hit, in linear light, by {@link Hit#color}.

@@ -4,6 +4,7 @@ import java.util.Arrays;
 
 /** Scratch of one worker: a line o + t·d in the space of a shape, and where it crosses one that was made in code. */
 public final class Line {
+    private static final int MOST = 1 << 20;
     private static final double[] NO_PLACES = {};
     private static final int[] NO_FACES = {};
 
@@ -28,9 +29,17 @@ public final class Line {
      * Notes that it crosses a face of a shape at o + t·d.
      *
      * @param face by the shape's own numbering, from 0 on
+     * @throws IllegalArgumentException if the face is below 0
+     * @throws IllegalStateException if there are more than {@value #MOST} crossings: a shape that finds no end
      */
     public void cross(double t, int face) {
+        if (face < 0) {
+            throw new IllegalArgumentException("the faces of a shape have numbers from 0 on, and one that a line crosses has " + face);
+        }
         if (crossings == places.length) {
+            if (crossings >= MOST) {
+                throw new IllegalStateException("a shape made in code says that a line crosses it more than " + MOST + " times");
+            }
             places = Arrays.copyOf(places, Math.max(8, 2 * crossings));
             faces = Arrays.copyOf(faces, places.length);
         }

@@ -18,7 +18,7 @@ public final class Renderer implements AutoCloseable {
 
     /**
      * A renderer of many pictures, one after the other, such as ever finer ones of scenes that are being edited: its threads are kept from one to the
-     * next, and end when it is closed. For one caller at a time.
+     * next, and end when it is closed. For one caller at a time: to others, {@link #next} throws an {@link IllegalStateException}, as it does once it is closed.
      *
      * @param threads what the threads are called; they are numbered
      */
@@ -31,7 +31,11 @@ public final class Renderer implements AutoCloseable {
         return render(scene, options, monitor, TileStore.NONE, workers);
     }
 
-    /** Ends the threads, and waits until they have. */
+    /**
+     * Ends the threads when the picture they make is done, and waits until they have ended.
+     *
+     * @throws IllegalStateException if a monitor asks while it is called: it would wait for itself
+     */
     @Override
     public void close() {
         workers.close();

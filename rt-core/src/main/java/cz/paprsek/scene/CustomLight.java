@@ -3,12 +3,19 @@ package cz.paprsek.scene;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.text.MadeInCode;
 
 /**
  * A light that is made in code rather than read from a file. Must be immutable; any number of workers ask it at once. Scene files and POV-Ray
  * cannot hold it.
  */
 public non-sealed interface CustomLight extends Light {
+
+    /** The word for its kind in lists, explanations and messages: the name of its class unless it says otherwise. */
+    @Override
+    default String kind() {
+        return MadeInCode.kind(this);
+    }
 
     /** How many shadow rays a point sends, 1 to {@value PlacedLight#MOST_SAMPLES}; if it is 1, always the same one, for which nothing random is asked. */
     default int samples() {

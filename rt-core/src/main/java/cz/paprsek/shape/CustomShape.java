@@ -7,6 +7,7 @@ import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Surface;
+import cz.paprsek.text.MadeInCode;
 import java.util.List;
 import java.util.Objects;
 
@@ -17,6 +18,12 @@ import java.util.Objects;
  * <p>{@code ShapeCheck} tries a shape and says what is wrong with it.
  */
 public non-sealed interface CustomShape extends Shape {
+
+    /** The word for its kind in lists, explanations and messages: the name of its class unless it says otherwise. */
+    @Override
+    default String kind() {
+        return MadeInCode.kind(this);
+    }
 
     /**
      * Calls {@link Line#cross} for every place where the line crosses the shape, from minus to plus infinity, whatever the length of its direction;
@@ -41,7 +48,7 @@ public non-sealed interface CustomShape extends Shape {
      */
     default void map(int face, Hit hit) {
         Objects.requireNonNull(hit, "hit");
-        PlacedFigure.mapGlobe(this, face, hit);
+        Made.mapGlobe(this, face, hit);
     }
 
     /** About how long it takes to meet a line, in units of what a sphere takes. */

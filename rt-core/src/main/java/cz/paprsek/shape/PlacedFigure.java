@@ -2,52 +2,36 @@ package cz.paprsek.shape;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
-import cz.paprsek.math.Require;
-import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
 import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
-import cz.paprsek.text.Numbers;
 
 /** A figure made in code, in the world. */
 final class PlacedFigure extends Surface implements Part {
     private final int part;
-    private final Affine toLocal;
-    private final Bounds bounds;
-    private final CustomShape shape;
+    private final Made made;
 
     PlacedFigure(int part, Affine toWorld, CustomShape shape) {
         this.part = part;
-        this.toLocal = toWorld.inverse();
-        this.bounds = bounds(shape).transformed(toWorld);
-        this.shape = shape;
-    }
-
-    /** The bounds of a shape, if it says them and its cost in numbers. */
-    static Bounds bounds(CustomShape shape) {
-        Bounds box = shape.bounds();
-        boolean isBox = !Double.isNaN(box.minX() + box.minY() + box.minZ()) && !Double.isNaN(box.maxX() + box.maxY() + box.maxZ());
-        Require.that(isBox, "the bounds of a " + shape.kind() + " must be of numbers, but are " + box);
-        Require.positive("cost of a " + shape.kind(), shape.cost());
-        return box;
+        this.made = new Made(shape, toWorld);
     }
 
     @Override
     public Bounds bounds() {
-        return bounds;
+        return made.bounds;
     }
 
     @Override
     public double cost() {
-        return shape.cost();
+        return made.cost;
     }
 
     @Override
     public void nearest(Ray ray) {
-        Line line = crossed(ray);
+        Line line = made.crossed(ray);
         int start = start(line, ray);
         for (int i = 0; i < line.crossings(); i++) {
             if (i != start && line.t(i) > ray.min && line.t(i) < ray.reach) {
@@ -58,7 +42,7 @@ final class PlacedFigure extends Surface implements Part {
 
     @Override
     public boolean occludes(Ray ray) {
-        Line line = crossed(ray);
+        Line line = made.crossed(ray);
         int start = start(line, ray);
         for (int i = 0; i < line.crossings(); i++) {
             if (i != start && line.t(i) > ray.contact && line.t(i) < ray.max) {
@@ -70,25 +54,13 @@ final class PlacedFigure extends Surface implements Part {
 
     @Override
     public void crossings(Ray ray, Spans out) {
-        Line line = crossed(ray);
+        Line line = made.crossed(ray);
         int start = start(line, ray);
         for (int i = 0; i < line.crossings(); i++) {
             if (i != start && line.t(i) > ray.min && line.t(i) < ray.max) {
                 out.add(line.t(i), part, line.face(i));
             }
         }
-    }
-
-    private Line crossed(Ray ray) {
-        Line line = ray.in(toLocal);
-        line.clear();
-        shape.cross(line);
-        for (int i = 0; i < line.crossings(); i++) {
-            if (Double.isNaN(line.t(i))) {
-                throw new IllegalStateException("a " + shape.kind() + " says that a line crosses it at " + line.t(i));
-            }
-        }
-        return line;
     }
 
     /** Which crossing is where the ray starts, if it starts from this figure: the one nearest to that place. */
@@ -106,82 +78,11 @@ final class PlacedFigure extends Surface implements Part {
 
     @Override
     public void describe(int face, Hit hit) {
-        describe(shape, face, toLocal, hit);
+        made.describe(face, hit);
     }
 
     @Override
     public void map(int face, Hit hit) {
-        map(shape, face, toLocal, hit);
-    }
-
-    /** Has a shape describe a hit in its own space, and takes the answer to the world. */
-    static void describe(CustomShape shape, int face, Affine toLocal, Hit hit) {
-        double x = hit.px;
-        double y = hit.py;
-        double z = hit.pz;
-        toLocal(hit, toLocal);
-        shape.normal(face, hit);
-        place(hit, x, y, z);
-        hit.normal(toLocal, hit.nx, hit.ny, hit.nz);
-        double square = hit.nx * hit.nx + hit.ny * hit.ny + hit.nz * hit.nz;
-        // Not <: false for what is not a number.
-        if (!(square > 0)) {
-            throw new IllegalStateException("a " + shape.kind() + " has a normal that is no direction, of its face " + face + " at "
-                    + Numbers.text(new Vec3(x, y, z)) + " in the world");
-        }
-    }
-
-    /** Has a shape map a hit in its own space, and takes the answer to the world. */
-    static void map(CustomShape shape, int face, Affine toLocal, Hit hit) {
-        double x = hit.px;
-        double y = hit.py;
-        double z = hit.pz;
-        toLocal(hit, toLocal);
-        shape.map(face, hit);
-        place(hit, x, y, z);
-        hit.tangentFrom(toLocal);
-        if (!(Math.abs(hit.u) <= Double.MAX_VALUE && Math.abs(hit.v) <= Double.MAX_VALUE)) {
-            throw new IllegalStateException("a " + shape.kind() + " has a u of " + hit.u + " and a v of " + hit.v + ", which are no numbers, on its face " + face + " at "
-                    + Numbers.text(new Vec3(x, y, z)) + " in the world");
-        }
-    }
-
-    /**
-     * Maps a hit as on a globe about the middle of the shape's bounds. Along the surface, u grows and v does not where its direction e from the
-     * middle changes as on the globe, by e′: towards e′ + a·e with the a for which that is at right angles to the normal.
-     */
-    static void mapGlobe(CustomShape shape, int face, Hit hit) {
-        Bounds box = shape.bounds();
-        double x = box.isFinite() ? hit.px - (box.minX() + box.maxX()) / 2 : hit.px;
-        double y = box.isFinite() ? hit.py - (box.minY() + box.maxY()) / 2 : hit.py;
-        double z = box.isFinite() ? hit.pz - (box.minZ() + box.maxZ()) / 2 : hit.pz;
-        hit.mapGlobe(x, y, z);
-        double nx = hit.nx;
-        double ny = hit.ny;
-        double nz = hit.nz;
-        double sx = hit.sx;
-        double sy = hit.sy;
-        double sz = hit.sz;
-        shape.normal(face, hit);
-        double along = hit.tx * hit.nx + hit.ty * hit.ny + hit.tz * hit.nz;
-        double outwards = x * hit.nx + y * hit.ny + z * hit.nz;
-        hit.unitNormal(nx, ny, nz);
-        hit.sx = sx;
-        hit.sy = sy;
-        hit.sz = sz;
-        double a = -along / outwards;
-        if (Math.abs(a) < Double.MAX_VALUE) {
-            hit.map(hit.u, hit.v, hit.tx + a * x, hit.ty + a * y, hit.tz + a * z);
-        }
-    }
-
-    private static void toLocal(Hit hit, Affine map) {
-        place(hit, map.pointX(hit.px, hit.py, hit.pz), map.pointY(hit.px, hit.py, hit.pz), map.pointZ(hit.px, hit.py, hit.pz));
-    }
-
-    private static void place(Hit hit, double x, double y, double z) {
-        hit.px = x;
-        hit.py = y;
-        hit.pz = z;
+        made.map(face, hit);
     }
 }

@@ -12,43 +12,37 @@ import cz.paprsek.shape.placed.Volume;
 /** A solid made in code, in the world. */
 final class PlacedSolid extends Volume implements Part {
     private final int part;
-    private final Affine toLocal;
-    private final Bounds bounds;
-    private final CustomSolid shape;
+    private final Made made;
 
     PlacedSolid(int part, Affine toWorld, CustomSolid shape) {
         this.part = part;
-        this.toLocal = toWorld.inverse();
-        this.bounds = PlacedFigure.bounds(shape).transformed(toWorld);
-        this.shape = shape;
+        this.made = new Made(shape, toWorld);
     }
 
     @Override
     public Bounds bounds() {
-        return bounds;
+        return made.bounds;
     }
 
     @Override
     public double cost() {
-        return shape.cost();
+        return made.cost;
     }
 
     @Override
     public void spans(Ray ray, Spans out) {
-        Line line = ray.in(toLocal);
-        line.clear();
-        shape.cross(line);
+        Line line = made.crossed(ray);
         int count = line.crossings();
         int mark = out.size();
         for (int i = 0; i < count; i++) {
             if (i > 0 && !(line.t(i) >= line.t(i - 1))) {
-                throw new IllegalStateException("a " + shape.kind() + " says that a line crosses it at " + line.t(i) + " after " + line.t(i - 1)
+                throw new IllegalStateException("a " + made.kind() + " says that a line crosses it at " + line.t(i) + " after " + line.t(i - 1)
                         + "; it must be in rising order");
             }
             out.add(line.t(i), part, line.face(i));
         }
         if (count % 2 != 0) {
-            throw new IllegalStateException("a " + shape.kind() + " says that a line crosses it " + count + " times; it must be left as often as it is entered");
+            throw new IllegalStateException("a " + made.kind() + " says that a line crosses it " + count + " times; it must be left as often as it is entered");
         }
         if (part == ray.left) {
             out.leaveFrom(mark, ray.inwards);
@@ -57,11 +51,11 @@ final class PlacedSolid extends Volume implements Part {
 
     @Override
     public void describe(int face, Hit hit) {
-        PlacedFigure.describe(shape, face, toLocal, hit);
+        made.describe(face, hit);
     }
 
     @Override
     public void map(int face, Hit hit) {
-        PlacedFigure.map(shape, face, toLocal, hit);
+        made.map(face, hit);
     }
 }

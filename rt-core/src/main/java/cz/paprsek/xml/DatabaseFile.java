@@ -136,7 +136,10 @@ public final class DatabaseFile {
 
     /** A pipe gives once what it has, and keeps nothing. */
     static void requireFile(Path path) throws IOException {
-        if (Files.exists(path) && !Files.isDirectory(path) && !Files.isRegularFile(path)) {
+        if (Files.isDirectory(path)) {
+            throw new IOException(path + ": this is a directory, not a file");
+        }
+        if (Files.exists(path) && !Files.isRegularFile(path)) {
             throw new IOException(path + ": what is to be changed must be a file, not a pipe or a device");
         }
     }

@@ -10,6 +10,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -32,6 +33,8 @@ final class SceneReader {
     }
 
     static Contents read(InputStream input, String file) throws SceneFileException, IOException {
+        Objects.requireNonNull(input, "input");
+        Objects.requireNonNull(file, "file");
         return read(Source.of(input), heard -> heard, file);
     }
 

@@ -40,6 +40,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** What lies beside a scene is read, once; and nothing else is, whatever it is called and whoever puts links there. */
 @Timeout(60)
 class AssetsTest {
+    @Test
+    @SuppressWarnings("NullAway") // What nobody may do, but some will.
+    void aSourceThatGivesNullIsToldByTheNameThatItWasAskedFor() {
+        assertThatThrownBy(() -> Assets.from(name -> null).bytes("wood.png")).hasMessage("the source of assets gave null for \"wood.png\"");
+    }
+
     /** Of the four bytes {@code oak\n}; sha256sum says the same. */
     private static final String OAK_DIGEST = "38376757e5c870d200d2c8b13cdec16c0997bd9c089d857d56e3c856f99b8f38";
 

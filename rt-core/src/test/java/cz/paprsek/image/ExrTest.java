@@ -16,6 +16,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Ours against files that the Python binding of the OpenEXR library (3.5.3) wrote: R = x/4, G = y/8, B = (xy mod 7)/2 − 1, 29 × 37 pixels. */
 class ExrTest {
+    @Test
+    void layersWithoutPlanesAreRefusedRatherThanWrittenSoThatNobodyCanReadThem(@TempDir Path folder) {
+        assertThatThrownBy(() -> ImageFiles.write(Layers.ofSize(2, 2), folder.resolve("none.exr"), ImageOptions.DEFAULT))
+                .isInstanceOf(IllegalArgumentException.class).hasMessageContaining("no planes");
+        assertThat(folder.resolve("none.exr")).doesNotExist();
+    }
+
     private static final Path RECORDED = Path.of("src/test/resources/exr");
 
     @ParameterizedTest

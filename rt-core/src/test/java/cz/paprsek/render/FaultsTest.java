@@ -164,6 +164,28 @@ class FaultsTest {
         }
     }
 
+    /** Two threads, or a monitor, that share a renderer would get parts of each other's pictures, or wait for ever. */
+    @Test
+    @SuppressWarnings("try") // Closed within, on purpose.
+    void aRendererMakesOnePictureAtATimeAndNoneOnceItIsClosed() {
+        RenderScene ready = RenderScene.of(SCENE);
+        RenderOptions options = RenderOptions.of(SCENE).withThreads(2);
+        try (Renderer renderer = Renderer.keeping("kept")) {
+            for (Runnable meanwhile : List.<Runnable>of(() -> renderer.next(ready, options, RenderMonitor.NONE), renderer::close)) {
+                assertThatThrownBy(() -> renderer.next(ready, options, new RenderMonitor() {
+                    @Override
+                    public void finished(Tile tile, Image image, int done, int total) {
+                        meanwhile.run();
+                    }
+                })).isInstanceOf(IllegalStateException.class).cause().isInstanceOf(IllegalStateException.class).message().containsAnyOf("one picture at a time", "cannot be closed by");
+            }
+            assertThat(renderer.next(ready, options, RenderMonitor.NONE).image().toArgb()).isEqualTo(Renderer.render(SCENE).toArgb());
+            renderer.close();
+            assertThatThrownBy(() -> renderer.next(ready, options, RenderMonitor.NONE)).isInstanceOf(IllegalStateException.class).hasMessageContaining("closed");
+        }
+        assertThat(Thread.getAllStackTraces().keySet()).noneMatch(thread -> thread.getName().startsWith("kept"));
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 20, 150})
     void anInterruptedThreadGetsNoPicture(int millis) throws InterruptedException {

@@ -200,6 +200,42 @@ class MadeInCodeTest {
                 .hasMessageStartingWith("the bounds of a veil must be of numbers, but are ");
     }
 
+    /** Of face −1, or without end. */
+    @Test
+    void crossingsThatCannotBeAreToldRatherThanTakenForOthers() {
+        assertThatThrownBy(() -> Renderer.render(Scenes.empty().plus(SceneObject.of(new Anything(line -> line.cross(1, -1))))))
+                .hasMessageContaining("the faces of a shape have numbers from 0 on, and one that a line crosses has -1");
+        assertThatThrownBy(() -> Renderer.render(Scenes.empty().plus(SceneObject.of(new Anything(line -> {
+            while (true) {
+                line.cross(1);
+            }
+        }))))).hasMessageContaining("more than 1048576 times");
+    }
+
+    @Test
+    void whatHasNoNameIsCalledByWhatItIsOne() {
+        CustomPattern bright = (x, y, z, hit) -> hit.color(1, 1, 1);
+        assertThat(bright.kind()).isEqualTo("custom-pattern");
+        assertThat(new Smudge(1).kind()).isEqualTo("smudge");
+    }
+
+    private record Anything(Consumer<Line> crossing) implements CustomShape {
+        @Override
+        public Bounds bounds() {
+            return Bounds.around(Vec3.ZERO, Vec3.ONE);
+        }
+
+        @Override
+        public void cross(Line line) {
+            crossing.accept(line);
+        }
+
+        @Override
+        public void normal(int face, Hit hit) {
+            hit.normal(0, 0, 1);
+        }
+    }
+
     private static Scene lit(Consumer<Arrival> broken) {
         return around(new Block(new Vec3(-0.6, -0.6, -0.6), new Vec3(0.6, 0.6, 0.6))).withLights(List.of(new Burnt(broken)));
     }

@@ -30,6 +30,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Open, change, save: what the file looks like then. */
 class SceneFileTest {
+    @Test
+    void aFileThatHasBecomeADirectoryIsToldByName(@TempDir Path folder) throws Exception {
+        Path path = folder.resolve("a.xml");
+        SceneFile file = SceneFile.create(path, Scene.EMPTY);
+        Files.delete(path);
+        Files.createDirectory(path);
+        assertThatThrownBy(() -> file.save(Scene.EMPTY.withName("b"))).hasMessage(path + ": this is a directory, not a file");
+    }
+
     private static final String EXAM = """
             <?xml version="1.0" encoding="UTF-8"?>
             <!-- exam 3, do not change the light! -->

@@ -2,12 +2,15 @@ package cz.paprsek.render.work;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.jspecify.annotations.Nullable;
 
-/** Threads that render, kept from one picture to the next with their {@link Desk}s. They start when they are needed first. For one caller at a time. */
+/** Threads that render, kept from one picture to the next with their {@link Desk}s. They start when they are needed first. For one caller at a time; others are refused. */
 public final class Workers implements AutoCloseable {
     private final String name;
-    private final List<Worker> all = new ArrayList<>();
+    private final List<Worker> all = new CopyOnWriteArrayList<>();
+    private boolean busy;
+    private boolean closed;
 
     /** @param name of the threads, which are numbered */
     public Workers(String name) {
@@ -26,8 +29,36 @@ public final class Workers implements AutoCloseable {
         void fail(Throwable thrown);
     }
 
-    /** Has some work done by so many workers, and waits until all have ended; false if the wait was interrupted, which cancels the work. */
+    /**
+     * Has some work done by so many workers, and waits until all have ended; false if the wait was interrupted, which cancels the work.
+     *
+     * @throws IllegalStateException if they are at work already, or closed
+     */
     public boolean run(int count, Work work) {
+        begin();
+        try {
+            return runAlone(count, work);
+        } finally {
+            end();
+        }
+    }
+
+    private synchronized void begin() {
+        if (closed) {
+            throw new IllegalStateException("this renderer is closed, and makes no more pictures");
+        }
+        if (busy) {
+            throw new IllegalStateException("this renderer makes one picture at a time: each thread needs one of its own, and so does a monitor that renders");
+        }
+        busy = true;
+    }
+
+    private synchronized void end() {
+        busy = false;
+        notifyAll();
+    }
+
+    private boolean runAlone(int count, Work work) {
         List<Worker> busy = new ArrayList<>(count);
         try {
             for (int i = 0; i < count; i++) {
@@ -53,11 +84,18 @@ public final class Workers implements AutoCloseable {
         return worker;
     }
 
-    /** Ends the threads, and waits until they have. */
+    /**
+     * Ends the threads when the picture they make is done, and waits until they have ended.
+     *
+     * @throws IllegalStateException if it is one of them that asks, and would wait for itself
+     */
     @Override
     public void close() {
+        if (Thread.currentThread() instanceof Worker own && all.contains(own)) {
+            throw new IllegalStateException("a renderer cannot be closed by what it calls while it makes a picture");
+        }
+        boolean interrupted = awaitEnd();
         all.forEach(Worker::end);
-        boolean interrupted = false;
         for (Worker worker : all) {
             while (worker.isAlive()) {
                 try {
@@ -70,6 +108,20 @@ public final class Workers implements AutoCloseable {
         if (interrupted) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    /** Takes no more work, and waits until what there is has been done; whether the wait was interrupted. */
+    private synchronized boolean awaitEnd() {
+        closed = true;
+        boolean interrupted = false;
+        while (busy) {
+            try {
+                wait();
+            } catch (InterruptedException later) {
+                interrupted = true;
+            }
+        }
+        return interrupted;
     }
 
     private static final class Worker extends Thread {

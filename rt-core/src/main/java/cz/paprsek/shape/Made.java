@@ -1,0 +1,118 @@
+package cz.paprsek.shape;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.ray.Line;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.text.Numbers;
+import java.util.Objects;
+
+/** A shape that was made in code, somewhere in the world: what it is asked, in its own space, and whether its answers can be. */
+final class Made {
+    final Bounds bounds;
+    final double cost;
+    private final CustomShape shape;
+    private final Affine toLocal;
+
+    /** @throws IllegalArgumentException unless the shape says its bounds and cost in numbers */
+    Made(CustomShape shape, Affine toWorld) {
+        this.shape = shape;
+        toLocal = toWorld.inverse();
+        Bounds box = Objects.requireNonNull(shape.bounds(), () -> "a " + shape.kind() + " has no bounds");
+        boolean isBox = !Double.isNaN(box.minX() + box.minY() + box.minZ()) && !Double.isNaN(box.maxX() + box.maxY() + box.maxZ());
+        Require.that(isBox, "the bounds of a " + shape.kind() + " must be of numbers, but are " + box);
+        bounds = box.transformed(toWorld);
+        cost = Require.positive("cost of a " + shape.kind(), shape.cost());
+    }
+
+    String kind() {
+        return shape.kind();
+    }
+
+    /** Where a ray crosses it. */
+    Line crossed(Ray ray) {
+        Line line = ray.in(toLocal);
+        line.clear();
+        shape.cross(line);
+        for (int i = 0; i < line.crossings(); i++) {
+            if (Double.isNaN(line.t(i))) {
+                throw new IllegalStateException("a " + shape.kind() + " says that a line crosses it at " + line.t(i));
+            }
+        }
+        return line;
+    }
+
+    /** Describes a hit in its own space, and takes the answer to the world. */
+    void describe(int face, Hit hit) {
+        double x = hit.px;
+        double y = hit.py;
+        double z = hit.pz;
+        toLocal(hit, toLocal);
+        shape.normal(face, hit);
+        place(hit, x, y, z);
+        hit.normal(toLocal, hit.nx, hit.ny, hit.nz);
+        double square = hit.nx * hit.nx + hit.ny * hit.ny + hit.nz * hit.nz;
+        // Not <: false for what is not a number.
+        if (!(square > 0)) {
+            throw new IllegalStateException("a " + shape.kind() + " has a normal that is no direction, of its face " + face + " at "
+                    + Numbers.text(new Vec3(x, y, z)) + " in the world");
+        }
+    }
+
+    /** Maps a hit in its own space, and takes the answer to the world. */
+    void map(int face, Hit hit) {
+        double x = hit.px;
+        double y = hit.py;
+        double z = hit.pz;
+        toLocal(hit, toLocal);
+        shape.map(face, hit);
+        place(hit, x, y, z);
+        hit.tangentFrom(toLocal);
+        if (!(Math.abs(hit.u) <= Double.MAX_VALUE && Math.abs(hit.v) <= Double.MAX_VALUE)) {
+            throw new IllegalStateException("a " + shape.kind() + " has a u of " + hit.u + " and a v of " + hit.v + ", which are no numbers, on its face " + face + " at "
+                    + Numbers.text(new Vec3(x, y, z)) + " in the world");
+        }
+    }
+
+    /**
+     * Maps a hit as on a globe about the middle of the shape's bounds. Along the surface, u grows and v does not where its direction e from the
+     * middle changes as on the globe, by e′: towards e′ + a·e with the a for which that is at right angles to the normal.
+     */
+    static void mapGlobe(CustomShape shape, int face, Hit hit) {
+        Bounds box = shape.bounds();
+        double x = box.isFinite() ? hit.px - (box.minX() + box.maxX()) / 2 : hit.px;
+        double y = box.isFinite() ? hit.py - (box.minY() + box.maxY()) / 2 : hit.py;
+        double z = box.isFinite() ? hit.pz - (box.minZ() + box.maxZ()) / 2 : hit.pz;
+        hit.mapGlobe(x, y, z);
+        double nx = hit.nx;
+        double ny = hit.ny;
+        double nz = hit.nz;
+        double sx = hit.sx;
+        double sy = hit.sy;
+        double sz = hit.sz;
+        shape.normal(face, hit);
+        double along = hit.tx * hit.nx + hit.ty * hit.ny + hit.tz * hit.nz;
+        double outwards = x * hit.nx + y * hit.ny + z * hit.nz;
+        hit.unitNormal(nx, ny, nz);
+        hit.sx = sx;
+        hit.sy = sy;
+        hit.sz = sz;
+        double a = -along / outwards;
+        if (Math.abs(a) < Double.MAX_VALUE) {
+            hit.map(hit.u, hit.v, hit.tx + a * x, hit.ty + a * y, hit.tz + a * z);
+        }
+    }
+
+    private static void toLocal(Hit hit, Affine map) {
+        place(hit, map.pointX(hit.px, hit.py, hit.pz), map.pointY(hit.px, hit.py, hit.pz), map.pointZ(hit.px, hit.py, hit.pz));
+    }
+
+    private static void place(Hit hit, double x, double y, double z) {
+        hit.px = x;
+        hit.py = y;
+        hit.pz = z;
+    }
+}
