@@ -67,6 +67,13 @@ class ExplainTest {
     }
 
     @Test
+    void soDoesItThroughAnyLensInAnyLightWithAnySamples() {
+        for (int seed = 0; seed < 20; seed++) {
+            assertEveryPixelAddsUp(Scenes.randomlySeen(seed, 8));
+        }
+    }
+
+    @Test
     void severalSamplesAreSeveralTreesOnePixel() throws IOException {
         Scene scene = Scenes.random(7, 12);
         scene = scene.withSettings(scene.settings().withSamples(3));

@@ -49,6 +49,28 @@ class RendererTest {
         assertThat(Scenes.difference(one, many, 0)).isZero();
     }
 
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void soItDoesThroughAnyLensInAnyLight(long seed) {
+        Scene scene = Scenes.randomlySeen(seed, 20);
+        RenderScene prepared = RenderScene.of(scene);
+        RenderOptions options = RenderOptions.of(scene.settings().withSize(70, 50));
+        Image one = Renderer.render(prepared, options.withThreads(1), RenderMonitor.NONE).image();
+        assertThat(Scenes.difference(one, Renderer.render(prepared, options.withThreads(3), RenderMonitor.NONE).image(), 0)).isZero();
+        Image part = Renderer.render(prepared, options.withRegion(new Tile(13, 11, 37, 29)), RenderMonitor.NONE).image();
+        assertThat(Scenes.difference(part, crop(one, 13, 11, 37, 29), 0)).isZero();
+    }
+
+    private static Image crop(Image whole, int left, int top, int width, int height) {
+        Image crop = new Image(width, height);
+        for (int i = 0; i < width * height; i++) {
+            int x = i % width;
+            int y = i / width;
+            crop.set(x, y, whole.red(left + x, top + y), whole.green(left + x, top + y), whole.blue(left + x, top + y));
+        }
+        return crop;
+    }
+
     @Test
     void aRegionIsThatPartOfThePictureToTheBit() {
         RenderScene scene = RenderScene.of(SCENE);
@@ -57,13 +79,7 @@ class RendererTest {
             RenderOptions options = RenderOptions.of(settings);
             Image whole = Renderer.render(scene, options, RenderMonitor.NONE).image();
             Image part = Renderer.render(scene, options.withRegion(new Tile(13, 21, 37, 29)), RenderMonitor.NONE).image();
-            Image crop = new Image(37, 29);
-            for (int y = 0; y < 29; y++) {
-                for (int x = 0; x < 37; x++) {
-                    crop.set(x, y, whole.red(13 + x, 21 + y), whole.green(13 + x, 21 + y), whole.blue(13 + x, 21 + y));
-                }
-            }
-            assertThat(Scenes.difference(part, crop, 0)).isZero();
+            assertThat(Scenes.difference(part, crop(whole, 13, 21, 37, 29), 0)).isZero();
         }
     }
 

@@ -5,11 +5,17 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SphereLight;
+import cz.paprsek.scene.SpotLight;
+import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
@@ -56,6 +62,45 @@ final class Scenes {
         return empty().withObjects(objects).withBackground(new Rgb(60, 90, 140)).withAmbient(Rgb.grey(40))
                 .plus(Light.at(5, 6, 6).withIntensity(0.5).withColor(new Rgb(255, 220, 200)))
                 .plus(Light.at(-6, 4, 3).withIntensity(0.4)).plus(Light.at(0, 8, -6).withIntensity(0.3));
+    }
+
+    /** The same bodies through a lens of any kind, in lights of any kind, with samples and a filter of any kind. */
+    static Scene randomlySeen(long seed, int bodies) {
+        Random random = new Random(~seed);
+        Scene scene = random(seed, bodies);
+        RenderSettings settings = scene.settings().withSamples(1 + random.nextInt(3)).withFilter(List.of(PixelFilter.values()).get(random.nextInt(4)));
+        Camera camera = Camera.lookingAt(new Vec3(0, 0, 5), new Vec3(0, 0, -5)).withLens(lens(random));
+        List<Light> lights = new ArrayList<>();
+        for (int i = 1 + random.nextInt(3); i > 0; i--) {
+            lights.add(light(random).withIntensity(0.2 + random.nextDouble() / 2).withColor(new Rgb(255, 128 + random.nextInt(128), random.nextInt(256))));
+        }
+        return scene.withCamera(camera).withLights(lights).withSettings(random.nextBoolean() ? settings : settings.withSamples(2, 3 + random.nextInt(2)));
+    }
+
+    private static Lens lens(Random random) {
+        return switch (random.nextInt(5)) {
+            case 0 -> new Lens.Orthographic(4 + 6 * random.nextDouble());
+            case 1 -> new Lens.Spherical();
+            case 2 -> new Lens.Fisheye(60 + random.nextInt(300));
+            case 3 -> new Lens.Perspective(50, 0.05 + random.nextDouble() / 2, 3 + 9 * random.nextDouble());
+            default -> Lens.Perspective.DEFAULT;
+        };
+    }
+
+    private static Light light(Random random) {
+        Vec3 place = new Vec3(random.nextDouble() * 12 - 6, 3 + random.nextDouble() * 4, random.nextDouble() * 10 - 6);
+        Vec3 rotation = new Vec3(60 + random.nextInt(60), random.nextInt(60) - 30, 0);
+        boolean isSeen = random.nextBoolean();
+        int samples = 1 + random.nextInt(6);
+        return switch (random.nextInt(7)) {
+            case 0 -> Light.at(place.x(), place.y(), place.z()).withReferenceDistance(6);
+            case 1 -> SpotLight.from(place, new Vec3(0, 0, -5)).withAngles(10, 10 + random.nextInt(30));
+            case 2 -> SunLight.along(-place.x(), -place.y(), -place.z());
+            case 3 -> SunLight.along(-place.x(), -place.y(), -place.z()).withDisc(1 + random.nextInt(20), isSeen);
+            case 4 -> AreaLight.rectangle(place, 2, 1).withRotation(rotation).withReferenceDistance(6).withSamples(samples).withVisible(isSeen);
+            case 5 -> AreaLight.disc(place, 1).withRotation(rotation).withReferenceDistance(6).withSamples(samples).withVisible(isSeen);
+            default -> SphereLight.of(place, 0.5).withReferenceDistance(6).withSamples(samples).withVisible(isSeen);
+        };
     }
 
     private static Shape shape(int kind) {

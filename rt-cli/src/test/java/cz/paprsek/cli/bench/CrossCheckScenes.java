@@ -58,14 +58,28 @@ final class CrossCheckScenes {
                     .withRotation(turn())));
         }
         Vec3 eye = new Vec3(between(-4, 4), between(0, 5), between(8, 11));
-        Scene scene = Scene.EMPTY.withSettings(new RenderSettings(64, 48, 6, 1))
-                .withCamera(Camera.lookingAt(eye, new Vec3(between(-1, 1), 1.5, 0)).withLens(lens()).withUp(new Vec3(between(-0.3, 0.3), 1, 0)))
-                .withBackground(color()).withAmbient(Rgb.ofLinear(between(0, 0.1), between(0, 0.1), between(0, 0.1)))
+        Lens lens = lens();
+        boolean isBlurred = lens instanceof Lens.Perspective thin && thin.aperture() > 0;
+        // Several pinholes make a lens, a single one does for all others.
+        Scene scene = Scene.EMPTY.withSettings(new RenderSettings(64, 48, 6, isBlurred ? 2 : 1))
+                .withCamera(Camera.lookingAt(eye, new Vec3(between(-1, 1), 1.5, 0)).withLens(lens).withUp(new Vec3(between(-0.3, 0.3), 1, 0)))
+                .withBackground(isBlurred ? dim(color()) : color()).withAmbient(Rgb.ofLinear(between(0, 0.1), between(0, 0.1), between(0, 0.1)))
                 .withObjects(objects);
         for (int i = 1 + random.nextInt(3); i > 0; i--) {
-            scene = scene.plus(light().withIntensity(between(0.2, 0.5)).withColor(color()));
+            Light light = light().withIntensity(between(0.2, 0.5)).withColor(color());
+            scene = scene.plus(isBlurred ? dim(light) : light);
         }
         return scene;
+    }
+
+    /** A picture of POV-Ray's is cut off at white, and the mean of such pictures is no mean of light: under it, all is as it should be. */
+    private static Rgb dim(Rgb color) {
+        return Rgb.ofLinear(0.3 * color.linearRed(), 0.3 * color.linearGreen(), 0.3 * color.linearBlue());
+    }
+
+    private static Light dim(Light light) {
+        Light dim = light.withIntensity(0.3 * light.intensity());
+        return dim instanceof AreaLight area ? area.withVisible(false) : dim instanceof SunLight sun ? sun.withDisc(sun.angle(), false) : dim;
     }
 
     /** Of any kind but a ball, which POV-Ray cannot be given, above and before the bodies. */
@@ -90,6 +104,7 @@ final class CrossCheckScenes {
             case 0 -> new Lens.Orthographic(between(6, 11));
             case 1 -> new Lens.Spherical();
             case 2 -> new Lens.Fisheye(between(60, 360));
+            case 3 -> new Lens.Perspective(between(25, 50), between(0.05, 0.4), random.nextBoolean() ? 0 : between(6, 12));
             default -> Lens.Perspective.DEFAULT.withFovy(between(25, 50));
         };
     }

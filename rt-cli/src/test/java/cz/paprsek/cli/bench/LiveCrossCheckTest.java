@@ -3,6 +3,7 @@ package cz.paprsek.cli.bench;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.StoredImage;
 import cz.paprsek.image.StoredImage.Precision;
@@ -10,6 +11,7 @@ import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
+import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Path;
@@ -58,9 +60,14 @@ class LiveCrossCheckTest {
         compare(CrossCheckScenes.random(seed));
     }
 
+    private static Image theirs(PovRay povRay, Scene scene) throws Exception {
+        boolean isBlurred = scene.camera().lens() instanceof Lens.Perspective lens && lens.aperture() > 0;
+        return isBlurred ? Pinholes.mean(povRay, scene) : povRay.render(scene, 1).image();
+    }
+
     private static void compare(Scene scene) throws Exception {
         assumeTrue(POVRAY.isPresent(), "povray is not installed");
-        StoredImage theirs = new StoredImage(POVRAY.get().render(scene, 1).image(), Precision.SIXTEEN_BIT, false);
+        StoredImage theirs = new StoredImage(theirs(POVRAY.get(), scene), Precision.SIXTEEN_BIT, false);
         ImageComparison comparison = ImageComparison.of(StoredImage.of(Renderer.render(RenderScene.of(scene), RenderOptions.of(scene).withFixedSampler(), RenderMonitor.NONE).image()), theirs, STEPS);
         assertThat(comparison.shareBeyond()).as(comparison.toString()).isLessThanOrEqualTo(SHARE);
         // Rounding alone is a quarter of a step on the average.
