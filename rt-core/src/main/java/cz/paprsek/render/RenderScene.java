@@ -64,7 +64,7 @@ public final class RenderScene {
     /**
      * Prepares a scene that was made from this one by changes, with the same pictures as if it were prepared anew. What has not changed is taken over: cameras,
      * lights and surroundings take no time, and objects that were moved, resized or made of something else only their own, however many others there
-     * are. Only if objects were added or removed, named materials changed, or a sixteenth of all objects, are all prepared anew.
+     * are. All are prepared anew if some were added or removed, became transparent or opaque, or if more than a sixteenth has changed since that was done.
      *
      * @throws CancellationException as {@link #of(Scene, RenderMonitor)}
      * @throws IllegalStateException as there

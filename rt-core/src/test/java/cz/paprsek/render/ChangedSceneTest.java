@@ -147,6 +147,11 @@ class ChangedSceneTest {
         RenderScene ready = RenderScene.of(scene);
         Scene painted = scene.plus("paint", Scenes.matte(0.7, 0.8));
         assertSame(ready.changedTo(painted, RenderMonitor.NONE), RenderScene.of(painted));
+        Scene tinted = scene.plus("paint", GLASS.withTransparency(0.5, 1.7));
+        RenderScene again = ready.changedTo(tinted, RenderMonitor.NONE);
+        assertThat(IntStream.rangeClosed(0, BODIES + 1).filter(i -> again.world().surface(i) != ready.world().surface(i))).containsExactly(BODIES + 1);
+        assertSame(again, RenderScene.of(tinted));
+        assertSame(again.changedTo(painted, RenderMonitor.NONE), RenderScene.of(painted));
         Scene more = scene.plus("other", GLASS);
         assertThat(ready.changedTo(more, RenderMonitor.NONE).world().bodies()).isSameAs(ready.world().bodies());
         Scene given = more.with(ScenePath.body(3), body -> body.madeOf(new MaterialName("other")));

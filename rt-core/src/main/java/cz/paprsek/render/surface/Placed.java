@@ -1,13 +1,19 @@
 package cz.paprsek.render.surface;
 
+import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.MaterialSource;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.TreeBuilder;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -105,14 +111,31 @@ final class Placed {
      * beside them, unless they are too many; which takes a time that hardly depends on how many there are in all.
      */
     Placed changedTo(Scene changed, BooleanSupplier stop) {
-        boolean comparable = changed.objects().size() == surfaces.length
-                && changed.materials().entrySet().containsAll(scene.materials().entrySet());
-        int[] others = comparable ? changed.objectsOtherThanIn(scene) : new int[0];
-        if (comparable && others.length == 0) {
-            return whole;
+        if (changed.objects().size() != surfaces.length) {
+            return new Placed(changed, stop);
         }
-        return comparable && others.length <= surfaces.length / SHARE
-                ? whole.exchanged(changed, others, stop).orElseGet(() -> new Placed(changed, stop)) : new Placed(changed, stop);
+        int[] others = others(changed);
+        return others.length == 0 ? whole
+                : others.length > surfaces.length / SHARE ? new Placed(changed, stop)
+                : whole.exchanged(changed, others, stop).orElseGet(() -> new Placed(changed, stop));
+    }
+
+    /** The objects that are not the very same, or are made of a named material that is not. */
+    private int[] others(Scene changed) {
+        Set<String> repainted = new HashSet<>();
+        scene.materials().forEach((name, material) -> {
+            if (!material.equals(changed.materials().get(name))) {
+                repainted.add(name);
+            }
+        });
+        int[] others = changed.objectsOtherThanIn(scene);
+        return repainted.isEmpty() ? others : IntStream.concat(Arrays.stream(others), IntStream.range(0, surfaces.length)
+                .filter(i -> isMadeOf(repainted, changed.objects().get(i).material(), changed.objects().get(i).shape()))).sorted().distinct().toArray();
+    }
+
+    private static boolean isMadeOf(Set<String> names, MaterialSource material, Shape shape) {
+        return (material instanceof MaterialName named && names.contains(named.name()))
+                || (shape instanceof Csg csg && csg.operands().stream().anyMatch(operand -> isMadeOf(names, operand.material(), operand.solid())));
     }
 
     /** Empty if the parts of all would get other numbers. */
