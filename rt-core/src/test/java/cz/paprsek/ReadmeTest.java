@@ -2,6 +2,11 @@ package cz.paprsek;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.image.Image;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.scene.Lens;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SphereLight;
 import cz.paprsek.xml.SceneFiles;
 import java.io.File;
 import java.io.IOException;
@@ -9,6 +14,7 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -78,6 +84,19 @@ class ReadmeTest {
     @MethodSource("sceneExamples")
     void everySceneIsValid(String xml) throws Exception {
         assertThat(SceneFiles.parse(xml).objects()).isNotEmpty();
+    }
+
+    /** What a newcomer sees first: smooth edges, a soft shadow and a blurred background, in four lines. */
+    @Test
+    void theFirstSceneTakesFourLines() throws Exception {
+        String xml = sceneExamples().findFirst().orElseThrow();
+        assertThat(xml.lines().toList()).as("with the element around it").hasSize(6);
+        Scene scene = SceneFiles.parse(xml);
+        assertThat(scene.settings().isAdaptive()).isTrue();
+        assertThat(scene.camera().lens()).isInstanceOfSatisfying(Lens.Perspective.class, lens -> assertThat(lens.aperture()).isPositive());
+        assertThat(scene.lights()).allMatch(light -> light instanceof SphereLight);
+        Image image = Renderer.render(scene.withSettings(scene.settings().withSize(80, 60)));
+        assertThat(Arrays.stream(image.toArgb()).distinct().count()).as("different colours").isGreaterThan(200);
     }
 
     @Test
