@@ -1,7 +1,5 @@
 package cz.paprsek.cli;
 
-import cz.paprsek.cli.describe.SceneWarning;
-import cz.paprsek.cli.describe.SceneWarnings;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.process.ExitCode;
@@ -10,6 +8,8 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.io.Json;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.warning.SceneWarning;
+import cz.paprsek.warning.SceneWarnings;
 import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.Problem;
 import java.nio.file.Path;

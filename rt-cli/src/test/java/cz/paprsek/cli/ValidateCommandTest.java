@@ -2,13 +2,15 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.cli.describe.SceneWarning;
-import cz.paprsek.cli.describe.SceneWarnings;
+import cz.paprsek.warning.SceneWarning;
+import cz.paprsek.warning.SceneWarnings;
+import cz.paprsek.words.Words;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -68,6 +70,13 @@ class ValidateCommandTest {
     @MethodSource("suspiciousScenes")
     void whatIsHardlyMeantIsWarnedOfOnce(String content, String warning) throws Exception {
         assertThat(warnings(content)).singleElement().asString().startsWith(warning);
+    }
+
+    @ParameterizedTest
+    @MethodSource("suspiciousScenes")
+    void theEditorSaysItInCzech(String content, String warning) throws Exception {
+        assertThat(warning.contains(" touch near ")
+                || !Words.in(Locale.forLanguageTag("cs")).sentence(warnings(content).get(0)).matches("(?s).*\\b(is|has|the|of|and|no|in|does|will)\\b.*")).isTrue();
     }
 
     private static String glass(String kind, String attributes, double index) {

@@ -1,2 +1,2 @@
-/** What is in a scene, and what in it is hardly meant. */
+/** What is in a scene. */
 package cz.paprsek.cli.describe;

@@ -1,4 +1,4 @@
-package cz.paprsek.cli.describe;
+package cz.paprsek.warning;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;

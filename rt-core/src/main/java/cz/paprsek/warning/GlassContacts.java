@@ -1,4 +1,4 @@
-package cz.paprsek.cli.describe;
+package cz.paprsek.warning;
 
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;

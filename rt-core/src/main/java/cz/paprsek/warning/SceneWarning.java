@@ -1,4 +1,4 @@
-package cz.paprsek.cli.describe;
+package cz.paprsek.warning;
 
 import cz.paprsek.scene.ScenePath;
 import java.util.Optional;
