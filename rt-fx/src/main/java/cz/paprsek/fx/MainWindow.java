@@ -13,6 +13,8 @@ import cz.paprsek.fx.view.shell.StatusBar;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.fx.view.tree.ObjectTree;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.warning.SceneWarning;
 import java.io.File;
 import java.util.List;
 import javafx.beans.value.ChangeListener;
@@ -32,7 +34,10 @@ final class MainWindow {
     private final Views views;
     private final MessageBar messages;
     private final ProblemList problems;
+    private final ProblemList warningList;
     private final StatusBar status = new StatusBar();
+    private final SceneWatch watch;
+    private List<SceneWarning> warnings = List.of();
     /** Held here, because the model, which outlives the window, holds it weakly. */
     private final ChangeListener<Object> showSelection = (property, old, now) -> showSelection();
 
@@ -45,7 +50,8 @@ final class MainWindow {
         SelectionCommands commands = new SelectionCommands(edits);
         views = new Views(editor, commands);
         messages = new MessageBar(texts.of("window.close-message"));
-        problems = new ProblemList(texts.of("window.close-message"), texts::sentence);
+        problems = new ProblemList("problem", texts.of("window.close-message"), texts::sentence);
+        warningList = new ProblemList("warning", texts.of("window.close-message"), texts::sentence);
         ObjectTree tree = new ObjectTree(model, texts, commands);
         PropertySheet sheet = new PropertySheet(model, texts, editor.proportional());
         AddPalette palette = new AddPalette(model, texts, views::sight, edits);
@@ -70,15 +76,23 @@ final class MainWindow {
         root.getStylesheets().add(String.valueOf(MainWindow.class.getResource("editor.css")));
         root.setTop(new VBox(menus.menuBar(), menus.toolBar(), messages));
         root.setCenter(center);
-        root.setBottom(new VBox(problems, status));
+        root.setBottom(new VBox(problems, warningList, status));
         status.followRender(editor.renders().statusProperty());
         UndoKeys.reach(model, root);
         sheet.setOnFieldGone(views::takeKeys);
-        new FocusOrder(List.of(views::root, () -> tree, () -> palette, () -> center.getItems().get(2), () -> problems), views::takeKeys).reach(root);
+        new FocusOrder(List.of(views::root, () -> tree, () -> palette, () -> center.getItems().get(2), () -> problems, () -> warningList), views::takeKeys).reach(root);
         views.setOnPointed(status::showCursor, texts);
         model.stateProperty().addListener(new WeakChangeListener<>(showSelection));
         showSelection();
         acceptFiles(edits);
+        status.setOnWarnings(() -> {
+            if (warningList.isVisible()) {
+                warningList.hide();
+            } else {
+                listWarnings();
+            }
+        });
+        watch = new SceneWatch(model, this::warned);
     }
 
     Parent root() {
@@ -101,7 +115,33 @@ final class MainWindow {
         return views.isPictureComplete();
     }
 
+    private void warned(List<SceneWarning> found) {
+        warnings = found;
+        status.showWarnings(found.isEmpty() ? "" : editor.texts().of("warnings.count", found.size()));
+        if (found.isEmpty()) {
+            warningList.hide();
+        } else if (warningList.isVisible()) {
+            listWarnings();
+        }
+    }
+
+    private void listWarnings() {
+        Texts texts = editor.texts();
+        warningList.showEntries(texts.of("warnings.title"), warnings.stream()
+                .map(warning -> new ProblemList.Entry(texts.sentence(warning.message()), () -> warning.place().ifPresent(this::goTo))).toList());
+    }
+
+    /** Selects what a warning is about; named materials stand in the sheet where nothing is selected. */
+    private void goTo(ScenePath place) {
+        if (place instanceof ScenePath.MaterialAt) {
+            editor.model().select();
+        } else {
+            editor.model().select(place);
+        }
+    }
+
     void close() {
+        watch.close();
         views.close();
     }
 

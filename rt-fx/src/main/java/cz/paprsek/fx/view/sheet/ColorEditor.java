@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.model.property.Trait;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
@@ -25,7 +26,7 @@ final class ColorEditor implements PropertyEditor {
     private final Property property;
     private boolean showing;
 
-    ColorEditor(Property property, PropertyEdit edit, String mixed, String pick) {
+    ColorEditor(Property property, PropertyEdit edit, Texts texts, String pick) {
         this.property = property;
         box.getStyleClass().add("color-editor");
         box.setAlignment(Pos.CENTER_LEFT);
@@ -40,7 +41,7 @@ final class ColorEditor implements PropertyEditor {
         box.getChildren().add(picker);
         for (String channel : CHANNELS) {
             Property part = new Property(property.target(), property.part(channel).path(), double.class, channel());
-            NumberField field = new NumberField(part, edit, mixed);
+            NumberField field = new NumberField(part, edit, texts);
             Label letter = new Label(channel.substring(0, 1).toUpperCase(Locale.ROOT));
             letter.getStyleClass().addAll("axis", "axis-" + channel);
             field.dragBy(letter);

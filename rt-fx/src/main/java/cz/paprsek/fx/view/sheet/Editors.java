@@ -44,16 +44,16 @@ final class Editors {
                 yield beside(row, editor);
             }
             case SHARE -> {
-                ShareEditor editor = new ShareEditor(property, edit, mixed);
+                ShareEditor editor = new ShareEditor(property, edit, texts);
                 editor.field().dragBy(row.label());
                 yield beside(row, editor);
             }
-            case VECTOR -> below(row, new VectorEditor(property, edit, mixed, () -> false));
+            case VECTOR -> below(row, new VectorEditor(property, edit, texts, () -> false));
             case FACTORS -> {
                 ToggleButton link = link();
-                yield below(row, new VectorEditor(property, edit, mixed, proportional::get), link);
+                yield below(row, new VectorEditor(property, edit, texts, proportional::get), link);
             }
-            case COLOR -> below(row, new ColorEditor(property, edit, mixed, texts.of("sheet.pick")));
+            case COLOR -> below(row, new ColorEditor(property, edit, texts, texts.of("sheet.pick")));
             case FLAG -> beside(row, new FlagEditor(id(property), text, property::read, value -> edit.change(scene -> property.write(scene, value))));
             case TEXT -> beside(row, new TextEditor(id(property), edit, scene -> property.read(scene).map(Object::toString).orElse(""),
                     property::write));

@@ -18,7 +18,7 @@ final class NumberEditor implements PropertyEditor {
     private final NumberField field;
 
     NumberEditor(Property property, PropertyEdit edit, Texts texts) {
-        field = new NumberField(property, edit, texts.of("sheet.mixed"));
+        field = new NumberField(property, edit, texts);
         box.setAlignment(Pos.CENTER_LEFT);
         box.getStyleClass().add("number-editor");
         HBox.setHgrow(field, Priority.ALWAYS);
@@ -53,7 +53,7 @@ final class NumberEditor implements PropertyEditor {
         menu.setAccessibleText(texts.of("sheet.presets"));
         menu.getStyleClass().add("presets");
         property.trait().presets().forEach(preset -> {
-            MenuItem item = new MenuItem(texts.of(preset.name()) + "  " + Steps.text(preset.value()));
+            MenuItem item = new MenuItem(texts.of(preset.name()) + "  " + texts.number(Steps.text(preset.value())));
             item.setOnAction(event -> edit.change(scene -> property.write(scene, preset.value())));
             menu.getItems().add(item);
         });

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.fx.model.property.Expression;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.model.property.Trait;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -23,7 +24,7 @@ final class NumberField extends TextField implements PropertyEditor {
 
     private final Property property;
     private final PropertyEdit edit;
-    private final String mixed;
+    private final Texts texts;
     private final Writer writer;
     private Optional<Double> value = Optional.empty();
     private String shown = "";
@@ -35,14 +36,14 @@ final class NumberField extends TextField implements PropertyEditor {
         Scene write(Scene scene, UnaryOperator<Object> change);
     }
 
-    NumberField(Property property, PropertyEdit edit, String mixed) {
-        this(property, edit, mixed, property::change);
+    NumberField(Property property, PropertyEdit edit, Texts texts) {
+        this(property, edit, texts, property::change);
     }
 
-    NumberField(Property property, PropertyEdit edit, String mixed, Writer writer) {
+    NumberField(Property property, PropertyEdit edit, Texts texts, Writer writer) {
         this.property = property;
         this.edit = edit;
-        this.mixed = mixed;
+        this.texts = texts;
         this.writer = writer;
         setId(String.join("-", property.path()));
         getStyleClass().add("number-field");
@@ -74,7 +75,7 @@ final class NumberField extends TextField implements PropertyEditor {
     @Override
     public void show(Scene scene) {
         Optional<Double> now = property.read(scene).map(number -> ((Number) number).doubleValue());
-        setPromptText(now.isEmpty() ? mixed : "");
+        setPromptText(now.isEmpty() ? texts.of("sheet.mixed") : "");
         if (!now.equals(value) || shown.isEmpty()) {
             value = now;
             reset();
@@ -157,7 +158,7 @@ final class NumberField extends TextField implements PropertyEditor {
     }
 
     private void reset() {
-        shown = value.map(Steps::text).orElse("");
+        shown = value.map(number -> texts.number(Steps.text(number))).orElse("");
         setText(shown);
     }
 

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.property.Property;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
@@ -24,10 +25,10 @@ final class ShareEditor implements PropertyEditor {
     private boolean showing;
     private boolean pressed;
 
-    ShareEditor(Property property, PropertyEdit edit, String mixed) {
+    ShareEditor(Property property, PropertyEdit edit, Texts texts) {
         this.property = property;
         this.edit = edit;
-        field = new NumberField(property, edit, mixed);
+        field = new NumberField(property, edit, texts);
         field.setPrefColumnCount(4);
         slider.setId(String.join("-", property.path()) + "-slider");
         slider.setBlockIncrement(property.trait().step());

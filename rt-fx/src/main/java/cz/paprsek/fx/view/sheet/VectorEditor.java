@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.property.Property;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
@@ -24,11 +25,11 @@ final class VectorEditor implements PropertyEditor {
     private final List<NumberField> fields = new ArrayList<>();
 
     /** @param linked whether the three are to stay in proportion for now */
-    VectorEditor(Property property, PropertyEdit edit, String mixed, BooleanSupplier linked) {
+    VectorEditor(Property property, PropertyEdit edit, Texts texts, BooleanSupplier linked) {
         box.getStyleClass().add("vector-editor");
         for (String axis : AXES) {
             Property part = property.part(axis);
-            NumberField field = new NumberField(part, edit, mixed, (scene, change) ->
+            NumberField field = new NumberField(part, edit, texts, (scene, change) ->
                     linked.getAsBoolean() ? inProportion(property, scene, axis, change) : part.change(scene, change));
             Label letter = new Label(axis);
             letter.getStyleClass().addAll("axis", "axis-" + axis);

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.shell;
 
 import cz.paprsek.xml.Problem;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
@@ -14,20 +15,33 @@ import javafx.scene.layout.Region;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 
-/** What is wrong with a file that could not be opened, by line and column. */
+/** Lines that tell what is wrong: with a file that could not be opened, by line and column, or with the scene, each leading to the thing it is about. */
 public final class ProblemList extends BorderPane {
     private final UnaryOperator<String> language;
     private final Label title = new Label();
-    private final ListView<String> list = new ListView<>();
+    private final ListView<Entry> list = new ListView<>();
 
-    /** @param language says the messages in the language of the window */
-    public ProblemList(String closeHint, UnaryOperator<String> language) {
+    /** A line, and what goes to the thing it is about when it is clicked or walked to. */
+    public record Entry(String text, Runnable jump) {
+        @Override
+        public String toString() {
+            return text;
+        }
+    }
+
+    /**
+     * @param name for style sheets and tests: "problem" is listed in "problem-list" within "problems"
+     * @param language says the messages in the language of the window
+     */
+    public ProblemList(String name, String closeHint, UnaryOperator<String> language) {
         this.language = language;
-        setId("problems");
-        getStyleClass().add("problems");
-        list.setId("problem-list");
+        setId(name + "s");
+        getStyleClass().add(name + "s");
+        list.setId(name + "-list");
+        list.getSelectionModel().selectedItemProperty().addListener((property, old, now) -> jump());
+        list.setOnMouseClicked(event -> jump());
         Button close = new Button("", new FontIcon(MaterialDesignC.CLOSE));
-        close.setId("problems-close");
+        close.setId(name + "s-close");
         close.setAccessibleText(closeHint);
         close.getStyleClass().add("view-button");
         close.setOnAction(event -> hide());
@@ -43,10 +57,18 @@ public final class ProblemList extends BorderPane {
     }
 
     public void show(String header, List<Problem> problems) {
+        showEntries(header, problems.stream().map(p -> new Entry(p.line() + ":" + p.column() + "   " + language.apply(p.message()), () -> {})).toList());
+    }
+
+    public void showEntries(String header, List<Entry> entries) {
         title.setText(header);
-        list.getItems().setAll(problems.stream().map(p -> p.line() + ":" + p.column() + "   " + language.apply(p.message())).toList());
+        list.getItems().setAll(entries);
         setVisible(true);
         setManaged(true);
+    }
+
+    private void jump() {
+        Optional.ofNullable(list.getSelectionModel().getSelectedItem()).ifPresent(entry -> entry.jump().run());
     }
 
     public void hide() {

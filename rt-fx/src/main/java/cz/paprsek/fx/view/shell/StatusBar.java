@@ -2,14 +2,18 @@ package cz.paprsek.fx.view.shell;
 
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
+import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 
 /** The line at the bottom of the window: what happened last, where the mouse is in the world, what is selected. */
 public final class StatusBar extends HBox {
     private final Label message = label("status-message");
+    private final Button warnings = new Button("", new FontIcon(MaterialDesignA.ALERT_OUTLINE));
     private final Label cursor = label("status-cursor");
     private final Label selection = label("status-selection");
     private final Label render = label("status-render");
@@ -24,14 +28,31 @@ public final class StatusBar extends HBox {
         // What is too long goes on below rather than being cut off.
         message.setWrapText(true);
         message.setMinHeight(Region.USE_PREF_SIZE);
+        warnings.setId("status-warnings");
+        warnings.getStyleClass().add("view-button");
+        warnings.setMinWidth(Region.USE_PREF_SIZE);
+        warnings.setFocusTraversable(false);
+        showWarnings("");
         cursor.setMinWidth(Region.USE_PREF_SIZE);
         selection.setMinWidth(Region.USE_PREF_SIZE);
         render.setMinWidth(Region.USE_PREF_SIZE);
-        getChildren().addAll(message, cursor, selection, render);
+        getChildren().addAll(message, warnings, cursor, selection, render);
     }
 
     public void showMessage(String text) {
         message.setText(text);
+    }
+
+    /** Shows how many warnings there are, in words, as a button; none if that is empty. */
+    public void showWarnings(String count) {
+        warnings.setText(count);
+        warnings.setVisible(!count.isEmpty());
+        warnings.setManaged(!count.isEmpty());
+    }
+
+    /** What the button of the warnings does. */
+    public void setOnWarnings(Runnable action) {
+        warnings.setOnAction(event -> action.run());
     }
 
     public void showCursor(String text) {

@@ -6,6 +6,7 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.CustomShape;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.words.Words;
+import java.text.DecimalFormatSymbols;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -73,6 +74,11 @@ public final class Texts {
     /** What the model or the library says in English of something that is wrong. */
     public String sentence(String english) {
         return words.sentence(english);
+    }
+
+    /** A number as it is written in files, with the decimal sign of the language. */
+    public String number(String written) {
+        return written.replace('.', DecimalFormatSymbols.getInstance(locale).getDecimalSeparator());
     }
 
     /** What a kind of shape is called: "sphere". */
