@@ -18,6 +18,8 @@ import java.util.function.Consumer;
  * @param transparency share of transmitted light kT, 0–1
  * @param refractiveIndex index of the medium inside relative to the vacuum, above 0 and at most 100
  * @param fresnel how what is mirrored and what is let through depends on the angle
+ * @param roughness 0–1: what is mirrored and let through is strewn by facets with α = roughness², whose normals are spread as GGX has it; 0 is smooth
+ * @param thin whether a body is a wall without thickness around what is outside: it bends nothing, absorbs nothing, and mirrors on both sides at once
  * @param attenuationColor the colour c, in linear light, of the substance inside: on its way d through it light is weakened to exp(−(1 − c)·d/D) of what it was, by
  *     the law of Bouguer, Lambert and Beer; white does not weaken it
  * @param attenuationDistance D, above 0, scene units
@@ -34,6 +36,8 @@ public record Material(
         @Attribute(value = Kind.SHARE, means = "Share of transmitted light", otherwise = "0") double transparency,
         @Attribute(value = Kind.REFRACTIVE_INDEX, means = "Index of the medium inside", otherwise = "1") double refractiveIndex,
         @Attribute(value = Kind.WORD, means = "How reflection depends on the angle: not, as that of glass or water, as that of metals", otherwise = "false") Fresnel fresnel,
+        @Attribute(value = Kind.SHARE, means = "How far what is mirrored and let through is strewn", otherwise = "0") double roughness,
+        @Attribute(value = Kind.FLAG, means = "A wall without thickness, around what is outside", otherwise = "false") boolean thin,
         @Attribute(value = Kind.COLOR, means = "What the substance inside leaves of light, white being all", otherwise = "255 255 255") Rgb attenuationColor,
         @Attribute(value = Kind.POSITIVE, means = "Depth that the attenuation-color is stated for", otherwise = "1") double attenuationDistance,
         @Attribute(value = Kind.COLOR, means = "Light of its own", otherwise = "0 0 0") Rgb emission,
@@ -73,6 +77,7 @@ public record Material(
         Require.positive("refractive-index", refractiveIndex);
         Require.within("refractive-index", refractiveIndex, 0, 100);
         Objects.requireNonNull(fresnel, "fresnel");
+        Require.within("roughness", roughness, 0, 1);
         Objects.requireNonNull(attenuationColor, "attenuation-color");
         Require.size("attenuation-distance", attenuationDistance);
         Objects.requireNonNull(emission, "emission");
@@ -81,7 +86,7 @@ public record Material(
 
     /** A material that neither glows nor absorbs, and whose reflection does not depend on the angle. */
     public Material(Pattern pattern, double diffusion, double specular, double shininess, double reflection, double transparency, double refractiveIndex) {
-        this(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, Fresnel.FALSE, Rgb.WHITE, 1, Rgb.BLACK, 1);
+        this(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, Fresnel.FALSE, 0, false, Rgb.WHITE, 1, Rgb.BLACK, 1);
     }
 
     /** The default material in a colour of sRGB channels 0–255. */
@@ -126,6 +131,15 @@ public record Material(
         return with(it -> it.fresnel = value);
     }
 
+    /** Strewing what it mirrors and lets through. */
+    public Material withRoughness(double value) {
+        return with(it -> it.roughness = value);
+    }
+
+    public Material withThin(boolean value) {
+        return with(it -> it.thin = value);
+    }
+
     /** Weakening light inside: to exp(c − 1) of what it was, c being the colour in linear light, after each distance. */
     public Material withAttenuation(Rgb color, double distance) {
         return with(it -> {
@@ -158,6 +172,8 @@ public record Material(
         private double transparency;
         private double refractiveIndex;
         private Fresnel fresnel;
+        private double roughness;
+        private boolean thin;
         private Rgb attenuationColor;
         private double attenuationDistance;
         private Rgb emission;
@@ -172,6 +188,8 @@ public record Material(
             transparency = of.transparency;
             refractiveIndex = of.refractiveIndex;
             fresnel = of.fresnel;
+            roughness = of.roughness;
+            thin = of.thin;
             attenuationColor = of.attenuationColor;
             attenuationDistance = of.attenuationDistance;
             emission = of.emission;
@@ -180,7 +198,7 @@ public record Material(
 
         Material together() {
             return new Material(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, fresnel,
-                    attenuationColor, attenuationDistance, emission, emissionStrength);
+                    roughness, thin, attenuationColor, attenuationDistance, emission, emissionStrength);
         }
     }
 }

@@ -21,7 +21,7 @@ import java.util.Set;
 final class PovMaterials {
     /** The attributes that words are found for here. */
     static final Set<String> TOLD = Set.of("color", "diffusion", "specular", "shininess", "reflection", "transparency", "refractive-index", "fresnel",
-            "attenuation-color", "attenuation-distance", "emission", "emission-strength");
+            "attenuation-color", "attenuation-distance", "emission", "emission-strength", "roughness", "thin");
 
     /** 1 − 2⁻²⁰: the most that is written as shining through, so that diffuse light is not multiplied by 0. No step of 16 bits. */
     private static final double MOST = 1 - 0x1p-20;
@@ -51,14 +51,14 @@ final class PovMaterials {
         return PovWarnings.materials(scene, object).stream()
                 .filter(material -> material.transparency() > 0 ? isSolid : material.fresnel() == Fresnel.TRUE)
                 .max(Comparator.comparing(material -> material.transparency() > 0))
-                .map(material -> "interior { ior " + text(material.refractiveIndex()) + absorption(material)).orElse("");
+                .map(material -> "interior { ior " + text(material.thin() ? 1 : material.refractiveIndex()) + absorption(material)).orElse("");
     }
 
     /** The rest of an interior. Of POV-Ray's two ways the one that also takes from what is mirrored within: {@code fade_power} does not. */
     private static String absorption(Material material) {
         Rgb color = material.attenuationColor();
         double per = 1 / material.attenuationDistance();
-        return color.equals(Rgb.WHITE) ? " }" : " media { absorption rgb " + vector(per * (1 - color.linearRed()), per * (1 - color.linearGreen()),
+        return color.equals(Rgb.WHITE) || material.thin() ? " }" : " media { absorption rgb " + vector(per * (1 - color.linearRed()), per * (1 - color.linearGreen()),
                 per * (1 - color.linearBlue())) + " } } hollow";
     }
 

@@ -171,6 +171,12 @@ final class PovWarnings {
             if (!PovMaterials.emits(material)) {
                 sentences.add(name + " shines where its own colour is black, or in one light over several colours; POV-Ray multiplies the one by the other");
             }
+            if (material.roughness() > 0 && (material.reflection() > 0 || material.transparency() > 0)) {
+                sentences.add(name + " is rough; POV-Ray shows it smooth");
+            }
+            if (material.thin() && material.transparency() > 0) {
+                sentences.add(name + " is thin and bends nothing; POV-Ray is told a refractive index of 1, and mirrors on one side");
+            }
             Untold.of(material).forEach(attribute -> sentences.add(name + ": POV-Ray is not told the " + attribute + " of its material"));
         }
     }

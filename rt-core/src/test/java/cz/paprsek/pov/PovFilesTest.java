@@ -68,7 +68,7 @@ class PovFilesTest {
     @ParameterizedTest
     @MethodSource("attributesOfMaterials")
     void noAttributeOfAMaterialIsLostWithoutAWord(Described one) throws Exception {
-        Map<String, String> attributes = new LinkedHashMap<>(Map.of("specular", "0.5", "transparency", "0.5", "refractive-index", "1.5", "attenuation-color", "90 90 90",
+        Map<String, String> attributes = new LinkedHashMap<>(Map.of("specular", "0.5", "transparency", "0.5", "refractive-index", "1.5", "reflection", "0.5", "attenuation-color", "90 90 90",
                 "emission", "90 90 90"));
         String before = everything(attributes);
         attributes.put(one.name(), switch (one.says().value().form()) {

@@ -124,7 +124,8 @@ public final class RandomScenes {
     private Material material() {
         return new Material(random.nextBoolean() ? new Pattern.Plain(color()) : pattern(), random.nextDouble(), random.nextDouble(), number(), random.nextDouble(), random.nextDouble(),
                 1 + random.nextDouble()).withFresnel(pick(Material.Fresnel.values()))
-                .withAttenuation(color(), number()).withEmission(color(), number());
+                .withAttenuation(color(), number()).withEmission(color(), number())
+                .withRoughness(random.nextDouble()).withThin(random.nextBoolean());
     }
 
     private Pattern pattern() {

@@ -22,6 +22,7 @@ import java.util.Optional;
  * @param lights the term of each light; empty if the material shows no light that falls on it
  * @param refraction what becomes of the ray at a transparent surface; empty at an opaque one, and where the depth ends
  * @param split how much is mirrored at this angle; empty if that does not depend on the angle, and where the depth ends
+ * @param facet by which facet of a rough surface the ray goes on
  * @param reflected the mirrored ray
  * @param refracted the ray that goes on beyond the surface
  * @param cutOff whether there would be more rays, had the depth allowed for them
@@ -36,6 +37,7 @@ public record Encounter(
         List<LightTerm> lights,
         Optional<Refraction> refraction,
         Optional<Split> split,
+        Optional<Facet> facet,
         Optional<TracedRay> reflected,
         Optional<TracedRay> refracted,
         boolean cutOff) {
@@ -49,6 +51,7 @@ public record Encounter(
         Objects.requireNonNull(emitted, "emitted");
         Objects.requireNonNull(refraction, "refraction");
         Objects.requireNonNull(split, "split");
+        Objects.requireNonNull(facet, "facet");
         Objects.requireNonNull(reflected, "reflected");
         Objects.requireNonNull(refracted, "refracted");
         lights = List.copyOf(lights);
@@ -139,6 +142,19 @@ public record Encounter(
         /** The angle from which on all light is reflected; not a number if n₁ ≤ n₂. */
         public double criticalAngleDegrees() {
             return from > to ? Math.toDegrees(StrictMath.asin(to / from)) : Double.NaN;
+        }
+    }
+
+    /**
+     * A facet of a rough surface, among those that are seen; one ray stands for what is mirrored and what is let through.
+     *
+     * @param normal m, of length 1
+     * @param chance with which it was decided between the two: the ray's weight is divided by it
+     * @param seen G₁, the share of facets that are seen from where the ray goes
+     */
+    public record Facet(Vec3 normal, double chance, double seen) {
+        public Facet {
+            Objects.requireNonNull(normal, "normal");
         }
     }
 

@@ -39,6 +39,20 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
     }
 
     /**
+     * What a rough surface strews of light from one direction towards the viewer.
+     *
+     * @param spread D, how many of its facets are turned so that they send it there
+     * @param seen G₁, the share of them that the viewer sees
+     * @param lit G₁, the share of them that the light reaches
+     * @param value M = π·f·cos θ: of what is mirrored π·kR·F·D·G₁·G₁/(4·N·v)
+     */
+    public record Strewn(double spread, double seen, double lit, LinearRgb value) {
+        public Strewn {
+            Objects.requireNonNull(value, "value");
+        }
+    }
+
+    /**
      * A ray that went to look for a light, and what the light brings along it: V·τ·I·(kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ).
      *
      * @param target the point of the light, world space; empty for a sun
@@ -51,6 +65,7 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
      * @param obstacles what stands between, the nearest to the point first, up to the first opaque one
      * @param absorptions what substances on the way take, the nearest to the point first
      * @param left τ, the share that they leave; white also in shadow
+     * @param strewn what a rough surface strews of it
      * @param diffuse kD·max(0, N·L); 0 in shadow
      * @param highlight kS·max(0, R·L)ⁿ; 0 in shadow
      * @param added what it brings
@@ -66,6 +81,7 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
             List<Obstacle> obstacles,
             List<Absorption> absorptions,
             LinearRgb left,
+            Optional<Strewn> strewn,
             double diffuse,
             double highlight,
             LinearRgb added) {
@@ -76,18 +92,19 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
             Objects.requireNonNull(direction, "direction");
             Objects.requireNonNull(added, "added");
             Objects.requireNonNull(left, "left");
+            Objects.requireNonNull(strewn, "strewn");
             obstacles = List.copyOf(obstacles);
             absorptions = List.copyOf(absorptions);
         }
 
         /** The same with what the light brings. */
-        public ShadowRay lit(double diffuseShare, double highlightShare, LinearRgb term) {
-            return new ShadowRay(target, intensity, direction, distance, facing, alignment, visibility, obstacles, absorptions, left, diffuseShare, highlightShare, term);
+        public ShadowRay lit(Optional<Strewn> by, double diffuseShare, double highlightShare, LinearRgb term) {
+            return new ShadowRay(target, intensity, direction, distance, facing, alignment, visibility, obstacles, absorptions, left, by, diffuseShare, highlightShare, term);
         }
 
         /** Whether the surface faces the light, and that shines this way; if not, nobody looked what stands between. */
         public boolean isSent() {
-            return facing > 0 && !intensity.equals(LinearRgb.BLACK);
+            return (facing > 0 || visibility > 0) && !intensity.equals(LinearRgb.BLACK);
         }
 
         /**

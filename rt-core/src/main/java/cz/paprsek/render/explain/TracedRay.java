@@ -73,8 +73,9 @@ public record TracedRay(
      * @param light its number in the scene, from 0
      * @param name its name; empty for none
      * @param distance from the ray's origin; infinite for a sun
+     * @param counted whether its light was counted where the ray starts, and is not again
      */
-    public record SeenLight(int light, String name, double distance) {
+    public record SeenLight(int light, String name, double distance, boolean counted) {
         public SeenLight {
             Objects.requireNonNull(name, "name");
         }

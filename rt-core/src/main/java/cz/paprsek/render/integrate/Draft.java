@@ -3,10 +3,12 @@ package cz.paprsek.render.integrate;
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Absorption;
 import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.Encounter.Facet;
 import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.Encounter.Split;
 import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LightTerm.ShadowRay;
+import cz.paprsek.render.explain.LightTerm.Strewn;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.TracedRay;
 import java.util.ArrayList;
@@ -21,10 +23,13 @@ public final class Draft {
     private final LinearRgb color;
     private final LinearRgb ambientLight;
     public final ShadowWalk.Start start;
+    /** For light that comes through a rough surface from beyond it. */
+    public ShadowWalk.Start startBeyond;
     private final List<LightTerm> lights = new ArrayList<>();
     public LinearRgb emitted = LinearRgb.BLACK;
     public Optional<Refraction> refraction = Optional.empty();
     public Optional<Split> split = Optional.empty();
+    public Optional<Facet> facet = Optional.empty();
     private Optional<TracedRay> reflected = Optional.empty();
     private Optional<TracedRay> refracted = Optional.empty();
 
@@ -36,6 +41,7 @@ public final class Draft {
         this.color = color;
         this.ambientLight = ambientLight;
         this.start = start;
+        this.startBeyond = start;
     }
 
     /** Adds a shadow ray to a light; several in a row to one are one term. */
@@ -51,10 +57,10 @@ public final class Draft {
     }
 
     /** Says what the last shadow ray brings: all of its light's term, unless that turns out to be a mean. */
-    void lit(double diffuse, double highlight, LinearRgb light) {
+    void lit(Optional<Strewn> strewn, double diffuse, double highlight, LinearRgb light) {
         LightTerm last = lights.get(lights.size() - 1);
         List<ShadowRay> rays = new ArrayList<>(last.rays());
-        rays.set(rays.size() - 1, rays.get(rays.size() - 1).lit(diffuse, highlight, light));
+        rays.set(rays.size() - 1, rays.get(rays.size() - 1).lit(strewn, diffuse, highlight, light));
         lights.set(lights.size() - 1, new LightTerm(last.light(), last.name(), rays, light));
     }
 
@@ -74,7 +80,7 @@ public final class Draft {
 
     public TracedRay finished(Optional<Absorption> absorbed, LinearRgb light, int maxDepth) {
         boolean cutOff = ray.level() == maxDepth && (material.reflection() > 0 || material.transparency() > 0);
-        Encounter encounter = new Encounter(place, material, color, ambientLight, ray.light(), emitted, lights, refraction, split, reflected, refracted, cutOff);
+        Encounter encounter = new Encounter(place, material, color, ambientLight, ray.light(), emitted, lights, refraction, split, facet, reflected, refracted, cutOff);
         return new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.of(encounter), Optional.empty(), ray.sight(), absorbed, light);
     }
 }

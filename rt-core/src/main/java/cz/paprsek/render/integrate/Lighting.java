@@ -66,6 +66,12 @@ final class Lighting {
     private final Dimming dimming;
     private final IntPredicate isMet = this::isMet;
     private Media around = new Media();
+    /** Whether the shadow ray starts beyond the surface it comes from. */
+    private boolean isBeyond;
+    /** What a rough surface strews; of lights that rays can see, its rays see it. */
+    private final Lobe lobe;
+    private final boolean[] isSeen;
+    private boolean isStrewing;
     /** What the light that was last looked for brings along its shadow ray. */
     private double red;
     private double green;
@@ -84,7 +90,7 @@ final class Lighting {
         this.bodies = scene.bodies();
         this.parts = scene.parts();
         this.lamps = scene.lamps();
-        this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1);
+        this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1) || scene.isRough();
         this.glows = scene.glows();
         this.finder = intersector.finder;
         this.contacts = intersector.contacts;
@@ -96,9 +102,14 @@ final class Lighting {
         this.anywhere = bodies.whole();
         this.dims = scene.absorbs();
         this.dimming = new Dimming(scene);
+        this.lobe = new Lobe(scene);
+        this.isSeen = new boolean[lamps.length];
+        for (int i = 0; i < lamps.length; i++) {
+            isSeen[i] = glows.show(i);
+        }
     }
 
-    /** Whether some light is looked for at random points: then the sampler is to be started before each hit is lit. */
+    /** Whether something is random at a hit, points of a light or what becomes of a ray: then the sampler is to be started before each hit is lit. */
     boolean isRandom() {
         return isRandom;
     }
@@ -147,10 +158,14 @@ final class Lighting {
      * @param mirrorX the mirrored direction, of length 1
      */
     void illuminate(int depth, Level level, Finish finish, boolean leaving, double mirrorX, double mirrorY, double mirrorZ) {
+        isStrewing = finish.alpha > 0;
+        if (isStrewing) {
+            lobe.at(level, finish, leaving);
+        }
         for (int light = 0; light < lamps.length; light++) {
             Lamp lamp = lamps[light];
             if (lamp instanceof PointLamp point) {
-                if (isBrief && point.isBehind(level.hit)) {
+                if (isBrief && point.isBehind(level.hit) && !isStrewing) {
                     continue;
                 }
                 point.sample(level.hit, MIDDLE, MIDDLE, arrival);
@@ -208,6 +223,9 @@ final class Lighting {
         if (!shines) {
             arrival.light(0, 0, 0);
         }
+        if (isStrewing) {
+            return lookRoughly(depth, light, shines, level, finish, leaving, facing, mirrorX * lx + mirrorY * ly + mirrorZ * lz);
+        }
         if (!shines || !(facing > 0)) {
             witness.sought(light, arrival, facing, 0);
             return false;
@@ -230,6 +248,52 @@ final class Lighting {
         blue = visibility * arrival.blue * (diffuse * level.colorBlue + highlight);
         witness.illuminated(diffuse, highlight, red, green, blue);
         return true;
+    }
+
+    /** The same at a rough surface, which also sends on what comes from beyond it. */
+    private boolean lookRoughly(int depth, int light, boolean shines, Level level, Finish finish, boolean leaving, double facing, double alignment) {
+        lobe.forget();
+        boolean strews = shines && (!isSeen[light] || finish.looksForLamps) && lobe.look(level, finish, arrival, facing);
+        boolean isBefore = facing > 0;
+        if (!shines || !(strews || (isBefore && (finish.diffusion > 0 || finish.specular > 0)))) {
+            witness.sought(light, arrival, isBefore ? 0 : facing, 0);
+            return false;
+        }
+        double visibility = isBefore ? visibility(depth, light, level, leaving) : visibilityBeyond(depth, light, level, leaving);
+        if (dims && visibility > 0) {
+            witness.dimmed(dimming.red, dimming.green, dimming.blue);
+        }
+        witness.sought(light, arrival, facing, visibility);
+        if (!(visibility > 0)) {
+            return false;
+        }
+        if (dims) {
+            arrival.light(arrival.red * dimming.red, arrival.green * dimming.green, arrival.blue * dimming.blue);
+        }
+        double diffuse = isBefore ? finish.diffusion * facing : 0;
+        double highlight = isBefore ? finish.highlight(alignment) : 0;
+        red = visibility * arrival.red * (diffuse * level.colorRed + highlight + lobe.valueRed);
+        green = visibility * arrival.green * (diffuse * level.colorGreen + highlight + lobe.valueGreen);
+        blue = visibility * arrival.blue * (diffuse * level.colorBlue + highlight + lobe.valueBlue);
+        if (strews) {
+            witness.strewn(lobe.spread, lobe.seen(), lobe.lit, lobe.valueRed, lobe.valueGreen, lobe.valueBlue);
+        }
+        witness.illuminated(diffuse, highlight, red, green, blue);
+        return true;
+    }
+
+    /** Of a light behind the surface, whose light comes through the body, or through a pane. */
+    private double visibilityBeyond(int depth, int light, Level level, boolean leaving) {
+        rays++;
+        Hit hit = level.hit;
+        Ray ray = level.ray;
+        shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, ray.part,
+                leaving == ray.face < 0);
+        around = lobe.beyond;
+        isBeyond = true;
+        double share = share(depth * lamps.length + light, anywhere);
+        isBeyond = false;
+        return share > 0 && glows.occluder(shadow, light) != Glows.NONE ? 0 : share;
     }
 
     private double visibility(int depth, int light, Level level, boolean leaving) {
@@ -276,7 +340,7 @@ final class Lighting {
 
     /** Whether the shadow ray meets a boundary that was found, which may lie in one place with its start. */
     private boolean isMet(int boundary) {
-        return spans.t(boundary) > shadow.contact || contacts.counts(shadow, around, true, false, boundary);
+        return spans.t(boundary) > shadow.contact || contacts.counts(shadow, around, true, isBeyond, boundary);
     }
 
     /** The smallest share first, so that the product does not depend on the order in which the surfaces were found. */

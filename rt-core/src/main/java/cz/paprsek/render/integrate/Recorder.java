@@ -5,9 +5,11 @@ import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.explain.Absorption;
 import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.Encounter.Facet;
 import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.Encounter.Split;
 import cz.paprsek.render.explain.LightTerm.ShadowRay;
+import cz.paprsek.render.explain.LightTerm.Strewn;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.TracedRay.Medium;
@@ -15,7 +17,9 @@ import cz.paprsek.render.explain.TracedRay.SeenLight;
 import cz.paprsek.render.explain.TracedRay.Sight;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.sample.Sampling;
+import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
+import cz.paprsek.render.surface.Media;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.InScene;
@@ -46,6 +50,7 @@ public final class Recorder extends Whitted {
     /** What the substance around the ray at hand takes, once that is known. */
     private Optional<Absorption> absorbed = Optional.empty();
     private LinearRgb left = LinearRgb.WHITE;
+    private Optional<Strewn> strewn = Optional.empty();
     /** What makes the rays, if an eye does. */
     private Optional<Eye> eye = Optional.empty();
 
@@ -96,25 +101,32 @@ public final class Recorder extends Whitted {
                 hit.u, hit.v, cosine, new Vec3(mirrorX, mirrorY, mirrorZ));
         open.push(new Draft(begin(level), place, scene.parts().finish(ray.part).material,
                 new LinearRgb(level.colorRed, level.colorGreen, level.colorBlue), ambient,
-                new ShadowWalk.Start(place.point(), size, ray.part, leaving != flipped, level.media, ray.max <= ray.contact)));
+                new ShadowWalk.Start(place.point(), size, ray.part, leaving != flipped, level.media, ray.max <= ray.contact, false)));
+        Finish finish = scene.parts().finish(ray.part);
+        if (finish.alpha > 0) {
+            Media beyond = new Media();
+            scene.enterBeyond(level, finish, leaving, beyond);
+            open.element().startBeyond = new ShadowWalk.Start(place.point(), size, ray.part, leaving == flipped, beyond, false, true);
+        }
     }
 
     @Override
     public void seen(Level level, int lamp) {
         TracedRay ray = begin(level);
         deliver(new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.empty(),
-                Optional.of(new SeenLight(lamp, scene.scene().lights().get(lamp).name(), level.ray.max)), ray.sight(), ray.absorbed(), ray.light()));
+                Optional.of(new SeenLight(lamp, scene.scene().lights().get(lamp).name(), level.ray.max, level.isLit)), ray.sight(), ray.absorbed(), ray.light()));
     }
 
     @Override
     public void sought(int lamp, Arrival arrival, double facing, double visibility) {
         Draft draft = open.element();
         Vec3 direction = new Vec3(arrival.x, arrival.y, arrival.z);
-        boolean isSent = facing > 0 && (arrival.red > 0 || arrival.green > 0 || arrival.blue > 0);
+        boolean isSent = (facing > 0 || visibility > 0) && (arrival.red > 0 || arrival.green > 0 || arrival.blue > 0);
+        ShadowWalk.Start start = facing > 0 ? draft.start : draft.startBeyond;
         draft.sought(lamp, scene.scene().lights().get(lamp).name(), new ShadowRay(target(lamp, draft, direction, arrival.distance), new LinearRgb(arrival.red, arrival.green, arrival.blue),
                 direction, arrival.distance, facing, draft.place.mirrored().dot(direction), visibility,
-                isSent && visibility < 1 ? shadowWalk.obstacles(draft.start, direction, arrival.distance, lamp) : List.of(),
-                left.equals(LinearRgb.WHITE) ? List.of() : shadowWalk.absorptions(draft.start, direction, arrival.distance), left, 0, 0, LinearRgb.BLACK));
+                isSent && visibility < 1 ? shadowWalk.obstacles(start, direction, arrival.distance, lamp) : List.of(),
+                left.equals(LinearRgb.WHITE) ? List.of() : shadowWalk.absorptions(start, direction, arrival.distance), left, Optional.empty(), 0, 0, LinearRgb.BLACK));
         left = LinearRgb.WHITE;
     }
 
@@ -130,8 +142,14 @@ public final class Recorder extends Whitted {
     }
 
     @Override
+    public void strewn(double spread, double seen, double lit, double red, double green, double blue) {
+        strewn = Optional.of(new Strewn(spread, seen, lit, new LinearRgb(red, green, blue)));
+    }
+
+    @Override
     public void illuminated(double diffuse, double highlight, double red, double green, double blue) {
-        open.element().lit(diffuse, highlight, new LinearRgb(red, green, blue));
+        open.element().lit(strewn, diffuse, highlight, new LinearRgb(red, green, blue));
+        strewn = Optional.empty();
     }
 
     @Override
@@ -140,14 +158,18 @@ public final class Recorder extends Whitted {
     }
 
     @Override
-    public void bent(double from, double to, double radicand) {
-        Draft draft = open.element();
-        draft.refraction = Optional.of(new Refraction(from, to, draft.place.cosine(), radicand));
+    public void bent(double from, double to, double cosine, double radicand) {
+        open.element().refraction = Optional.of(new Refraction(from, to, cosine, radicand));
     }
 
     @Override
     public void split(double from, double to, double cosine, double beyond, double red, double green, double blue) {
         open.element().split = Optional.of(new Split(from, to, cosine, beyond, new LinearRgb(red, green, blue)));
+    }
+
+    @Override
+    public void facet(double x, double y, double z, double chance, double seen) {
+        open.element().facet = Optional.of(new Facet(new Vec3(x, y, z), chance, seen));
     }
 
     @Override

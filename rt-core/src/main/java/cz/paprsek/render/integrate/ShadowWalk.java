@@ -42,8 +42,9 @@ public final class ShadowWalk {
      * @param inwards whether rays to the side it is seen from start into the inside of that part
      * @param around the media there
      * @param atOnce whether what touches the surface may stand in the way
+     * @param beyond whether they start beyond the surface
      */
-    public record Start(Vec3 point, double size, int part, boolean inwards, Media around, boolean atOnce) {}
+    public record Start(Vec3 point, double size, int part, boolean inwards, Media around, boolean atOnce, boolean beyond) {}
 
     public ShadowWalk(World scene, IntFunction<InScene<BodyAt>> path) {
         this.scene = scene;
@@ -114,7 +115,7 @@ public final class ShadowWalk {
     }
 
     private boolean isMetAtOnce(Start start, int i) {
-        return start.atOnce() && !scene.isOpaque(parts.object(spans.part(i))) && contacts.counts(ray, start.around(), true, false, i);
+        return (start.atOnce() || start.beyond()) && !scene.isOpaque(parts.object(spans.part(i))) && contacts.counts(ray, start.around(), true, start.beyond(), i);
     }
 
     private boolean isOpaque(int i) {

@@ -79,7 +79,7 @@ public class Whitted extends Witness implements Integrator {
         this.scatters = new Scatter[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
             levels[i] = new Level(spans);
-            scatters[i] = new Scatter(this);
+            scatters[i] = new Scatter(scene, sampler, this);
         }
         levels[0].path = Sampler.EYE;
         background = linear(scene.background());
@@ -368,6 +368,9 @@ public class Whitted extends Witness implements Integrator {
             hit.turn();
         }
         glows.shine(ray.part, isBehind, seen);
+        if (level.isLit) {
+            seen.light(0, 0, 0);
+        }
         level.light(seen.red, seen.green, seen.blue);
         if (dims) {
             dim(level);
@@ -377,7 +380,7 @@ public class Whitted extends Witness implements Integrator {
 
     private void miss(Level level) {
         boolean isBlind = level.ray.isBlind();
-        int sun = isBlind ? Glows.NONE : glows.sky(level.ray.dx, level.ray.dy, level.ray.dz, seen);
+        int sun = isBlind || level.isLit ? Glows.NONE : glows.sky(level.ray.dx, level.ray.dy, level.ray.dz, seen);
         if (sun == Glows.NONE) {
             level.light(isBlind ? 0 : background[0], isBlind ? 0 : background[1], isBlind ? 0 : background[2]);
             if (dims) {
@@ -413,7 +416,7 @@ public class Whitted extends Witness implements Integrator {
             double to = scene.enterBeyond(level, finish, leaving, next.media);
             e = from / to;
             double t = 1 + e * e * (c * c - 1);
-            bent(from, to, t);
+            bent(from, to, c, t);
             refracts = t >= 0;
             if (refracts) {
                 root = Math.sqrt(t);
@@ -439,15 +442,17 @@ public class Whitted extends Witness implements Integrator {
     /** The same where shares depend on the angle. */
     private void scatter(Level level, Level next, int depth, Finish finish, boolean leaving, double c, double size) {
         Scatter to = scatters[depth];
-        to.decide(scene, level, next, finish, leaving, c);
-        if (to.isMirrored()) {
+        to.decide(level, next, finish, leaving, c);
+        if (to.mirrored() > 0) {
             sendBack(level, next, leaving, to.x, to.y, to.z, size);
+            next.isLit = finish.looksForLamps;
             following(false, to.red, to.green, to.blue);
             trace(depth);
             level.add(to.red, to.green, to.blue, next);
         }
         if (to.through > 0) {
             sendOn(level, next, finish, leaving, to.throughX, to.throughY, to.throughZ, size);
+            next.isLit = finish.looksForLamps;
             following(true, to.through, to.through, to.through);
             trace(depth);
             level.add(to.through, next);
@@ -460,6 +465,7 @@ public class Whitted extends Witness implements Integrator {
         Hit hit = level.hit;
         next.ray.start(hit.px, hit.py, hit.pz, x, y, z, size, Double.POSITIVE_INFINITY, ray.part, leaving != ray.face < 0);
         next.beyond = false;
+        next.isLit = false;
         next.path = Sampler.mirrored(level.path);
         Lighting.backFrom(level, next.ray);
         next.media.set(level.media);
@@ -472,6 +478,7 @@ public class Whitted extends Witness implements Integrator {
         Hit hit = level.hit;
         next.ray.start(hit.px, hit.py, hit.pz, x, y, z, size, Double.POSITIVE_INFINITY, ray.part, leaving == ray.face < 0);
         next.beyond = true;
+        next.isLit = false;
         next.path = Sampler.refracted(level.path);
         scene.enterBeyond(level, finish, leaving, next.media);
         refracted++;

@@ -52,6 +52,16 @@ public abstract class Witness {
     public void dimmed(double red, double green, double blue) {}
 
     /**
+     * A rough surface strews the light sought last.
+     *
+     * @param spread D
+     * @param seen G₁ from the viewer
+     * @param lit G₁ from the light
+     * @param red π·f·cos θ
+     */
+    public void strewn(double spread, double seen, double lit, double red, double green, double blue) {}
+
+    /**
      * What the light sought last adds to the level's light, or to the mean of those sought.
      *
      * @param diffuse kD·max(0, N·L)
@@ -67,9 +77,10 @@ public abstract class Witness {
      *
      * @param from refractive index before it
      * @param to refractive index beyond it
+     * @param cosine of the angle between the ray and the normal, or that of a rough surface's facet
      * @param radicand cosine, squared, of the angle beyond it; below 0 if all light is reflected
      */
-    public void bent(double from, double to, double radicand) {}
+    public void bent(double from, double to, double cosine, double radicand) {}
 
     /**
      * How much a surface mirrors depends on the angle.
@@ -81,6 +92,15 @@ public abstract class Witness {
      * @param red the share that is mirrored at this angle, of what the material mirrors
      */
     public void split(double from, double to, double cosine, double beyond, double red, double green, double blue) {}
+
+    /**
+     * A rough surface sends the ray by one of its facets.
+     *
+     * @param x the facet's normal m, of length 1
+     * @param chance with which it was decided whether the ray is mirrored or goes on
+     * @param seen G₁, the share of facets seen from where it goes
+     */
+    public void facet(double x, double y, double z, double chance, double seen) {}
 
     /** The surface gives off light of its own, which has been added to the level's. */
     public void emitted(double red, double green, double blue) {}

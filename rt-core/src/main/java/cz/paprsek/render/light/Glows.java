@@ -90,6 +90,21 @@ public final class Glows {
         return own.max;
     }
 
+    /** Whether rays can see a light. */
+    public boolean show(int lamp) {
+        for (Glow glow : bodies) {
+            if (glow.lamp == lamp) {
+                return true;
+            }
+        }
+        for (Sun sun : suns) {
+            if (sun.lamp == lamp) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Whether the part that a ray has hit is that of a light. */
     public boolean has(int part) {
         return part >= firstPart && part < firstPart + bodies.length;

@@ -24,6 +24,8 @@ public final class Sampler {
     private static final int LENS = 0x6C8E_9CF5;
     private static final int TIME = 0x1B56_C4E9;
     private static final int LIGHT = 0x4F1B_BCDC;
+    private static final int FACET = 0x3A8F_05C7;
+    private static final int LOBE = 0x71D6_7FFF;
     /** Apart from any dimension, so that scrambling digits and choosing their order have nothing to do with each other. */
     private static final int ORDER = 0x632B_E5AB;
     private static final int SECOND = 0x5851_F42D;
@@ -111,6 +113,16 @@ public final class Sampler {
         } else {
             dimension(LIGHT + mixed(lamp + mixed(path)), sample, bits, count);
         }
+    }
+
+    /** The next point is which facet of a rough surface is met at the end of a path. */
+    public void facet(int path) {
+        dimension(FACET + mixed(path), sample, bits, 1);
+    }
+
+    /** The next point's u is what becomes of light there. */
+    public void lobe(int path) {
+        dimension(LOBE + mixed(path), sample, bits, 1);
     }
 
     private void dimension(int dimension, int first, int digits, int count) {

@@ -5,6 +5,9 @@ import cz.paprsek.material.Material.Fresnel;
 
 /** A material ready for shading. */
 public final class Finish {
+    /** From this α on a lobe is wide, about as the lamps of a room. */
+    private static final double WIDE = 0.08;
+
     public final Material material;
     public final Paint paint;
     public final double diffusion;
@@ -13,6 +16,14 @@ public final class Finish {
     public final double transparency;
     public final double refractiveIndex;
     public final Fresnel fresnel;
+    /** How far facets are spread; 0 if it is smooth. */
+    public final double alpha;
+    /**
+     * Whether lights that rays can see are looked for all the same, and then not seen by the rays it sends: a wide lobe seldom meets a small lamp,
+     * a narrow one is seldom met by a point of a large one.
+     */
+    public final boolean looksForLamps;
+    public final boolean isThin;
     /** Whether it mirrors and lets through the same shares at every angle: nearly all surfaces do, and are shaded by a shorter way. */
     public final boolean isPlain;
     /** Whether it gives off light of its own: {@link #red} and so on, linear. */
@@ -35,7 +46,10 @@ public final class Finish {
         transparency = material.transparency();
         refractiveIndex = material.refractiveIndex();
         fresnel = material.fresnel();
-        isPlain = fresnel == Fresnel.FALSE;
+        alpha = material.roughness() * material.roughness();
+        looksForLamps = alpha >= WIDE;
+        isThin = material.thin();
+        isPlain = fresnel == Fresnel.FALSE && alpha == 0 && !isThin;
         red = material.emission().linearRed() * material.emissionStrength();
         green = material.emission().linearGreen() * material.emissionStrength();
         blue = material.emission().linearBlue() * material.emissionStrength();
@@ -44,7 +58,7 @@ public final class Finish {
 
     /** Whether light that falls on it shows: if not, no shadow ray is needed. */
     public boolean isLit() {
-        return diffusion > 0 || specular > 0;
+        return diffusion > 0 || specular > 0 || alpha > 0;
     }
 
     /**

@@ -11,6 +11,8 @@ public final class Level {
     public final Media media = new Media();
     /** Whether the ray goes on beyond the surface it starts from, rather than back to the side it was seen from. */
     public boolean beyond;
+    /** Whether lights that the ray sees have been counted where it starts. */
+    public boolean isLit;
     /** How the ray came about, in the sampler's terms: what is random at its end depends on that, too. */
     public int path;
     /** Of a ray from the eye, whether the pixel's filter takes away what it brings. */

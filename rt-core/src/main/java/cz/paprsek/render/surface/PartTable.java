@@ -17,6 +17,7 @@ public final class PartTable {
     private final int firstExchanged;
     private final Part[] freshParts;
     private final Finish[] freshFinishes;
+    private final boolean rough;
 
     /**
      * Takes over all that has been placed.
@@ -24,10 +25,11 @@ public final class PartTable {
      * @param firsts the first part of each object
      */
     PartTable(Placing all, int[] firsts) {
-        this(all.parts, all.finishes, all.objects, firsts, all.size, new int[0], all.parts, all.finishes);
+        this(all.parts, all.finishes, all.objects, firsts, all.size, new int[0], all.parts, all.finishes, all.isRough);
     }
 
-    private PartTable(Part[] parts, Finish[] finishes, int[] objects, int[] firsts, int size, int[] exchanged, Part[] freshParts, Finish[] freshFinishes) {
+    private PartTable(Part[] parts, Finish[] finishes, int[] objects, int[] firsts, int size, int[] exchanged, Part[] freshParts, Finish[] freshFinishes,
+            boolean rough) {
         this.parts = parts;
         this.finishes = finishes;
         this.objects = objects;
@@ -37,6 +39,7 @@ public final class PartTable {
         this.firstExchanged = exchanged.length == 0 ? Integer.MAX_VALUE : exchanged[0];
         this.freshParts = freshParts;
         this.freshFinishes = freshFinishes;
+        this.rough = rough;
     }
 
     /**
@@ -58,12 +61,17 @@ public final class PartTable {
             numbers[k] = next++;
         }
         return fresh.size == 0 || !isEnd(next, fresh.objects[fresh.size - 1]) ? Optional.empty()
-                : Optional.of(new PartTable(parts, finishes, objects, firsts, size, numbers, fresh.parts, fresh.finishes));
+                : Optional.of(new PartTable(parts, finishes, objects, firsts, size, numbers, fresh.parts, fresh.finishes, rough || fresh.isRough));
     }
 
     /** Whether an object has no part of a number. */
     private boolean isEnd(int number, int object) {
         return number >= size || objects[number] != object;
+    }
+
+    /** Whether some part is rough, or was before it was exchanged. */
+    boolean isRough() {
+        return rough;
     }
 
     public int size() {

@@ -35,6 +35,8 @@ final class Placing {
     Finish[] finishes;
     int[] objects;
     int size;
+    /** Whether a part is rough. */
+    boolean isRough;
     /** The number of the next part. */
     private int next;
 
@@ -88,7 +90,7 @@ final class Placing {
     /** What the inside takes of the parts from the {@code from}-th that was registered on: one body has one, that of its first part which light gets through. */
     @Nullable Absorption absorbing(int from) {
         for (int i = from; i < size; i++) {
-            if (finishes[i].transparency > 0) {
+            if (finishes[i].transparency > 0 && !finishes[i].isThin) {
                 Absorption inside = new Absorption(finishes[i].material);
                 return inside.isAny() ? inside : null;
             }
@@ -135,6 +137,7 @@ final class Placing {
             finishes = Arrays.copyOf(finishes, 2 * size);
             objects = Arrays.copyOf(objects, 2 * size);
         }
+        isRough |= finish.alpha > 0;
         objects[size] = object;
         finishes[size] = finish;
         return size++;

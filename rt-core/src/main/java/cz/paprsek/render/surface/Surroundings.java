@@ -69,7 +69,8 @@ public final class Surroundings {
             if (world.isOpaque(object)) {
                 media.surround(object);
             } else {
-                media.enter(object, world.parts().finish(around[i]).refractiveIndex);
+                Finish finish = world.parts().finish(around[i]);
+                media.enter(object, finish.isThin ? media.refractiveIndex() : finish.refractiveIndex);
             }
         }
     }

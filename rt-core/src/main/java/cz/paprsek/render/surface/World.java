@@ -97,6 +97,16 @@ public final class World {
         return placed.mayTouch[object];
     }
 
+    /** Whether some surface is rough. */
+    public boolean isRough() {
+        return parts.isRough();
+    }
+
+    /** Whether light that gets through the level's surface meets both sides of it at once, and is not bent. */
+    public boolean isPane(Level level, Finish finish) {
+        return finish.transparency > 0 && (finish.isThin || !isSolid(parts.object(level.ray.part)));
+    }
+
     /** Whether the inside of any object takes something of light. */
     public boolean absorbs() {
         return placed.absorbs;
@@ -142,7 +152,7 @@ public final class World {
                 beyond.leave(object);
                 beyond.pass(object);
             } else {
-                beyond.enter(object, finish.refractiveIndex);
+                beyond.enter(object, finish.isThin ? level.media.refractiveIndex() : finish.refractiveIndex);
             }
         }
         return beyond.refractiveIndex();

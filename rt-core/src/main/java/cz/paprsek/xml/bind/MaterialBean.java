@@ -30,6 +30,8 @@ final class MaterialBean extends Located {
     @XmlAttribute double transparency = Material.DEFAULT.transparency();
     @XmlAttribute(name = "refractive-index") double refractiveIndex = Material.DEFAULT.refractiveIndex();
     @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String fresnel = Described.word(Material.DEFAULT.fresnel());
+    @XmlAttribute double roughness = Material.DEFAULT.roughness();
+    @XmlAttribute boolean thin = Material.DEFAULT.thin();
     @XmlAttribute(name = "attenuation-color") @XmlJavaTypeAdapter(Adapters.Color.class) Rgb attenuationColor = Material.DEFAULT.attenuationColor();
     @XmlAttribute(name = "attenuation-distance") double attenuationDistance = Material.DEFAULT.attenuationDistance();
     @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb emission = Material.DEFAULT.emission();
@@ -48,7 +50,7 @@ final class MaterialBean extends Located {
 
     Material toMaterial() {
         return new Material(pattern(), diffusion, specular, shininess, reflection, transparency, refractiveIndex,
-                Fresnel.valueOf(fresnel.toUpperCase(Locale.ROOT)), attenuationColor, attenuationDistance, emission, emissionStrength);
+                Fresnel.valueOf(fresnel.toUpperCase(Locale.ROOT)), roughness, thin, attenuationColor, attenuationDistance, emission, emissionStrength);
     }
 
     private Pattern pattern() {

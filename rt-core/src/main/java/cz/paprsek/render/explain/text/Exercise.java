@@ -67,7 +67,7 @@ final class Exercise {
     }
 
     private void seen(SeenLight light) {
-        say(Topic.POINT, words.of("name.hits"), words.of("light", light.label()));
+        say(Topic.POINT, words.of("name.hits"), words.of("light", light.label()) + (light.counted() ? words.of("counted") : ""));
         if (Double.isFinite(light.distance())) {
             step(Topic.POINT, words.of("name.distance"), "t", "", Figures.of(light.distance()));
         }
@@ -84,7 +84,7 @@ final class Exercise {
                     + Figures.of(material.emissionStrength()), Figures.of(met.emitted()));
         }
         met.lights().forEach(term -> new LightSteps(met, term, words, steps).write());
-        if (met.material().diffusion() == 0 && met.material().specular() == 0) {
+        if (met.lights().isEmpty() && met.material().diffusion() == 0 && met.material().specular() == 0) {
             say(Topic.LIGHT, words.of("name.lights"), words.of("no-light-shows"));
         }
         new OpticsSteps(name, met, words, steps).write();
@@ -114,7 +114,8 @@ final class Exercise {
                 + (material.reflection() > 0 ? ", kR " + Figures.of(material.reflection()) : "")
                 + (material.transparency() > 0
                         ? ", kT " + Figures.of(material.transparency()) + words.of("medium", Figures.of(material.refractiveIndex())) : "")
-                + (material.fresnel() == Fresnel.FALSE ? "" : words.of(material.fresnel() == Fresnel.TRUE ? "as-glass" : "as-metal")));
+                + (material.fresnel() == Fresnel.FALSE ? "" : words.of(material.fresnel() == Fresnel.TRUE ? "as-glass" : "as-metal"))
+                + (material.roughness() > 0 ? words.of("rough", Figures.of(material.roughness() * material.roughness())) : "") + (material.thin() ? words.of("thin") : ""));
     }
 
     private void say(Topic topic, String what, String words) {

@@ -53,6 +53,8 @@ record LightSteps(Encounter met, LightTerm term, Words words, List<Step> steps) 
 
     private void shine(ShadowRay ray) {
         Material material = met.material();
+        ray.strewn().ifPresent(by -> step(words.of("name.strewn"), ray.facing() > 0 ? "M = π·kR·F·D·G₁·G₁'/(4·N·v)" : "M = π·f·|N·L|",
+                "D = " + Figures.of(by.spread()) + ", G₁ = " + Figures.of(by.seen()) + ", G₁' = " + Figures.of(by.lit()), Figures.share(by.value())));
         step("", words.of("diffuse", "kD·N·L"), Figures.of(material.diffusion()) + "·" + Figures.of(ray.facing()), Figures.of(ray.diffuse()));
         if (material.specular() > 0) {
             step("", "R·L", Figures.of(met.place().mirrored()) + "·" + Figures.of(ray.direction()), Figures.of(ray.alignment()));
@@ -60,12 +62,19 @@ record LightSteps(Encounter met, LightTerm term, Words words, List<Step> steps) 
                     Figures.of(material.specular()) + "·" + (ray.alignment() > 0 ? Figures.power(ray.alignment(), material.shininess()) : "0"),
                     Figures.of(ray.highlight()));
         }
-        step("", (ray.absorptions().isEmpty() ? "V·I" : "V·τ·I") + (material.specular() > 0 ? "·(D·C + S)" : "·D·C"), brings(ray), Figures.of(ray.added()));
+        step("", (ray.absorptions().isEmpty() ? "V·I" : "V·τ·I") + letters(ray), brings(ray), Figures.of(ray.added()));
+    }
+
+    private String letters(ShadowRay ray) {
+        boolean isShiny = met.material().specular() > 0;
+        return ray.strewn().isPresent() ? isShiny ? "·(D·C + S + M)" : "·(D·C + M)" : isShiny ? "·(D·C + S)" : "·D·C";
     }
 
     private String brings(ShadowRay ray) {
         return Figures.of(ray.visibility()) + "·" + (ray.absorptions().isEmpty() ? "" : Figures.share(ray.left()) + "·") + Figures.of(ray.intensity()) + "·"
-                + (met.material().specular() > 0 ? "(" + Figures.of(ray.diffuse()) + "·C + " + Figures.of(ray.highlight()) + ")" : Figures.of(ray.diffuse()) + "·C");
+                + (met.material().specular() > 0 || ray.strewn().isPresent() ? "(" + Figures.of(ray.diffuse()) + "·C"
+                        + (met.material().specular() > 0 ? " + " + Figures.of(ray.highlight()) : "") + ray.strewn().map(by -> " + " + Figures.share(by.value())).orElse("") + ")"
+                        : Figures.of(ray.diffuse()) + "·C");
     }
 
     /** A line for each shadow ray, and the mean. */

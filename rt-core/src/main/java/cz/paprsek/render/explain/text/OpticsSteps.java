@@ -2,6 +2,7 @@ package cz.paprsek.render.explain.text;
 
 import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.Encounter.Facet;
 import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.Encounter.Split;
 import cz.paprsek.render.explain.TracedRay;
@@ -18,24 +19,48 @@ record OpticsSteps(String name, Encounter met, Words words, List<Step> steps) {
             total(met.refraction().orElseThrow());
         }
         if (!isTotal) {
-            met.split().ifPresent(this::fresnel);
+            met.split().filter(split -> met.material().fresnel() != Fresnel.FALSE).ifPresent(this::fresnel);
         }
+        met.facet().ifPresent(this::facet);
         met.reflected().ifPresent(child -> {
-            step(Topic.REFLECTION, isTotal ? "" : words.of("name.reflection"), "R = d + 2·cos θ₁·N", "d + " + Figures.of(2 * met.place().cosine()) + "·N",
+            step(Topic.REFLECTION, isTotal ? "" : words.of("name.reflection"), "R = d + 2·cos θ₁·" + normal(), "d + " + Figures.of(2 * cosine()) + "·" + normal(),
                     Figures.of(child.direction()));
-            weighted(Topic.REFLECTION, mirroredShare(isTotal), "R", child);
+            weighted(Topic.REFLECTION, mirroredShare(isTotal) + rough(), "R", child);
         });
         met.refracted().ifPresent(child -> {
             met.refraction().ifPresent(bend -> refracted(bend, child));
-            weighted(Topic.REFRACTION, isGlass() ? "kT·(1 − kR·" + letter() + ")" : "kT", "T", child);
+            weighted(Topic.REFRACTION, (isGlass() ? "kT·(1 − kR·" + letter() + ")" : "kT") + rough(), "T", child);
         });
+    }
+
+    /** A rough surface's facet takes the place of the surface. */
+    private void facet(Facet facet) {
+        step(Topic.REFLECTION, words.of("name.facet"), "m", "", Figures.of(facet.normal()));
+        step(Topic.REFLECTION, "", words.of("facet-chance"), "", Figures.of(facet.chance()));
+        step(Topic.REFLECTION, "", words.of("facet-seen", "G₁"), "", Figures.of(facet.seen()));
+    }
+
+    private String normal() {
+        return met.facet().isPresent() ? "m" : "N";
+    }
+
+    private double cosine() {
+        return met.split().map(Split::cosine).orElse(met.place().cosine());
+    }
+
+    private String rough() {
+        return met.facet().isPresent() ? "·G₁/p" : "";
     }
 
     private String mirroredShare(boolean isTotal) {
         if (isTotal) {
-            return isGlass() ? "(kR + kT·(1 − kR))" : met.split().isPresent() ? "(kR·F + kT)" : "(kR + kT)";
+            return isGlass() ? "(kR + kT·(1 − kR))" : isMetal() ? "(kR·F + kT)" : "(kR + kT)";
         }
-        return met.split().isPresent() ? "kR·" + letter() : "kR";
+        return isGlass() || isMetal() ? "kR·" + letter() : "kR";
+    }
+
+    private boolean isMetal() {
+        return met.material().fresnel() == Fresnel.METAL;
     }
 
     private boolean isGlass() {
@@ -79,8 +104,8 @@ record OpticsSteps(String name, Encounter met, Words words, List<Step> steps) {
         ratio(Topic.REFRACTION, bend);
         step(Topic.REFRACTION, "", "sin θ₂ = η·sin θ₁", sine(bend), Figures.of(ratio * StrictMath.sin(Math.toRadians(bend.angleBeforeDegrees())))
                 + ", θ₂ = " + Figures.degrees(bend.angleBeyondDegrees()));
-        step(Topic.REFRACTION, "", "T = η·d + (η·cos θ₁ − cos θ₂)·N",
-                Figures.of(ratio) + "·d + (" + Figures.of(ratio * bend.cosine()) + " − " + Figures.of(Math.sqrt(bend.radicand())) + ")·N",
+        step(Topic.REFRACTION, "", "T = η·d + (η·cos θ₁ − cos θ₂)·" + normal(),
+                Figures.of(ratio) + "·d + (" + Figures.of(ratio * bend.cosine()) + " − " + Figures.of(Math.sqrt(bend.radicand())) + ")·" + normal(),
                 Figures.of(child.direction()));
     }
 

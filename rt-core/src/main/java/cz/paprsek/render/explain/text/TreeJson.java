@@ -67,6 +67,7 @@ public final class TreeJson {
         json.with("lights", met.lights().stream().map(TreeJson::of).toList());
         met.refraction().ifPresent(bend -> json.with("refraction", of(bend)));
         met.split().ifPresent(split -> json.with("fresnel", of(split)));
+        met.facet().ifPresent(facet -> json.with("facet", new Json().with("normal", facet.normal()).with("chance", facet.chance()).with("seen", facet.seen())));
         met.reflected().ifPresent(ray -> json.with("reflected", of(ray)));
         met.refracted().ifPresent(ray -> json.with("refracted", of(ray)));
         return json.with("cut-off", met.cutOff());
@@ -126,6 +127,7 @@ public final class TreeJson {
         if (!ray.absorptions().isEmpty()) {
             color(json.with("absorptions", ray.absorptions().stream().map(TreeJson::of).toList()), "left", ray.left());
         }
+        ray.strewn().ifPresent(by -> json.with("strewn", color(new Json().with("spread", by.spread()).with("seen", by.seen()).with("lit", by.lit()), "value", by.value())));
         return json
                 .with("n-dot-l", ray.facing())
                 .with("r-dot-l", ray.alignment())

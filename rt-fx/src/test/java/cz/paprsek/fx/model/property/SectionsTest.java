@@ -55,7 +55,7 @@ class SectionsTest {
     void componentsOfASelectedThingArePropertiesInOrder() {
         assertThat(titles(Set.of(ScenePath.body(0)))).containsExactly("section.object", "kind.sphere", "section.placement", "section.material");
         assertThat(names(Set.of(ScenePath.body(0)))).containsExactly("name", "radius", "position", "rotation", "scale", "material", "pattern", "color",
-                "diffusion", "specular", "shininess", "reflection", "transparency", "refractiveIndex", "fresnel", "attenuationColor", "attenuationDistance", "emission", "emissionStrength");
+                "diffusion", "specular", "shininess", "reflection", "transparency", "refractiveIndex", "fresnel", "roughness", "thin", "attenuationColor", "attenuationDistance", "emission", "emissionStrength");
         assertThat(names(Set.of(ScenePath.light(0)))).containsExactly("name", "position", "color", "intensity", "referenceDistance");
         assertThat(names(Set.of(ScenePath.camera()))).containsExactly("name", "position", "aim", "vector", "up", "lens", "fovy", "aperture", "focus");
     }
