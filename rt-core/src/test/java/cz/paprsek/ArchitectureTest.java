@@ -135,7 +135,7 @@ class ArchitectureTest {
             .should().dependOnClassesThat().resideInAnyPackage("jakarta.xml..");
 
     @ArchTest
-    static final ArchRule OTHER_XML_ONLY_IN_XML = noClasses().that().resideOutsideOfPackages("cz.paprsek.xml", "cz.paprsek.xml.bind")
+    static final ArchRule OTHER_XML_ONLY_IN_XML = noClasses().that().resideOutsideOfPackages("cz.paprsek.xml", "cz.paprsek.xml.bind", "cz.paprsek.xml.mistake")
             .should().dependOnClassesThat().resideInAnyPackage("javax.xml..", "org.xml..");
 
     @ArchTest

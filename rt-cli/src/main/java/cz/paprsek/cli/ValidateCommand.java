@@ -109,7 +109,7 @@ final class ValidateCommand implements Callable<Integer> {
                 String where = text.contents().isDatabase() ? "scene \"" + scene.name() + "\": " : "";
                 for (SceneWarning warning : SceneWarnings.of(scene)) {
                     String message = (warning.isNote() ? "note: " : "warning: ") + where + warning.message();
-                    found.add(new Found(scene.name(), warning, pointer.at(i, warning.place(), message)));
+                    found.add(new Found(scene.name(), warning, pointer.at(i, warning.place(), warning.attribute(), message)));
                 }
             }
         });

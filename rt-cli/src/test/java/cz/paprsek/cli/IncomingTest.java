@@ -92,12 +92,12 @@ class IncomingTest {
         for (Run run : List.of(fed(broken, "validate", "-"), fed(broken, "info", "-"), fed(broken, "render", "-", "-o", folder.resolve("a.png")),
                 fed(broken, "explain", "-", "1,1"), fed(broken, "convert", "-", folder.resolve("a.pov")), fed(broken, "db", "list", "-"))) {
             assertThat(run.code()).isEqualTo(3);
-            assertThat(run.err().lines()).containsExactly("-:2:1: sphere radius must be a finite number above 0, but is \"-2\"",
-                    "-:3:1: <sphere> has no attribute \"raduis\"; did you mean \"radius\"?");
+            assertThat(run.err().lines()).containsExactly("-:2:9: sphere radius must be a finite number above 0, but is \"-2\"",
+                    "-:3:9: <sphere> has no attribute \"raduis\"; did you mean \"radius\"?");
         }
         Run run = piped(broken, "render", "PIPE", "-o", folder.resolve("a.png"));
         assertThat(run.code()).isEqualTo(3);
-        assertThat(run.err()).hasLineCount(2).contains(":2:1: sphere radius must be");
+        assertThat(run.err()).hasLineCount(2).contains(":2:9: sphere radius must be");
         assertThat(fed(new byte[0], "render", "-").err()).startsWith("-:1:1: this file is empty");
     }
 

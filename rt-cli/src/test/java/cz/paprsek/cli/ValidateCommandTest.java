@@ -18,6 +18,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class ValidateCommandTest {
@@ -161,6 +162,22 @@ class ValidateCommandTest {
                     "9:" + (39 + prefix) + ": warning: light #2 is inside sphere \">\", which is opaque; it lights nothing outside",
                     " valid, 4 warnings");
         }
+    }
+
+    /** One attribute is at fault, of an element or of the material inside it; elsewhere it is the element. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "<sphere radius='1'><material diffusion='0.5' color='1 1 0.5'/></sphere> | color='1 | the color",
+        "<material name='m' color='0.1 0 0'/><sphere radius='1' material='m'/> | color='0.1 | the color",
+        "<point-light name='visible' position='9 9 9' color='1 1 1'/><sphere radius='1'/> | color='1 | the color",
+        "<sun-light name=' visible= ' direction='0 -1 0' visible='true'/><sphere radius='1'/> | visible='true | no disc",
+        "<camera position='0 0 9' target='0 0 0' aperture='0.1'/><sphere radius='1'/> | aperture='0.1 | blur will be grain",
+        "<sphere radius='1'><material diffusion='0.9' reflection='0.9'/></sphere> | <sphere | add up to"})
+    void warningsPointAtTheAttributeAtFault(String content, String at, String sentence) throws IOException {
+        String text = "<scene xmlns='urn:paprsek:scene:1'>\n<ambient color='white'/><camera position='0 0 5' target='0 0 0'/>\n" + content + "</scene>";
+        Path file = Files.writeString(folder.resolve("a.xml"), text);
+        int column = content.indexOf(at) + 1;
+        assertThat(Run.cli("validate", file).out()).containsOnlyOnce(": warning: ").contains(file + ":3:" + column + ": warning: ").contains(sentence);
     }
 
     @Test

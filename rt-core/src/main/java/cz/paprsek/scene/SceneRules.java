@@ -27,7 +27,7 @@ public final class SceneRules {
     public static final int LONGEST_NAME = 200;
 
     /** Refuses a scene with the first rule that is broken. */
-    static final Report REFUSE = (culprit, sentence) -> {
+    static final Report REFUSE = (culprit, attribute, sentence) -> {
         throw new IllegalArgumentException(sentence);
     };
 
@@ -36,9 +36,10 @@ public final class SceneRules {
     public interface Report {
         /**
          * @param culprit the camera, light, material, object or operand at fault: the very instance that was passed in
+         * @param attribute which of its attributes is at fault, by its name in files; empty if none is, or several are
          * @param sentence what is wrong and what to do
          */
-        void broken(Object culprit, String sentence);
+        void broken(Object culprit, String attribute, String sentence);
     }
 
     /** Checks the names of cameras, which are those of no others. */
@@ -65,7 +66,7 @@ public final class SceneRules {
     static void checkMaterials(Map<String, Material> materials, Report report) {
         materials.forEach((name, material) -> {
             if (name.isBlank()) {
-                report.broken(material, "a material's name must not be blank");
+                report.broken(material, "name", "a material's name must not be blank");
             }
             checkText("material name", name, material, report);
         });
@@ -137,7 +138,7 @@ public final class SceneRules {
                 checkName(what, name);
             }
         } catch (IllegalArgumentException refused) {
-            report.broken(owner, String.valueOf(refused.getMessage()));
+            report.broken(owner, "name", String.valueOf(refused.getMessage()));
         }
     }
 
@@ -152,7 +153,7 @@ public final class SceneRules {
                 if (inner.isSane()) {
                     checkOperands(operand.solid(), inner, materials, report);
                 } else {
-                    report.broken(operand, "the placements of this operand and of what it is in must not make it flat, larger than "
+                    report.broken(operand, "", "the placements of this operand and of what it is in must not make it flat, larger than "
                             + Require.LARGEST + " times its size or smaller than " + Require.SMALLEST + " times, all together");
                 }
             }
@@ -166,7 +167,7 @@ public final class SceneRules {
 
     private static void checkUnique(String kind, String name, Object owner, Set<String> seen, Report report) {
         if (!name.isEmpty() && !seen.add(name)) {
-            report.broken(owner, "there is already " + (kind.startsWith("o") ? "an " : "a ") + kind + " named \"" + name
+            report.broken(owner, "name", "there is already " + (kind.startsWith("o") ? "an " : "a ") + kind + " named \"" + name
                     + "\" here; give one of them another name");
         }
     }
@@ -174,14 +175,14 @@ public final class SceneRules {
     private static void checkMaterial(
             MaterialSource source, Shape shape, Object owner, Map<String, Material> materials, Report report) {
         if (source instanceof MaterialName reference && !materials.containsKey(reference.name())) {
-            report.broken(owner, "there is no material named \"" + reference.name() + "\""
+            report.broken(owner, "material", "there is no material named \"" + reference.name() + "\""
                     + Similar.suggestion(reference.name(), materials.keySet()));
         }
         Material material = source instanceof MaterialName reference
                 ? materials.getOrDefault(reference.name(), Material.DEFAULT)
                 : source == Inherited.INHERITED ? Material.DEFAULT : (Material) source;
         if (material.pattern() instanceof Pattern.Checkerboard && !(shape instanceof Rectangle || shape instanceof Disc)) {
-            report.broken(owner, "a checkerboard lies on a rectangle or a disc only; give this shape a checker");
+            report.broken(owner, source instanceof MaterialName ? "material" : "", "a checkerboard lies on a rectangle or a disc only; give this shape a checker");
         }
     }
 }

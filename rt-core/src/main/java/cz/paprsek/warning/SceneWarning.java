@@ -9,7 +9,8 @@ import java.util.Optional;
  * @param kind what kind of thing it is, for programs: one word, or some joined by dashes
  * @param object what it is about, as it is called in the message; empty for the scene as a whole
  * @param place where that is; empty for the scene as a whole
+ * @param attribute which of its attributes is at fault, by its name in files; empty if none is, or several are
  * @param message a sentence for people
  * @param isNote whether it is only worth knowing: pictures show it as it is meant
  */
-public record SceneWarning(String kind, String object, Optional<ScenePath> place, String message, boolean isNote) {}
+public record SceneWarning(String kind, String object, Optional<ScenePath> place, String attribute, String message, boolean isNote) {}

@@ -31,7 +31,9 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** What is allowed in a scene, but hardly what its author meant. */
@@ -67,11 +69,15 @@ public final class SceneWarnings {
     }
 
     private void add(String kind, String message) {
-        warnings.add(new SceneWarning(kind, "", Optional.empty(), message, false));
+        warnings.add(new SceneWarning(kind, "", Optional.empty(), "", message, false));
     }
 
     private void add(String kind, String object, ScenePath place, String message) {
-        warnings.add(new SceneWarning(kind, object, Optional.of(place), message, false));
+        add(kind, object, place, "", message);
+    }
+
+    private void add(String kind, String object, ScenePath place, String attribute, String message) {
+        warnings.add(new SceneWarning(kind, object, Optional.of(place), attribute, message, false));
     }
 
     private void light() {
@@ -89,7 +95,7 @@ public final class SceneWarnings {
     private void suns() {
         for (int i = 0; i < scene.lights().size(); i++) {
             if (scene.lights().get(i) instanceof SunLight sun && sun.visible() && sun.angle() == 0) {
-                add("sun-without-disc", name(i), ScenePath.light(i), name(i) + " is visible but has no disc to be seen; give it an angle");
+                add("sun-without-disc", name(i), ScenePath.light(i), "visible", name(i) + " is visible but has no disc to be seen; give it an angle");
             }
         }
     }
@@ -106,10 +112,11 @@ public final class SceneWarnings {
 
     /** One random point of a lens shows no blur, but grain. */
     private void lenses() {
-        boolean isOpen = scene.cameras().stream().anyMatch(camera -> camera.lens() instanceof Lens.Perspective lens && lens.aperture() > 0);
+        OptionalInt open = IntStream.range(0, scene.cameras().size())
+                .filter(i -> scene.cameras().get(i).lens() instanceof Lens.Perspective lens && lens.aperture() > 0).findFirst();
         int most = Math.max(scene.settings().samples(), scene.settings().mostSamples());
-        if (isOpen && most < FEWEST_FOR_LENS) {
-            add("lens-samples", "a camera's lens has an aperture, but a pixel has " + (most == 1 ? "one ray" : most * most + " rays") + "; blur will be grain: give <render> samples=\"4\" or more");
+        if (open.isPresent() && most < FEWEST_FOR_LENS) {
+            add("lens-samples", "", ScenePath.camera(open.getAsInt()), "aperture", "a camera's lens has an aperture, but a pixel has " + (most == 1 ? "one ray" : most * most + " rays") + "; blur will be grain: give <render> samples=\"4\" or more");
         }
     }
 
@@ -145,7 +152,7 @@ public final class SceneWarnings {
     private void color(String what, ScenePath place, Rgb color) {
         double most = Math.max(color.red(), Math.max(color.green(), color.blue()));
         if (most > 0 && most <= 1) {
-            add("color", what, place, what + ": the color " + Numbers.text(color.red()) + " " + Numbers.text(color.green()) + " " + Numbers.text(color.blue())
+            add("color", what, place, "color", what + ": the color " + Numbers.text(color.red()) + " " + Numbers.text(color.green()) + " " + Numbers.text(color.blue())
                     + " is next to black; colours go up to 255");
         }
     }
@@ -230,7 +237,7 @@ public final class SceneWarnings {
         for (GlassContacts.Contact contact : GlassContacts.among(transparent, scene.camera().position())) {
             GlassContacts.Body first = contact.first();
             GlassContacts.Body second = contact.second();
-            warnings.add(new SceneWarning(contact.overlap() ? "glass-overlaps" : "glass-touches", first.label(), Optional.of(first.place()), first.label()
+            warnings.add(new SceneWarning(contact.overlap() ? "glass-overlaps" : "glass-touches", first.label(), Optional.of(first.place()), "", first.label()
                     + " and " + second.label() + (contact.overlap() ? " reach into each other" : " touch") + " near " + rounded(contact.point())
                     + ", with the refractive indices " + Numbers.text(first.index()) + " and " + Numbers.text(second.index())
                     + (contact.overlap() ? "; where both are, that of the one entered last counts" : "; there light goes straight from the one to the other")

@@ -75,8 +75,9 @@ public final class OriginalText {
          *
          * @param scene which of the scenes of the file, from 0
          * @param place in that scene; empty for the scene as a whole
+         * @param attribute of what is there; empty, or one that the file does not give, for all of it
          */
-        Problem at(int scene, Optional<ScenePath> place, String message);
+        Problem at(int scene, Optional<ScenePath> place, String attribute, String message);
     }
 
     static OriginalText read(Path path, ReadMonitor monitor) throws SceneFileException, IOException {
@@ -156,9 +157,9 @@ public final class OriginalText {
     /** Finds out where things are in the file, once for any number of messages. */
     public Pointer pointer() {
         Optional<Places> places = text().map(FileText::places);
-        return (scene, path, message) -> {
+        return (scene, path, attribute, message) -> {
             List<Step> way = path.map(at -> way(contents.scenes().get(scene), at)).orElse(List.of());
-            Place place = places.map(known -> known.of(scene, way)).orElse(new Place(1, 1));
+            Place place = places.map(known -> known.of(scene, way, attribute)).orElse(new Place(1, 1));
             return new Problem(file, place.line(), place.column(), message);
         };
     }

@@ -3,13 +3,21 @@ package cz.paprsek.xml;
 import cz.paprsek.xml.SceneFiles.Contents;
 import cz.paprsek.xml.bind.ThoroughReader;
 import cz.paprsek.xml.format.FileScenes;
+import cz.paprsek.xml.mistake.Mistake;
+import cz.paprsek.xml.mistake.Problems;
 import cz.paprsek.xml.quick.QuickReader;
+import cz.paprsek.xml.text.AttributePlaces;
+import cz.paprsek.xml.text.Places.Place;
+import cz.paprsek.xml.text.Unpatchable;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -47,9 +55,35 @@ final class SceneReader {
             return contents(quick.get());
         }
         InputStream second = new LimitedInput(listening.to(source.fromStart()), file, SceneFiles.LARGEST);
-        Contents found = thoroughly(second, file);
+        ThoroughReader.Outcome outcome = ThoroughReader.read(second, file);
+        if (!outcome.mistakes().isEmpty()) {
+            throw new SceneFileException(problems(outcome.mistakes(), source.again(), file));
+        }
         second.transferTo(OutputStream.nullOutputStream());
-        return found;
+        return contents(outcome.scenes());
+    }
+
+    /** Each where its attribute stands, if one is at fault, and the text is still there. */
+    private static List<Problem> problems(List<Mistake> mistakes, Optional<InputStream> text, String file) throws IOException {
+        List<Problem> problems = new ArrayList<>();
+        try {
+            AttributePlaces places = new AttributePlaces(text.orElse(InputStream.nullInputStream()));
+            for (Mistake one : mistakes) {
+                Place tag = new Place(one.line(), one.column());
+                Place place = one.attributes().isEmpty() ? tag : places.of(tag, one.attributes()).orElse(tag);
+                problems.add(new Problem(file, place.line(), place.column(), one.message()));
+            }
+        } catch (Unpatchable unknownEncoding) {
+            return mistakes.stream().map(one -> new Problem(file, one.line(), one.column(), one.message())).toList();
+        }
+        boolean areMore = problems.size() > Problems.MOST;
+        Problem last = problems.get(problems.size() - 1);
+        problems.subList(0, problems.size() - (areMore ? 1 : 0)).sort(Comparator.comparingInt(Problem::line).thenComparingInt(Problem::column));
+        if (areMore) {
+            Problem before = problems.get(problems.size() - 2);
+            problems.set(problems.size() - 1, new Problem(file, before.line(), before.column(), last.message()));
+        }
+        return problems;
     }
 
     /** As above; what the text says of its encoding does not matter, since it is a text already. */
@@ -59,17 +93,21 @@ final class SceneReader {
         // Halves of characters, which no bytes stand for, are told apart from question marks.
         Optional<FileScenes> quick = new String(bytes, StandardCharsets.UTF_8).equals(text)
                 ? QuickReader.read(new ByteArrayInputStream(bytes)) : Optional.empty();
-        return quick.isPresent() ? contents(quick.get()) : contents(ThoroughReader.read(text, file), file);
+        if (quick.isPresent()) {
+            return contents(quick.get());
+        }
+        ThoroughReader.Outcome outcome = ThoroughReader.read(text, file);
+        if (!outcome.mistakes().isEmpty()) {
+            throw new SceneFileException(problems(outcome.mistakes(), Optional.of(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_16))), file));
+        }
+        return contents(outcome.scenes());
     }
 
     /** Without the quick reader. */
     static Contents thoroughly(InputStream input, String file) throws SceneFileException, IOException {
-        return contents(ThoroughReader.read(input, file), file);
-    }
-
-    private static Contents contents(ThoroughReader.Outcome outcome, String file) throws SceneFileException {
+        ThoroughReader.Outcome outcome = ThoroughReader.read(input, file);
         if (!outcome.mistakes().isEmpty()) {
-            throw new SceneFileException(outcome.mistakes().stream().map(one -> new Problem(file, one.line(), one.column(), one.message())).toList());
+            throw new SceneFileException(problems(outcome.mistakes(), Optional.empty(), file));
         }
         return contents(outcome.scenes());
     }

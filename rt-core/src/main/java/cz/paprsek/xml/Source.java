@@ -12,8 +12,10 @@ import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The bytes of one file for both readers, opened once: a pipe can be read once only, and a file may be replaced between two openings. What is
@@ -40,6 +42,11 @@ abstract class Source implements Closeable {
 
     /** All bytes from the first one on; to be asked for twice at most, and the first stream is not read any more after that. */
     abstract InputStream fromStart() throws IOException;
+
+    /** The same once more, when both are done with; empty if it cannot be had again. */
+    Optional<InputStream> again() throws IOException {
+        return Optional.of(fromStart());
+    }
 
     /** How many bytes there are; 0 if that is not known. */
     abstract long size() throws IOException;
@@ -93,7 +100,7 @@ abstract class Source implements Closeable {
 
     private static final class Kept extends Source {
         private final InputStream input;
-        private final List<InputStream> pieces = new ArrayList<>();
+        private final List<byte[]> pieces = new ArrayList<>();
         private boolean isSecond;
         private int size;
 
@@ -103,12 +110,18 @@ abstract class Source implements Closeable {
 
         @Override
         InputStream fromStart() {
-            if (isSecond) {
-                pieces.add(input);
-                return new Unclosable(new SequenceInputStream(Collections.enumeration(pieces)));
-            }
+            boolean first = !isSecond;
             isSecond = true;
-            return new Keeping();
+            return first ? new Keeping(true) : new Unclosable(new SequenceInputStream(kept(), new Keeping(false)));
+        }
+
+        @Override
+        Optional<InputStream> again() {
+            return size > MOST_KEPT ? Optional.empty() : Optional.of(kept());
+        }
+
+        private InputStream kept() {
+            return new SequenceInputStream(Collections.enumeration(pieces.stream().<InputStream>map(ByteArrayInputStream::new).toList()));
         }
 
         @Override
@@ -122,6 +135,12 @@ abstract class Source implements Closeable {
         }
 
         private final class Keeping extends InputStream {
+            private final boolean isFirst;
+
+            Keeping(boolean isFirst) {
+                this.isFirst = isFirst;
+            }
+
             @Override
             public int read() throws IOException {
                 byte[] one = new byte[1];
@@ -130,14 +149,12 @@ abstract class Source implements Closeable {
 
             @Override
             public int read(byte[] into, int offset, int length) throws IOException {
-                if (size > MOST_KEPT) {
+                if (isFirst && size > MOST_KEPT) {
                     throw new Unusual();
                 }
                 int read = input.read(into, offset, length);
-                if (read > 0) {
-                    byte[] piece = new byte[read];
-                    System.arraycopy(into, offset, piece, 0, read);
-                    pieces.add(new ByteArrayInputStream(piece));
+                if (read > 0 && size <= MOST_KEPT) {
+                    pieces.add(Arrays.copyOfRange(into, offset, offset + read));
                     size += read;
                 }
                 return read;

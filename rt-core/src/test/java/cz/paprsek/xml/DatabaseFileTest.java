@@ -125,9 +125,9 @@ class DatabaseFileTest {
         Files.writeString(path, "<database xmlns=\"urn:paprsek:scene:1\">\n<scene name=\"a\">" + camera + "\n<scene>" + camera + "\n<scene name=\"a\">"
                 + camera + "</database>");
         assertThat(WayIn.all(Files.readString(path)).problems()).containsExactly("3:1: a scene in a database needs a name, to be found by",
-                "4:1: there is already a scene named \"a\"; give one of them another name");
+                "4:8: there is already a scene named \"a\"; give one of them another name");
         assertThatThrownBy(() -> DatabaseFile.open(path)).hasMessage(path + ":3:1: a scene in a database needs a name, to be found by\n"
-                + path + ":4:1: there is already a scene named \"a\"; give one of them another name");
+                + path + ":4:8: there is already a scene named \"a\"; give one of them another name");
     }
 
     @Test

@@ -201,7 +201,7 @@ class EveryWayInTest {
         "<include href='a.xml'/>, <scene> has no element <include>; a file holds all of its scene; copy it into this one",
         "<subtract/>, <scene> has no element <subtract>; the word here is \"difference\"", "<sphere radius='1'><texture/></sphere>, <sphere> has no element <texture>; the word here is \"material\""})
     void wordsOfOtherProgramsAreTranslated(String element, String sentence) throws IOException {
-        assertThat(WayIn.all(PLAIN.replace("</scene>", element + "</scene>")).problems().get(0)).contains(": " + sentence);
+        assertThat(WayIn.all(PLAIN.replace("</scene>", element + "</scene>")).problems()).anyMatch(problem -> problem.contains(": " + sentence));
     }
 
     @ParameterizedTest

@@ -1,6 +1,7 @@
 package cz.paprsek.xml.bind;
 
 import cz.paprsek.xml.format.SceneFormat;
+import cz.paprsek.xml.mistake.Problems;
 import jakarta.xml.bind.JAXBContext;
 import jakarta.xml.bind.JAXBException;
 import jakarta.xml.bind.Unmarshaller;

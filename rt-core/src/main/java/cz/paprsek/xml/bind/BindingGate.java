@@ -1,5 +1,6 @@
 package cz.paprsek.xml.bind;
 
+import cz.paprsek.xml.mistake.Problems;
 import org.xml.sax.Attributes;
 import org.xml.sax.ContentHandler;
 import org.xml.sax.SAXException;

@@ -5,6 +5,7 @@ import cz.paprsek.shape.Csg.Operation;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
+import cz.paprsek.xml.mistake.Problems;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlElementRef;
@@ -24,7 +25,7 @@ abstract class CsgBean extends ShapeBean {
         List<Operand> made = new ArrayList<>();
         for (ShapeBean bean : operands) {
             Operand operand = problems.make(bean,
-                    () -> new Operand(bean.name, (Solid) bean.toShape(problems), bean.toPlacement(), bean.toMaterial()));
+                    () -> new Operand(bean.name, (Solid) bean.toShape(problems), bean.toPlacement(), bean.toMaterial(problems)));
             if (operand != null) {
                 made.add(operand);
             }

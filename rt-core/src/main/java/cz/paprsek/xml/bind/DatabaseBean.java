@@ -1,5 +1,6 @@
 package cz.paprsek.xml.bind;
 
+import cz.paprsek.xml.mistake.Problems;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlElement;
@@ -23,7 +24,7 @@ final class DatabaseBean extends Located {
         if (scene.name.isEmpty()) {
             problems.add(scene, "a scene in a database needs a name, to be found by");
         } else if (!names.add(scene.name)) {
-            problems.add(scene, "there is already a scene named \"" + scene.name + "\"; give one of them another name");
+            problems.add(scene, "there is already a scene named \"" + scene.name + "\"; give one of them another name", "name");
         }
     }
 }

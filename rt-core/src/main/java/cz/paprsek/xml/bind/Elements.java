@@ -5,6 +5,9 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.format.SceneFormat;
+import cz.paprsek.xml.mistake.Complaints;
+import cz.paprsek.xml.mistake.Malformed;
+import cz.paprsek.xml.mistake.Problems;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
@@ -134,7 +137,7 @@ final class Elements extends DefaultHandler2 implements Locator {
         for (int i = 0; i < given.getLength(); i++) {
             if (given.getValue(i).length() > LONGEST_VALUE) {
                 problems.add(line, column, "the value of " + given.getQName(i) + " must not be longer than " + LONGEST_VALUE
-                        + " characters, but has " + given.getValue(i).length());
+                        + " characters, but has " + given.getValue(i).length(), given.getQName(i));
                 throw new Problems.Stop();
             }
         }

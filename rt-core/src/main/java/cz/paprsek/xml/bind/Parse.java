@@ -1,5 +1,7 @@
 package cz.paprsek.xml.bind;
 
+import cz.paprsek.xml.mistake.Malformed;
+import cz.paprsek.xml.mistake.Problems;
 import java.io.CharConversionException;
 import java.io.IOException;
 import java.io.UnsupportedEncodingException;

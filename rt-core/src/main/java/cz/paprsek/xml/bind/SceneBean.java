@@ -10,6 +10,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SceneRules;
 import cz.paprsek.text.Similar;
+import cz.paprsek.xml.mistake.Problems;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlAttribute;
@@ -56,7 +57,7 @@ final class SceneBean extends Located {
             problems.add(this, "a scene needs a camera; add <camera position=\"0 1 5\" direction=\"0 0 -1\"/>");
         }
         List<Camera> eyes = made(cameras, problems, CameraBean::toCamera);
-        SceneRules.checkCameras(eyes, (culprit, sentence) -> problems.add(problems.origin(culprit, this), sentence));
+        SceneRules.checkCameras(eyes, (culprit, attribute, sentence) -> problems.add(problems.origin(culprit, this), sentence, attribute));
         checkTexts(problems);
         RenderSettings settings = problems.make(render, render::toSettings);
         Map<String, Material> named = named(problems);
@@ -64,7 +65,7 @@ final class SceneBean extends Located {
         List<SceneObject> made = made(objects, problems, bean -> bean.toObject(problems));
         // References to materials that were refused are no fault of those who refer.
         if (Similar.nearest("material", problems.skipped()).isEmpty()) {
-            SceneRules.check(lamps, named, made, (culprit, sentence) -> problems.add(problems.origin(culprit, this), sentence));
+            SceneRules.check(lamps, named, made, (culprit, attribute, sentence) -> problems.add(problems.origin(culprit, this), sentence, attribute));
         }
         return problems.size() > 0 || eyes.isEmpty() || settings == null ? null
                 : new Scene(name, description, tags, settings, background == null ? Rgb.BLACK : background.color,
@@ -88,20 +89,22 @@ final class SceneBean extends Located {
         for (MaterialBean bean : materials) {
             Material material = problems.make(bean, bean::toMaterial);
             if (named.put(bean.name, material == null ? Material.DEFAULT : material) != null) {
-                problems.add(bean, "there is already a material named \"" + bean.name + "\" here; give one of them another name");
+                problems.add(bean, "there is already a material named \"" + bean.name + "\" here; give one of them another name", "name");
             }
         }
         return named;
     }
 
     private void checkTexts(Problems problems) {
+        check("name", name.isEmpty() ? List.of() : List.of(name), problems);
+        check("tags", tags, problems);
+    }
+
+    private void check(String attribute, List<String> texts, Problems problems) {
         try {
-            if (!name.isEmpty()) {
-                SceneRules.checkName("scene name", name);
-            }
-            tags.forEach(tag -> SceneRules.checkName("scene tag", tag));
+            texts.forEach(text -> SceneRules.checkName(attribute.equals("name") ? "scene name" : "scene tag", text));
         } catch (IllegalArgumentException refused) {
-            problems.add(this, String.valueOf(refused.getMessage()));
+            problems.add(this, String.valueOf(refused.getMessage()), attribute);
         }
     }
 

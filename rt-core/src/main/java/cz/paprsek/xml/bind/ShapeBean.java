@@ -1,6 +1,7 @@
 package cz.paprsek.xml.bind;
 
 import cz.paprsek.material.Inherited;
+import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Require;
@@ -8,6 +9,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.xml.mistake.Problems;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlAttribute;
@@ -33,7 +35,7 @@ abstract class ShapeBean extends Located {
     abstract Shape toShape(Problems problems);
 
     SceneObject toObject(Problems problems) {
-        return new SceneObject(name, toShape(problems), toPlacement(), toMaterial());
+        return new SceneObject(name, toShape(problems), toPlacement(), toMaterial(problems));
     }
 
     Placement toPlacement() {
@@ -41,11 +43,20 @@ abstract class ShapeBean extends Located {
         return plain ? Placement.NONE : new Placement(position, rotation, scale);
     }
 
-    MaterialSource toMaterial() {
+    MaterialSource toMaterial(Problems problems) {
         Require.that(materialName == null || ownMaterial == null,
                 "there is a material attribute and a <material> inside; remove one of them");
-        Require.that(ownMaterial == null || ownMaterial.name.isEmpty(), "a material inside an object has no name");
-        return materialName != null ? new MaterialName(materialName)
-                : ownMaterial != null ? ownMaterial.toMaterial() : Inherited.INHERITED;
+        if (ownMaterial != null && !ownMaterial.name.isEmpty()) {
+            problems.add(ownMaterial, "a material inside an object has no name", "name");
+            throw new Problems.ToldAlready();
+        }
+        if (ownMaterial != null) {
+            Material made = problems.make(ownMaterial, ownMaterial::toMaterial);
+            if (made == null) {
+                throw new Problems.ToldAlready();
+            }
+            return made;
+        }
+        return materialName == null ? Inherited.INHERITED : new MaterialName(materialName);
     }
 }

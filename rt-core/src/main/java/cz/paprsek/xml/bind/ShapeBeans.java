@@ -11,6 +11,7 @@ import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Torus;
+import cz.paprsek.xml.mistake.Problems;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlAttribute;

@@ -2,6 +2,8 @@ package cz.paprsek.xml.bind;
 
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.format.FileScenes;
+import cz.paprsek.xml.mistake.Mistake;
+import cz.paprsek.xml.mistake.Problems;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;

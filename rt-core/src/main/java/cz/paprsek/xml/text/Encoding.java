@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 /** The encoding of a file, found as XML says: by its first bytes, or as it declares. A byte-order mark is a character like others. */
 final class Encoding {
     /** How much of a file is looked at for a declaration, in bytes. */
-    private static final int BEGINNING = 400;
+    static final int BEGINNING = 400;
     private static final Pattern DECLARED = Pattern.compile("^<\\?xml[^>]{0,200}?\\sencoding\\s*=\\s*[\"']([A-Za-z0-9._-]{1,60})[\"']");
 
     private final Charset charset;
@@ -28,7 +28,7 @@ final class Encoding {
         return new Encoding(charset(file));
     }
 
-    private static Charset charset(byte[] file) {
+    static Charset charset(byte[] file) {
         int first = file.length < 4 ? 0 : ByteBuffer.wrap(file).getInt();
         return switch (first >>> 16) {
             case 0xfeff, 0x003c -> StandardCharsets.UTF_16BE;

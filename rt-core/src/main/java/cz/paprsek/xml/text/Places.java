@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /** Where the elements of a file begin, by line and column; for any number of questions. Not for several threads at once. */
 public final class Places {
@@ -41,13 +42,14 @@ public final class Places {
     }
 
     /**
-     * The place of an element.
+     * The place of an element, or of one of its attributes.
      *
      * @param scene which scene of a database it is in, from 0
      * @param way from within the scene inwards; empty for the scene itself
+     * @param attribute of the element, or of a material that is inside it; if there is none, or the name is empty, the element is meant
      * @throws Unpatchable if there is no such element
      */
-    public Place of(int scene, List<Step> way) {
+    public Place of(int scene, List<Step> way, String attribute) {
         Element at = source.root().name().equals("scene") ? source.root() : child(source.root(), new Step("scene", scene));
         for (Step step : way) {
             at = child(at, step);
@@ -55,10 +57,17 @@ public final class Places {
         if (lines.isEmpty()) {
             findLines();
         }
-        int line = Collections.binarySearch(lines, at.start());
+        int start = start(at, attribute);
+        int line = Collections.binarySearch(lines, start);
         int number = line < 0 ? -line - 1 : line + 1;
-        String before = source.text(lines.get(number - 1), at.start());
+        String before = source.text(lines.get(number - 1), start);
         return new Place(number, before.length() + (before.startsWith("\uFEFF") ? 0 : 1));
+    }
+
+    private int start(Element element, String attribute) {
+        Stream<Element> materials = attribute.isEmpty() ? Stream.of() : source.children(element).stream().filter(child -> child.name().equals("material"));
+        return Stream.concat(Stream.of(element), materials).flatMap(one -> source.attributes(one).stream())
+                .filter(one -> one.name().equals(attribute)).map(Source.Attribute::start).findFirst().orElse(element.start());
     }
 
     private Element child(Element parent, Step step) {

@@ -2,6 +2,7 @@ package cz.paprsek.xml.bind;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.xml.mistake.Grammar;
 import jakarta.xml.bind.annotation.XmlAttribute;
 import jakarta.xml.bind.annotation.XmlElement;
 import jakarta.xml.bind.annotation.XmlElementRef;

@@ -1,4 +1,4 @@
-package cz.paprsek.xml.bind;
+package cz.paprsek.xml.mistake;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -6,7 +6,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Says in our words why the parser finds a text to be no XML. The parser is told to speak English, whatever the machine speaks. */
-final class Malformed {
+public final class Malformed {
     /** The parser's sentence, and ours; {0} is the element that is open. */
     private static final Map<Pattern, String> SENTENCES = new LinkedHashMap<>();
 
@@ -51,12 +51,12 @@ final class Malformed {
     }
 
     /** Whether the parser complains of bytes, not of characters. */
-    static boolean isAboutEncoding(String theirs) {
+    public static boolean isAboutEncoding(String theirs) {
         return theirs.startsWith("Invalid byte") || theirs.startsWith("Expected byte") || theirs.startsWith("Byte \"")
                 || theirs.startsWith("Invalid encoding name") || theirs.startsWith("The encoding") || theirs.startsWith("High surrogate");
     }
 
-    static String sentence(String theirs, String openElement) {
+    public static String sentence(String theirs, String openElement) {
         for (Map.Entry<Pattern, String> entry : SENTENCES.entrySet()) {
             Matcher matcher = entry.getKey().matcher(theirs);
             if (matcher.matches()) {

@@ -1,4 +1,4 @@
-package cz.paprsek.xml.bind;
+package cz.paprsek.xml.mistake;
 
 import java.util.Locale;
 import java.util.Optional;

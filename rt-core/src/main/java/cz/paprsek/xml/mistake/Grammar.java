@@ -1,4 +1,4 @@
-package cz.paprsek.xml.bind;
+package cz.paprsek.xml.mistake;
 
 import cz.paprsek.xml.format.SceneFormat;
 import java.io.StringReader;
@@ -15,7 +15,7 @@ import org.w3c.dom.Node;
 import org.xml.sax.InputSource;
 
 /** What the schema says of elements and attributes, for telling the author of a file what was expected. Made only when something is wrong. */
-final class Grammar {
+public final class Grammar {
     private static final String XS = XMLConstants.W3C_XML_SCHEMA_NS_URI;
 
     /** What may and must be in an element: attributes and elements with the names of their types. */
@@ -42,7 +42,7 @@ final class Grammar {
         private static final Grammar GRAMMAR = new Grammar();
     }
 
-    static Grammar ofScenes() {
+    public static Grammar ofScenes() {
         return OfScenes.GRAMMAR;
     }
 
@@ -58,7 +58,7 @@ final class Grammar {
     }
 
     /** The type of the element that a path of element names leads to; empty if the schema knows no such element there. */
-    String type(List<String> path) {
+    public String type(List<String> path) {
         String type = path.isEmpty() ? "" : path.get(0).equals("scene") ? "Scene" : path.get(0).equals("database") ? "Database" : "";
         for (int i = 1; i < path.size(); i++) {
             type = children(type).getOrDefault(path.get(i), "");
@@ -67,16 +67,16 @@ final class Grammar {
     }
 
     /** The attributes of a complex type, with their types. */
-    Map<String, String> attributes(String type) {
+    public Map<String, String> attributes(String type) {
         return contents.getOrDefault(type, NOTHING).attributes();
     }
 
     /** The elements within a complex type, with their types. */
-    Map<String, String> children(String type) {
+    public Map<String, String> children(String type) {
         return contents.getOrDefault(type, NOTHING).children();
     }
 
-    Collection<String> required(String type) {
+    public Collection<String> required(String type) {
         return contents.getOrDefault(type, NOTHING).required();
     }
 
@@ -86,7 +86,7 @@ final class Grammar {
     }
 
     /** The names of all elements there are. */
-    Collection<String> allElements() {
+    public Collection<String> allElements() {
         Collection<String> all = new TreeSet<>(List.of("scene", "database"));
         contents.values().forEach(content -> all.addAll(content.children().keySet()));
         return all;

@@ -1,4 +1,4 @@
-package cz.paprsek.xml.bind;
+package cz.paprsek.xml.mistake;
 
 import cz.paprsek.text.Similar;
 import java.util.Arrays;

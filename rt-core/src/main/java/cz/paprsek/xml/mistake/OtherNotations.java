@@ -1,4 +1,4 @@
-package cz.paprsek.xml.bind;
+package cz.paprsek.xml.mistake;
 
 import cz.paprsek.text.Numbers;
 import java.util.Arrays;

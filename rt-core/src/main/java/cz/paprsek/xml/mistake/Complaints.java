@@ -1,4 +1,4 @@
-package cz.paprsek.xml.bind;
+package cz.paprsek.xml.mistake;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.ElementTable;
@@ -27,7 +27,7 @@ import org.xml.sax.Attributes;
  *
  * @source W3C XML Schema Part 1: Structures, appendix C
  */
-final class Complaints {
+public final class Complaints {
     private static final Set<String> SURFACES = ElementTable.of(Shape.class).filter(shape -> !Solid.class.isAssignableFrom(shape)).map(ElementTable::name)
             .collect(Collectors.toUnmodifiableSet());
     private static final Set<String> OPERATIONS = Arrays.stream(Csg.Operation.values()).map(Described::word).collect(Collectors.toUnmodifiableSet());
@@ -36,7 +36,7 @@ final class Complaints {
     private final Grammar grammar = Grammar.ofScenes();
     private final Problems problems;
 
-    Complaints(Problems problems) {
+    public Complaints(Problems problems) {
         this.problems = problems;
     }
 
@@ -47,7 +47,7 @@ final class Complaints {
      * @param found the attributes of the current element
      * @param isToldInside whether there are problems of the element already, or of what is inside
      */
-    void add(String message, List<String> path, Attributes found, boolean isToldInside, int line, int column) {
+    public void add(String message, List<String> path, Attributes found, boolean isToldInside, int line, int column) {
         String element = last(path);
         String type = grammar.type(path);
         String key = message.substring(0, Math.max(0, message.indexOf(':')));
@@ -77,7 +77,7 @@ final class Complaints {
             case "cvc-complex-type.2.3" -> { }
             default -> {
                 if (key.startsWith("cvc-elt")) {
-                    problems.add(line, column, "<" + element + "> must not have xsi:type or xsi:nil; remove them");
+                    instanceAttributes(element, found, line, column);
                 } else if (!isRepeatedBelow(key)) {
                     problems.add(line, column, "<" + element + "> does not follow the schema of scene files (" + key + ")");
                 }
@@ -86,14 +86,14 @@ final class Complaints {
     }
 
     /** Adds the problem that an element is not known where it is: the validator tells so of the first child of an element only. */
-    void addIfUnknown(List<String> path, int line, int column) {
+    public void addIfUnknown(List<String> path, int line, int column) {
         if (grammar.type(path).isEmpty() && !grammar.type(path.subList(0, path.size() - 1)).isEmpty()) {
             problems.add(line, column, unexpected(path));
         }
     }
 
     /** Adds the problem that there is text in an element, unless the element itself is one. */
-    void addText(List<String> path, String text, int line, int column) {
+    public void addText(List<String> path, String text, int line, int column) {
         if (!grammar.type(path).isEmpty()) {
             problems.add(line, column, "<" + last(path) + "> holds elements only, but here is the text \""
                     + PlainText.of(text, LONGEST_QUOTE) + "\"");
@@ -149,9 +149,17 @@ final class Complaints {
         for (int i = 0; i < found.getLength(); i++) {
             String name = found.getQName(i);
             if (!known.containsKey(name) && !found.getURI(i).equals(XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI)) {
-                problems.add(line, column, "<" + element + "> has no attribute \"" + name + "\"" + Wording.suggestion(name, free));
-            } else if (found.getURI(i).equals(XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI) && !found.getLocalName(i).endsWith("chemaLocation")) {
-                problems.add(line, column, "<" + element + "> must not have xsi:type or xsi:nil; remove them");
+                problems.add(line, column, "<" + element + "> has no attribute \"" + name + "\"" + Wording.suggestion(name, free), name);
+            }
+        }
+        instanceAttributes(element, found, line, column);
+    }
+
+    /** Those of the namespace for instances of schemas say where a schema is, which is not looked at; the others change what an element is. */
+    private void instanceAttributes(String element, Attributes found, int line, int column) {
+        for (int i = 0; i < found.getLength(); i++) {
+            if (found.getURI(i).equals(XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI) && !found.getLocalName(i).endsWith("chemaLocation")) {
+                problems.add(line, column, "<" + element + "> must not have xsi:type or xsi:nil; remove them", found.getQName(i));
             }
         }
     }
@@ -188,7 +196,7 @@ final class Complaints {
                 + odd.map(character -> "has " + character + ": " + quoted)
                         .orElseGet(() -> isWrongCount(expected, value) ? "has " + new StringTokenizer(value).countTokens() + ": " + quoted : "is " + quoted)
                 + other.map(advice -> "; " + advice)
-                        .orElseGet(() -> typeOfValue.equals("color") ? Similar.suggestion(value.strip(), ColorWords.names()) : ""));
+                        .orElseGet(() -> typeOfValue.equals("color") ? Similar.suggestion(value.strip(), ColorWords.names()) : ""), name);
     }
 
     /** Whether there are numbers, but too few or too many. */
