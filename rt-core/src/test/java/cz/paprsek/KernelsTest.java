@@ -61,7 +61,7 @@ class KernelsTest {
                 }
             }
             for (Scene scene : scenes) {
-                RenderScene ready = RenderScene.of(scene);
+                RenderScene ready = ShippedPictures.ready(scene);
                 RenderOptions options = RenderOptions.of(scene.withSettings(scene.settings().withSize(88, 56).withSamples(1)));
                 for (int threads = 1; threads <= 2; threads++) {
                     Image image = Renderer.render(ready, options.withThreads(threads), RenderMonitor.NONE).image();

@@ -3,6 +3,8 @@ package cz.paprsek;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.image.Image;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
@@ -36,7 +38,8 @@ class ShippedScenesTest {
     @ParameterizedTest
     @MethodSource("scenes")
     void everySceneRendersToSomethingToLookAt(Scene scene) {
-        Image image = Renderer.render(scene.withSettings(scene.settings().withSize(160, 90).withSamples(1)));
+        Scene small = scene.withSettings(scene.settings().withSize(160, 90).withSamples(1));
+        Image image = Renderer.render(ShippedPictures.ready(small), RenderOptions.of(small), RenderMonitor.NONE).image();
         for (int y = 0; y < 90; y++) {
             for (int x = 0; x < 160; x++) {
                 float sum = image.red(x, y) + image.green(x, y) + image.blue(x, y);

@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Incoming;
+import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.PixelPlace;
 import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.Size;
@@ -13,6 +14,7 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
+import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.text.Decoration;
@@ -23,6 +25,7 @@ import cz.paprsek.text.Similar;
 import cz.paprsek.words.Words;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
@@ -97,6 +100,9 @@ final class ExplainCommand implements Callable<Integer> {
     /** When to use colours. */
     enum When { auto, always, never }
 
+    @Mixin
+    private Pictures pictures;
+
     ExplainCommand(Terminal terminal, Stop stop) {
         this.terminal = terminal;
         this.stop = stop;
@@ -143,9 +149,11 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
-    private Pixel pixel(Scene scene, Wishes wishes) {
+    private Pixel pixel(Scene scene, Wishes wishes) throws IOException {
         try {
-            return RenderScene.of(scene).explain(wishes.applyTo(scene.settings()), place.column(), place.row());
+            return RenderScene.of(scene, pictures.read(file, scene), RenderMonitor.NONE).explain(wishes.applyTo(scene.settings()), place.column(), place.row());
+        } catch (UncheckedIOException unreadable) {
+            throw new IOException(unreadable.getMessage(), unreadable);
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(file + ": " + refused.getMessage());
         }

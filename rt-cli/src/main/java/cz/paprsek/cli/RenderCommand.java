@@ -5,6 +5,7 @@ import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.Formats;
 import cz.paprsek.cli.input.Modes;
+import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneSource;
@@ -105,6 +106,9 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
     private Optional<String> camera;
 
+    @Mixin
+    private Pictures pictures;
+
     @Option(names = "--light", paramLabel = "LIGHT", description =
             "Shows what this light adds, by its name or its number from 1: the others are dark, ambient light and background black.")
     private Optional<String> light;
@@ -161,7 +165,7 @@ final class RenderCommand implements Callable<Integer> {
         writing.check(targets);
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
         View view = new View(mode, camera, light, !noLegend);
-        return new RenderBatch(terminal, stop, wishes, view, writing, resume, progress, Report.of(terminal, json, quiet)).run(targets);
+        return new RenderBatch(terminal, stop, wishes, view, writing, resume, pictures, progress, Report.of(terminal, json, quiet)).run(targets);
     }
 
     private List<SceneSource> sources() {

@@ -83,7 +83,8 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
     /** The kinds whose attributes stand beside those of the record: not if the component is an attribute, other than one that says which kind it is. */
     private static Stream<Class<?>> kindsWithin(RecordComponent component) {
         Attribute says = component.getAnnotation(Attribute.class);
-        return says == null || (says.value() == Kind.WORD && component.getType().isSealed()) ? kinds(component.getType()) : Stream.empty();
+        // What is an element has its attributes there.
+        return component.getType().isAnnotationPresent(Element.class) ? Stream.empty() : says == null || (says.value() == Kind.WORD && component.getType().isSealed()) ? kinds(component.getType()) : Stream.empty();
     }
 
     private static Stream<Class<?>> kinds(Class<?> type) {

@@ -42,6 +42,8 @@ public enum Kind {
     MOST_SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, or two such as 2..8", Range.from(0).to(16)),
     CONFIDENCE(Form.NUMBER, "confidence", "a number above 0 and below 1", Range.above(0).below(1)),
     LIGHT_SAMPLES(Form.WHOLE, "lightSamples", "a whole number from 1 to 4096", Range.from(1).to(4096)),
+    /** Of a file, relative to the folder of the scene. */
+    FILE(Form.TEXT, "file", "the name of a file beside the scene's, of 1 to 1000 characters", Range.from(1).to(1000)),
     NAME(Form.TEXT, "name", "a text of 1 to 200 characters", Range.from(1).to(200)),
     /** A list of them. */
     WORDS(Form.WORDS, "tags", "words separated by blanks", Range.ANY),

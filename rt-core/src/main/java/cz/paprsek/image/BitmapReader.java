@@ -59,19 +59,22 @@ final class BitmapReader {
 
     private static StoredImage read(ImageReader reader) throws IOException {
         // Before the pixels are unpacked: a few bytes may claim a picture that no memory holds.
-        Image image = ReadLimits.blank(reader.getWidth(0), reader.getHeight(0));
+        int width = reader.getWidth(0);
+        int height = reader.getHeight(0);
+        ReadLimits.check(width, height, 3);
         BufferedImage pixels = reader.read(0);
-        if (pixels.getWidth() != image.width() || pixels.getHeight() != image.height()) {
+        if (pixels.getWidth() != width || pixels.getHeight() != height) {
             throw new IOException("the picture is damaged: it is of two sizes");
         }
         if (pixels.getColorModel() instanceof IndexColorModel) {
-            return new StoredImage(indexed(pixels, image), Precision.EIGHT_BIT, false);
+            return new StoredImage(indexed(pixels, Image.ofEightBit(width, height)), Precision.EIGHT_BIT, false);
         }
         Raster raster = pixels.getRaster();
         int bits = raster.getSampleModel().getSampleSize(0);
         if (bits != 8 && bits != 16) {
             throw new IOException("the picture has " + bits + " bits per channel; 8 and 16 can be read");
         }
+        Image image = bits == 8 ? Image.ofEightBit(width, height) : new Image(width, height);
         double[] light = light(bits);
         boolean isGrey = raster.getNumBands() < 3;
         int green = isGrey ? 0 : 1;

@@ -15,13 +15,33 @@ public final class Image {
     private final int width;
     private final int height;
     private final float[] linear;
+    /** Of a picture that keeps eight bits: those, in place of the floats. */
+    private final byte[] eightBit;
 
     /** A black picture. */
     public Image(int width, int height) {
+        this(width, height, false);
+    }
+
+    private Image(int width, int height, boolean isEightBit) {
         requireRoom(width, height);
         this.width = width;
         this.height = height;
-        this.linear = new float[3 * width * height];
+        this.linear = new float[isEightBit ? 0 : 3 * width * height];
+        this.eightBit = new byte[isEightBit ? 3 * width * height : 0];
+    }
+
+    /**
+     * A black picture that takes a quarter of the memory: what is set is rounded to eight bits, sRGB-encoded. Pictures from files of eight bits are of
+     * this kind, and lose nothing by it.
+     */
+    public static Image ofEightBit(int width, int height) {
+        return new Image(width, height, true);
+    }
+
+    /** Whether it keeps eight bits a channel. */
+    public boolean isEightBit() {
+        return eightBit.length > 0;
     }
 
     /** @throws IllegalArgumentException if there can be no picture of this size */
@@ -46,20 +66,26 @@ public final class Image {
      * @throws IllegalArgumentException if there is no such pixel, as in all methods here that take one
      */
     public float red(int x, int y) {
-        return linear[index(x, y)];
+        return light(index(x, y));
     }
 
     public float green(int x, int y) {
-        return linear[index(x, y) + 1];
+        return light(index(x, y) + 1);
     }
 
     public float blue(int x, int y) {
-        return linear[index(x, y) + 2];
+        return light(index(x, y) + 2);
     }
 
     /** Sets a pixel's linear light; the most that a pixel holds is {@link Float#MAX_VALUE}. */
     public void set(int x, int y, double red, double green, double blue) {
         int i = index(x, y);
+        if (isEightBit()) {
+            eightBit[i] = (byte) Srgb.encode(clamped(red));
+            eightBit[i + 1] = (byte) Srgb.encode(clamped(green));
+            eightBit[i + 2] = (byte) Srgb.encode(clamped(blue));
+            return;
+        }
         linear[i] = clamped(red);
         linear[i + 1] = clamped(green);
         linear[i + 2] = clamped(blue);
@@ -68,6 +94,9 @@ public final class Image {
     /** The pixel as sRGB, 0xFFRRGGBB. */
     public int argb(int x, int y) {
         int i = index(x, y);
+        if (isEightBit()) {
+            return 0xFF000000 | (eightBit[i] & 0xFF) << 16 | (eightBit[i + 1] & 0xFF) << 8 | (eightBit[i + 2] & 0xFF);
+        }
         return 0xFF000000 | Srgb.encode(linear[i]) << 16 | Srgb.encode(linear[i + 1]) << 8 | Srgb.encode(linear[i + 2]);
     }
 
@@ -87,6 +116,10 @@ public final class Image {
         BufferedImage copy = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         System.arraycopy(toArgb(), 0, ((DataBufferInt) copy.getRaster().getDataBuffer()).getData(), 0, width * height);
         return copy;
+    }
+
+    private float light(int i) {
+        return isEightBit() ? Srgb.light(eightBit[i] & 0xFF) : linear[i];
     }
 
     private static float clamped(double light) {

@@ -148,6 +148,8 @@ public final class ImageFiles {
             return read(input, ImageFormat.ofFile(name).orElse(ImageFormat.PNG));
         } catch (IllegalArgumentException unreadable) {
             throw new IOException(unreadable.getMessage(), unreadable);
+        } catch (OutOfMemoryError tooLarge) {
+            throw new IOException("not enough memory for this picture; give Java more with -Xmx", tooLarge);
         }
     }
 

@@ -26,7 +26,9 @@ final class Png {
 
     static StoredImage read(BinaryInput input) throws IOException {
         PngReader reader = PngReader.of(input);
-        Image image = ReadLimits.blank(reader.head().width(), reader.head().height());
+        boolean isEightBit = reader.last() <= 255 && isSrgb(reader.gamma());
+        Image image = isEightBit ? ReadLimits.blankOfEightBit(reader.head().width(), reader.head().height())
+                : ReadLimits.blank(reader.head().width(), reader.head().height());
         double[] light = light(reader.last(), reader.gamma());
         reader.read((y, x, step, count, rgb) -> {
             for (int i = 0; i < count; i++) {
@@ -45,9 +47,13 @@ final class Png {
         double[] light = new double[last + 1];
         for (int i = 0; i <= last; i++) {
             double sample = i / (double) last;
-            light[i] = gamma <= 0 || gamma == SRGB ? Rgb.linear(255 * sample) : StrictMath.pow(sample, UNIT / gamma);
+            light[i] = isSrgb(gamma) ? Rgb.linear(255 * sample) : StrictMath.pow(sample, UNIT / gamma);
         }
         return light;
+    }
+
+    private static boolean isSrgb(long gamma) {
+        return gamma <= 0 || gamma == SRGB;
     }
 
     // Not lambdas: pictures are written at the end of many a short process, which would pay for making them.

@@ -25,6 +25,12 @@ final class ReadLimits {
         return new Image((int) width, (int) height);
     }
 
+    /** As above, for a file of eight bits, sRGB-encoded: the picture keeps them as they are. */
+    static Image blankOfEightBit(long width, long height) throws IOException {
+        check(width, height, 3);
+        return Image.ofEightBit((int) width, (int) height);
+    }
+
     /** As above, for pictures of any number of channels. */
     static void check(long width, long height, int channels) throws IOException {
         long most = Math.min(Image.MOST_PIXELS, Long.getLong("paprsek.largest-picture", MOST_PIXELS));

@@ -9,7 +9,14 @@ final class Srgb {
     /** For each 1/1024 of light, the value at its start: where the search begins. */
     private static final byte[] START = starts();
 
+    private static final float[] LIGHT = lights();
+
     private Srgb() {}
+
+    /** The light that an sRGB channel of 0–255 stands for. */
+    static float light(int channel) {
+        return LIGHT[channel];
+    }
 
     /** The sRGB channel, 0–255, nearest to the given light; clamped. Not a number gives 0. */
     static int encode(float light) {
@@ -24,6 +31,14 @@ final class Srgb {
             value++;
         }
         return value;
+    }
+
+    private static float[] lights() {
+        float[] light = new float[256];
+        for (int i = 0; i < light.length; i++) {
+            light[i] = (float) Rgb.linear(i);
+        }
+        return light;
     }
 
     private static float[] thresholds() {

@@ -4,6 +4,7 @@ import cz.paprsek.attribute.Attribute;
 import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
+import java.util.List;
 import java.util.Objects;
 import java.util.function.Consumer;
 
@@ -87,6 +88,11 @@ public record Material(
     /** A material that neither glows nor absorbs, and whose reflection does not depend on the angle. */
     public Material(Pattern pattern, double diffusion, double specular, double shininess, double reflection, double transparency, double refractiveIndex) {
         this(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, Fresnel.FALSE, 0, false, Rgb.WHITE, 1, Rgb.BLACK, 1);
+    }
+
+    /** The names of the pictures it needs. */
+    public List<String> files() {
+        return pattern instanceof Pattern.Picture picture ? List.of(picture.file()) : List.of();
     }
 
     /** The default material in a colour of sRGB channels 0–255. */

@@ -12,7 +12,7 @@ import java.util.Objects;
 
 /** What gives a surface its colour at each point. */
 public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pattern.Checker, Pattern.Gradient, Pattern.Stripes,
-        Pattern.Brick, Pattern.Marble, Pattern.Wood, Pattern.Granite, Pattern.Noise, CustomPattern {
+        Pattern.Brick, Pattern.Marble, Pattern.Wood, Pattern.Granite, Pattern.Noise, Pattern.Picture, CustomPattern {
 
     /** How many noises may be added. */
     int MOST_OCTAVES = 12;
@@ -214,6 +214,62 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             Objects.requireNonNull(lay, "lay");
             checkNoise("noise", octaves, seed);
         }
+    }
+
+    /**
+     * A picture. It repeats beyond its edges, and v is up.
+     *
+     * @param file its name, relative to the scene's folder: {@code textures/oak.png}
+     * @param filter what becomes of its points when it is seen from nearby or afar
+     * @param mapping how it lies on the surface
+     * @param lay of the picture: within the plane of u and v if the shape maps it, else in space
+     */
+    @Element(value = "A picture. It repeats beyond its edges.", name = "image")
+    record Picture(
+            @Attribute(value = Kind.FILE, means = "Its file, beside the scene's") String file,
+            @Attribute(value = Kind.WORD, means = "Its nearest point, mixed of four, or the mean over what the pixel covers", otherwise = "smooth") Filter filter,
+            @Attribute(value = Kind.WORD, means = "How it lies on the surface: as the shape says, or through space", otherwise = "uv") Mapping mapping,
+            Lay lay) implements Pattern {
+        public Picture {
+            Require.that(!file.isBlank(), "image file must not be blank");
+            Objects.requireNonNull(filter, "filter");
+            Objects.requireNonNull(mapping, "mapping");
+            Objects.requireNonNull(lay, "lay");
+        }
+
+        /** As large as the shape says, filtered by what a pixel covers. */
+        public static Picture of(String file) {
+            return new Picture(file, Filter.SMOOTH, Mapping.UV, Lay.NONE);
+        }
+
+        @Override
+        public String kind() {
+            return "image";
+        }
+    }
+
+    /** What becomes of a picture's points when it is seen from nearby or afar. */
+    enum Filter {
+        /** The nearest point. */
+        NEAREST,
+        /** The four nearest points, mixed linearly. */
+        BILINEAR,
+        /** The mean over what the pixel covers, through mirrors and glass too; mixed linearly from nearby. */
+        SMOOTH
+    }
+
+    /** How a picture lies on a surface. */
+    enum Mapping {
+        /** As the shape says. */
+        UV,
+        /** Along z onto the square from 0 to 1 in x and y. */
+        PLANAR,
+        /** As a globe about the origin, its middle towards +z. */
+        SPHERICAL,
+        /** As a label around the y axis, from y = 0 to 1, its middle towards +z. */
+        CYLINDER,
+        /** From the side of a cube that the surface faces most, squares of 1. */
+        BOX
     }
 
     private static void checkNoise(String pattern, int octaves, int seed) {

@@ -40,6 +40,9 @@ final class PovMaterials {
 
     /** A material as it lies on a shape. */
     static String texture(Material material, Shape shape) {
+        if (material.pattern() instanceof Pattern.Picture picture) {
+            return texture(material, PovPictures.pigment(picture, shape, transmit(material)));
+        }
         return material.pattern() instanceof Pattern.Checkerboard board
                 ? texture(material, new PovPatterns(transmit(material)).board(board, shape))
                 : texture(material);

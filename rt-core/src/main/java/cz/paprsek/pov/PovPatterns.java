@@ -106,7 +106,8 @@ final class PovPatterns {
         return String.join(" + ", terms);
     }
 
-    private static String laid(Pattern.Lay lay) {
+    /** What places a pattern, after a blank. */
+    static String laid(Pattern.Lay lay) {
         return (lay.scale().equals(Vec3.ONE) ? "" : " scale " + (isEven(lay.scale()) ? text(lay.scale().x()) : vector(lay.scale())))
                 + (lay.rotation().equals(Vec3.ZERO) ? "" : " rotate " + vector(lay.rotation()))
                 + (lay.position().equals(Vec3.ZERO) ? "" : " translate " + vector(lay.position()));

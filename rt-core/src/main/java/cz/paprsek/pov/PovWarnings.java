@@ -163,7 +163,16 @@ final class PovWarnings {
         return object.shape().bounds().transformed(object.placement().toParent());
     }
 
+    private void checkPictures(String name, Shape shape, Material material) {
+        if (shape instanceof Csg csg) {
+            csg.operands().forEach(operand -> checkPictures(name, operand.solid(), own(scene, operand.material(), material)));
+        } else if (material.pattern() instanceof Pattern.Picture picture) {
+            PovPictures.lost(picture, shape).forEach(lost -> sentences.add(name + ": " + lost));
+        }
+    }
+
     private void checkMaterials(String name, SceneObject object) {
+        checkPictures(name, object.shape(), own(scene, object.material(), Material.DEFAULT));
         for (Material material : materials(scene, object)) {
             if (material.fresnel() == Fresnel.METAL && material.reflection() > 0 && !(material.pattern() instanceof Pattern.Plain)) {
                 sentences.add(name + " is a metal of several colours; POV-Ray lets it mirror in one");

@@ -10,6 +10,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
@@ -67,7 +68,14 @@ final class PovWriter {
         text.line("#version 3.7;");
         text.line("global_settings { assumed_gamma 1 max_trace_level " + settings.maxDepth() + " adc_bailout 0 ambient_light "
                 + PovMaterials.rgb(scene.ambient(), 1) + " }");
-        text.line("background { " + PovMaterials.rgb(scene.background(), 1) + " }");
+        if (scene.sky() instanceof Sky.Gradient sky) {
+            text.line("sky_sphere { pigment { function { 0.5 + 0.5*y } color_map { [0 " + PovMaterials.rgb(sky.ground(), 1) + "] [0.5 "
+                    + PovMaterials.rgb(sky.horizon(), 1) + "] [1 " + PovMaterials.rgb(sky.zenith(), 1) + "] } } }");
+        } else if (scene.sky() instanceof Sky.Picture sky) {
+            text.line(PovPictures.sky(sky));
+        } else {
+            text.line("background { " + PovMaterials.rgb(scene.background(), 1) + " }");
+        }
     }
 
     private void camera() throws IOException {
@@ -75,8 +83,8 @@ final class PovWriter {
     }
 
     private void declare(String name, Material material) throws IOException {
-        if (material.pattern() instanceof Pattern.Checkerboard) {
-            // How large its squares are depends on the figure it lies on.
+        if (material.pattern() instanceof Pattern.Checkerboard || material.pattern() instanceof Pattern.Picture) {
+            // How large they are depends on the figure they lie on.
             return;
         }
         String identifier = "Material_" + (identifiers.size() + 1) + name.codePoints()

@@ -1,5 +1,6 @@
 package cz.paprsek.render;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay;
@@ -7,6 +8,7 @@ import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.integrate.Explainer;
 import cz.paprsek.render.integrate.PartPaths;
 import cz.paprsek.render.surface.World;
+import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
@@ -45,7 +47,20 @@ public final class RenderScene {
      * @throws IllegalStateException if the monitor throws anything, or there is too little memory: with what was thrown as its cause
      */
     public static RenderScene of(Scene scene, RenderMonitor monitor) {
-        return prepared(scene, monitor, stop -> new World(scene, stop));
+        return of(scene, Assets.none(), monitor);
+    }
+
+    /**
+     * Prepares a scene with pictures unless the monitor cancels.
+     *
+     * @param assets where its pictures come from
+     * @throws java.io.UncheckedIOException if one of them cannot be read: with a sentence that says its name
+     * @throws CancellationException as {@link #of(Scene, RenderMonitor)}
+     * @throws IllegalStateException as there
+     */
+    public static RenderScene of(Scene scene, Assets assets, RenderMonitor monitor) {
+        Textures textures = new Textures(Objects.requireNonNull(assets, "assets"));
+        return prepared(scene, monitor, stop -> new World(scene, textures, stop));
     }
 
     private static RenderScene prepared(Scene scene, RenderMonitor monitor, Function<BooleanSupplier, World> how) {

@@ -1,5 +1,6 @@
 package cz.paprsek.render;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderResult.Outcome;
 import cz.paprsek.render.work.Workers;
@@ -106,11 +107,21 @@ public final class Renderer implements AutoCloseable {
 
     /** As above, with tiles that are known from earlier, or are kept for later: throwing also if a method of the store throws anything. */
     public static RenderResult render(Scene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
+        return render(scene, Assets.none(), options, monitor, store);
+    }
+
+    /**
+     * As above, of a scene with pictures.
+     *
+     * @param assets where they come from
+     * @throws java.io.UncheckedIOException if one of them cannot be read: with a sentence that says its name
+     */
+    public static RenderResult render(Scene scene, Assets assets, RenderOptions options, RenderMonitor monitor, TileStore store) {
         Objects.requireNonNull(scene, "scene");
         Objects.requireNonNull(options, "options");
         Objects.requireNonNull(monitor, "monitor");
         try {
-            return render(RenderScene.of(scene, monitor), options, monitor, store);
+            return render(RenderScene.of(scene, assets, monitor), options, monitor, store);
         } catch (CancellationException cancelled) {
             Image black = new Image(options.region().width(), options.region().height());
             return new RenderResult(black, RenderStats.NONE, Outcome.CANCELLED);

@@ -14,6 +14,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.SortedSet;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -27,19 +28,21 @@ import java.util.function.UnaryOperator;
  * @param tags words to find the scene by
  * @param settings how it wishes to be rendered
  * @param background what a ray sees that hits nothing
+ * @param sky the same by the direction of the ray; not beside a background other than black
  * @param ambient light that reaches every point alike
  * @param cameras the eyes, at least one; the picture is what the first sees
  * @param lights any number, also none
  * @param materials the named materials, in the order of the file
  * @param objects any number, also none
  */
-@Element("A scene. Its elements may come in any order; at least one camera, at most one render, background, ambient and description.")
+@Element("A scene. Its elements may come in any order; at least one camera, at most one render, background or sky, ambient and description.")
 public record Scene(
         @Attribute(value = Kind.NAME, means = "What the scene is called; no control characters, as in all names", otherwise = Attribute.NOTHING) String name,
         String description,
         @Attribute(value = Kind.WORDS, means = "Words to find it by", otherwise = Attribute.NOTHING) List<String> tags,
         RenderSettings settings,
         Rgb background,
+        Sky sky,
         Rgb ambient,
         List<Camera> cameras,
         List<Light> lights,
@@ -47,8 +50,11 @@ public record Scene(
         List<SceneObject> objects) {
 
     /** No object, no light, black all around. */
-    public static final Scene EMPTY = new Scene("", "", List.of(), RenderSettings.DEFAULT, Rgb.BLACK, Rgb.BLACK,
+    public static final Scene EMPTY = new Scene("", "", List.of(), RenderSettings.DEFAULT, Rgb.BLACK, Sky.NONE, Rgb.BLACK,
             List.of(Camera.DEFAULT), List.of(), Map.of(), List.of());
+
+    /** What is said of a scene that has both. */
+    public static final String EITHER_SKY = "a scene has either a background or a sky, not both; remove one of them";
 
     /** @throws IllegalArgumentException with the first sentence of {@link SceneRules} that is broken */
     public Scene {
@@ -57,6 +63,8 @@ public record Scene(
         Objects.requireNonNull(settings, "settings");
         Objects.requireNonNull(background, "background");
         Objects.requireNonNull(ambient, "ambient");
+        Objects.requireNonNull(sky, "sky");
+        Require.that(sky.equals(Sky.NONE) || background.equals(Rgb.BLACK), EITHER_SKY);
         tags = List.copyOf(tags);
         Require.that(!cameras.isEmpty(), "a scene needs a camera");
         cameras = checked(cameras, Camera.class, all -> SceneRules.checkCameras(all, SceneRules.REFUSE));
@@ -76,27 +84,38 @@ public record Scene(
     }
 
     public Scene withName(String value) {
-        return new Scene(value, description, tags, settings, background, ambient, cameras, lights, materials, objects);
+        return new Scene(value, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects);
     }
 
     public Scene withDescription(String value) {
-        return new Scene(name, value, tags, settings, background, ambient, cameras, lights, materials, objects);
+        return new Scene(name, value, tags, settings, background, sky, ambient, cameras, lights, materials, objects);
     }
 
     public Scene withTags(List<String> value) {
-        return new Scene(name, description, value, settings, background, ambient, cameras, lights, materials, objects);
+        return new Scene(name, description, value, settings, background, sky, ambient, cameras, lights, materials, objects);
     }
 
     public Scene withSettings(RenderSettings value) {
-        return new Scene(name, description, tags, value, background, ambient, cameras, lights, materials, objects);
+        return new Scene(name, description, tags, value, background, sky, ambient, cameras, lights, materials, objects);
     }
 
+    /** With a background, and no sky. */
     public Scene withBackground(Rgb value) {
-        return new Scene(name, description, tags, settings, value, ambient, cameras, lights, materials, objects);
+        return new Scene(name, description, tags, settings, value, Sky.NONE, ambient, cameras, lights, materials, objects);
+    }
+
+    /** With a sky, and no background. */
+    public Scene withSky(Sky value) {
+        return new Scene(name, description, tags, settings, Rgb.BLACK, value, ambient, cameras, lights, materials, objects);
     }
 
     public Scene withAmbient(Rgb value) {
-        return new Scene(name, description, tags, settings, background, value, cameras, lights, materials, objects);
+        return new Scene(name, description, tags, settings, background, sky, value, cameras, lights, materials, objects);
+    }
+
+    /** The names of the files it needs besides its own: pictures, relative to its folder. */
+    public SortedSet<String> files() {
+        return UsedFiles.of(this);
     }
 
     /** The camera whose picture it is: the first. */
@@ -112,7 +131,7 @@ public record Scene(
     }
 
     public Scene withCameras(List<Camera> value) {
-        return new Scene(name, description, tags, settings, background, ambient, value, lights, materials, objects);
+        return new Scene(name, description, tags, settings, background, sky, ambient, value, lights, materials, objects);
     }
 
     /** As one of its cameras sees it, counted from 0: that one comes first, the others as they were. */
@@ -142,7 +161,7 @@ public record Scene(
     }
 
     public Scene withLights(List<Light> value) {
-        return new Scene(name, description, tags, settings, background, ambient, cameras, value, materials, objects);
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, value, materials, objects);
     }
 
     /**
@@ -153,13 +172,13 @@ public record Scene(
         List<Light> dark = new ArrayList<>(lights);
         dark.replaceAll(Unlit::of);
         dark.set(light, lights.get(light));
-        return new Scene(name, description, tags, settings, Rgb.BLACK, Rgb.BLACK, cameras, dark, materials, objects);
+        return new Scene(name, description, tags, settings, Rgb.BLACK, Sky.NONE, Rgb.BLACK, cameras, dark, materials, objects);
     }
 
     public Scene withMaterials(Map<String, Material> value) {
         Palette fresh = value instanceof Palette known ? known : new Palette(value);
         List<SceneObject> known = SceneRules.allow(materials, fresh) ? pieces().checkedWith(fresh) : objects;
-        return new Scene(name, description, tags, settings, background, ambient, cameras, lights, fresh, known);
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, fresh, known);
     }
 
     /** Only those are checked that are not the very same as before in their places. */
@@ -176,7 +195,7 @@ public record Scene(
         if (!fresh.isCheckedWith(materials)) {
             SceneRules.checkChanged(objects, fresh, fresh.otherThanIn(pieces()), materials, SceneRules.REFUSE);
         }
-        return new Scene(name, description, tags, settings, background, ambient, cameras, lights, materials, fresh.checkedWith(materials));
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, fresh.checkedWith(materials));
     }
 
     private Pieces<SceneObject> pieces() {
@@ -234,5 +253,47 @@ public record Scene(
         List<T> all = new ArrayList<>(list);
         all.add(item);
         return all;
+    }
+
+    /** What a ray sees that hits nothing, by its direction; whoever has none has a background. */
+    @Element("What a ray sees that hits nothing, by its direction, in place of a background: three colours, or a picture.")
+    public sealed interface Sky permits Sky.None, Sky.Gradient, Sky.Picture {
+        /** No sky: the background is seen. */
+        Sky NONE = new None();
+
+        /** No sky: the background is seen. */
+        record None() implements Sky {}
+
+        /** From the horizon to the zenith, and down to the ground, mixed in linear light by the height y of the direction, of length 1. */
+        record Gradient(
+                @Attribute(value = Kind.COLOR, means = "Colour straight above", otherwise = "64 112 190") Rgb zenith,
+                @Attribute(value = Kind.COLOR, means = "Colour all around", otherwise = "206 220 236") Rgb horizon,
+                @Attribute(value = Kind.COLOR, means = "Colour straight below", otherwise = "112 104 96") Rgb ground) implements Sky {
+            public static final Gradient DEFAULT = new Gradient(new Rgb(64, 112, 190), new Rgb(206, 220, 236), new Rgb(112, 104, 96));
+
+            public Gradient {
+                Objects.requireNonNull(zenith, "zenith");
+                Objects.requireNonNull(horizon, "horizon");
+                Objects.requireNonNull(ground, "ground");
+            }
+        }
+
+        /**
+         * A picture of everything around, 360° × 180°, in which the direction (x, y, z) is at u = atan2(z, x)/2π, v = ½ + asin(y)/π.
+         *
+         * @param file its name, relative to the scene's folder
+         * @param rotation degrees about y, counter-clockwise seen from above
+         * @param intensity what its light is multiplied by
+         */
+        record Picture(
+                @Attribute(value = Kind.FILE, means = "A picture of everything around, 360 x 180 degrees, beside the scene's file") String file,
+                @Attribute(value = Kind.NUMBER, means = "Degrees that it is turned about y", otherwise = "0") double rotation,
+                @Attribute(value = Kind.INTENSITY, means = "What its light is multiplied by", otherwise = "1") double intensity) implements Sky {
+            public Picture {
+                Require.that(!file.isBlank(), "sky file must not be blank");
+                Require.finite("sky rotation", rotation);
+                Require.within("sky intensity", intensity, 0, 1e12);
+            }
+        }
     }
 }

@@ -2,6 +2,8 @@ package cz.paprsek.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.asset.Assets;
+import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -14,6 +16,12 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -37,10 +45,31 @@ class DamagedPicturesTest {
         }
         pictures.add(Arguments.of("png", "16 bits", written(ImageFormat.PNG, ImageOptions.DEFAULT.withBits(16))));
         pictures.add(Arguments.of("exr", "32 bits", written(ImageFormat.EXR, ImageOptions.DEFAULT.withBits(32))));
+        pictures.add(Arguments.of("jpg", "in several scans", progressive()));
         for (String name : new String[] {"rle-half", "zips-float", "layers"}) {
             pictures.add(Arguments.of("exr", name, Files.readAllBytes(RECORDED.resolve(name + ".exr"))));
         }
         return pictures.build();
+    }
+
+    /** As many cameras' and the web's are. */
+    private static byte[] progressive() throws IOException {
+        BufferedImage image = new BufferedImage(40, 30, BufferedImage.TYPE_INT_RGB);
+        Random random = new Random(1);
+        for (int i = 0; i < 40 * 30; i++) {
+            image.setRGB(i % 40, i / 40, random.nextInt(1 << 24));
+        }
+        ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ImageOutputStream stream = new MemoryCacheImageOutputStream(bytes)) {
+            ImageWriteParam settings = writer.getDefaultWriteParam();
+            settings.setProgressiveMode(ImageWriteParam.MODE_DEFAULT);
+            writer.setOutput(stream);
+            writer.write(null, new IIOImage(image, null, null), settings);
+        } finally {
+            writer.dispose();
+        }
+        return bytes.toByteArray();
     }
 
     private static byte[] written(ImageFormat format, ImageOptions options) throws IOException {
@@ -66,6 +95,8 @@ class DamagedPicturesTest {
             try {
                 Files.write(file, damaged(good, new Random(seed), ending.equals("png") && seed % 2 == 0));
                 assertThat(ImageFiles.readStored(file).image().width()).isPositive();
+                // As a scene has it.
+                assertThat(Assets.in(folder).picture(String.valueOf(file.getFileName())).image().width()).isPositive();
             } catch (IOException e) {
                 refused.incrementAndGet();
                 assertThat(e.getMessage()).as("seed %d", seed).startsWith(file + ": ").matches("[^\\p{Cc}\\p{Cf}]+").doesNotContain("null", "Exception");

@@ -38,7 +38,7 @@ class ChangeFigures {
     }
 
     private static Scene checkedAnew(Scene scene) {
-        return new Scene(scene.name(), scene.description(), scene.tags(), scene.settings(), scene.background(), scene.ambient(),
+        return new Scene(scene.name(), scene.description(), scene.tags(), scene.settings(), scene.background(), scene.sky(), scene.ambient(),
                 new ArrayList<>(scene.cameras()), new ArrayList<>(scene.lights()), new LinkedHashMap<>(scene.materials()), new ArrayList<>(scene.objects()));
     }
 

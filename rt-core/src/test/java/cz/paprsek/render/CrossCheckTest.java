@@ -2,6 +2,7 @@ package cz.paprsek.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.StoredImage;
@@ -34,7 +35,7 @@ class CrossCheckTest {
 
     @Test
     void thereIsASceneForEveryFeature() throws IOException {
-        assertThat(scenes()).hasSizeGreaterThanOrEqualTo(52);
+        assertThat(scenes()).hasSizeGreaterThanOrEqualTo(62);
     }
 
     @ParameterizedTest
@@ -46,7 +47,7 @@ class CrossCheckTest {
     }
 
     private static void compare(Scene scene, StoredImage theirs) {
-        ImageComparison comparison = ImageComparison.of(StoredImage.of(Renderer.render(RenderScene.of(scene), RenderOptions.of(scene).withFixedSampler(), RenderMonitor.NONE).image()), theirs, STEPS);
+        ImageComparison comparison = ImageComparison.of(StoredImage.of(Renderer.render(RenderScene.of(scene, Assets.in(FOLDER), RenderMonitor.NONE), RenderOptions.of(scene).withFixedSampler(), RenderMonitor.NONE).image()), theirs, STEPS);
         assertThat(comparison.shareBeyond()).as(comparison.toString()).isLessThanOrEqualTo(SHARE);
         // Rounding alone is a quarter of a step on the average.
         assertThat(comparison.beyond() > 0 || comparison.mean() < 0.4).as(comparison.toString()).isTrue();

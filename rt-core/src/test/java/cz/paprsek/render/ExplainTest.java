@@ -3,6 +3,7 @@ package cz.paprsek.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import cz.paprsek.ShippedPictures;
 import cz.paprsek.image.Image;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Encounter;
@@ -95,8 +96,8 @@ class ExplainTest {
     }
 
     private static void assertEveryPixelAddsUp(Scene scene) {
-        Image image = Renderer.render(scene);
-        RenderScene prepared = RenderScene.of(scene);
+        RenderScene prepared = ShippedPictures.ready(scene);
+        Image image = Renderer.render(prepared, RenderOptions.of(scene), RenderMonitor.NONE).image();
         for (int row = 0; row < image.height(); row++) {
             for (int column = 0; column < image.width(); column++) {
                 Pixel pixel = prepared.explain(column, row);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.sun.management.ThreadMXBean;
+import cz.paprsek.asset.Assets;
 import cz.paprsek.image.Image;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderResult.Outcome;
@@ -13,6 +14,7 @@ import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
+import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
@@ -240,7 +242,7 @@ class RendererTest {
     void cancellingIsNoticedAmongTheShadowRaysOfOnePoint() {
         List<Light> lights = Stream.generate(() -> (Light) SphereLight.of(new Vec3(0, 5, 9), 1).withVisible(false).withSamples(4096)).limit(40).toList();
         Scene scene = Scenes.empty().plus(SceneObject.of(new Sphere(2))).withLights(lights);
-        Whitted tracer = new Whitted(new World(scene, () -> false), 5, Sampling.grid(1));
+        Whitted tracer = new Whitted(new World(scene, new Textures(Assets.none()), () -> false), 5, Sampling.grid(1));
         AtomicLong asked = new AtomicLong();
         tracer.begin(() -> asked.incrementAndGet() > 2);
         tracer.trace(Eye.of(scene.camera(), 33, 25), 16, 12, 1, 1);

@@ -66,7 +66,7 @@ class ScenesAreCheckedTest {
     }
 
     private static Scene anew(Scene scene, Map<String, Material> materials, List<SceneObject> objects) {
-        return new Scene(scene.name(), scene.description(), scene.tags(), scene.settings(), scene.background(), scene.ambient(),
+        return new Scene(scene.name(), scene.description(), scene.tags(), scene.settings(), scene.background(), scene.sky(), scene.ambient(),
                 new ArrayList<>(scene.cameras()), new ArrayList<>(scene.lights()), new LinkedHashMap<>(materials), new ArrayList<>(objects));
     }
 

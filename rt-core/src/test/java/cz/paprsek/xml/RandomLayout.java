@@ -55,7 +55,7 @@ final class RandomLayout {
         attributes(element, level);
         List<Element> children = children(element);
         String text = children.isEmpty() ? element.getTextContent() : "";
-        if (element.getTagName().equals("scene") && random.nextBoolean() && children.stream().noneMatch(child -> child.getTagName().equals("background"))) {
+        if (element.getTagName().equals("scene") && random.nextBoolean() && children.stream().noneMatch(child -> child.getTagName().equals("background") || child.getTagName().equals("sky"))) {
             children.add(element.getOwnerDocument().createElement("background"));
             children.get(children.size() - 1).setAttribute("color", "0 0\t0");
         }
@@ -86,7 +86,7 @@ final class RandomLayout {
         Map<String, List<Element>> groups = new LinkedHashMap<>();
         List<String> order = new ArrayList<>();
         for (Element child : children) {
-            String group = List.of("description", "render", "background", "ambient", "camera", "point-light", "material").contains(child.getTagName())
+            String group = List.of("description", "render", "background", "sky", "ambient", "camera", "point-light", "material").contains(child.getTagName())
                     ? child.getTagName() : "body";
             groups.computeIfAbsent(group, name -> new ArrayList<>()).add(child);
             order.add(group);

@@ -14,6 +14,7 @@ import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PointLight;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
+import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SphereLight;
@@ -58,11 +59,20 @@ public final class RandomScenes {
             number++;
         }
         objects.add(SceneObject.of(tree(3, names)));
-        return new Scene("Scene < & > \" '", random.nextBoolean() ? "" : "Two\nlines, <tags> & all", List.of("one", "two-2"),
+        Scene bare = new Scene("Scene < & > \" '", random.nextBoolean() ? "" : "Two\nlines, <tags> & all", List.of("one", "two-2"),
                 new RenderSettings(1 + random.nextInt(3000), 1 + random.nextInt(3000), 1 + random.nextInt(20), 1 + random.nextInt(5), random.nextInt(2) * (5 + random.nextInt(12)),
                         random.nextInt(3) > 0 ? 0.01 : random.nextDouble() + 1e-9, random.nextInt(3) > 0 ? 0.95 : 0.5 + random.nextDouble() / 3, List.of(PixelFilter.values()).get(random.nextInt(4))),
-                color(), color(), cameras(), lights(),
+                Rgb.BLACK, Sky.NONE, color(), cameras(), lights(),
                 materials, objects);
+        return under(bare);
+    }
+
+    private Scene under(Scene scene) {
+        return switch (random.nextInt(3)) {
+            case 0 -> scene.withBackground(color());
+            case 1 -> scene.withSky(new Sky.Gradient(color(), color(), color()));
+            default -> scene.withSky(new Sky.Picture("skies/\"blue\" & <white>.hdr", random.nextInt(2) * 77.5, number()));
+        };
     }
 
     private List<Camera> cameras() {
@@ -131,7 +141,7 @@ public final class RandomScenes {
     private Pattern pattern() {
         int octaves = 1 + random.nextInt(12);
         int seed = random.nextInt(1_000_001);
-        return switch (random.nextInt(9)) {
+        return switch (random.nextInt(10)) {
             case 0 -> new Pattern.Checker(number(), vector(), color(), color());
             case 1 -> new Pattern.Checker(new Vec3(number(), number(), number()), vector(), color(), color(), lay());
             case 2 -> new Pattern.Gradient(colors(), lay());
@@ -139,6 +149,7 @@ public final class RandomScenes {
             case 4 -> new Pattern.Brick(new Vec3(number(), number(), number()), random.nextInt(2) * number(), color(), color(), lay());
             case 5 -> new Pattern.Marble(number(), random.nextInt(2) * number(), octaves, seed, colors(), lay());
             case 6 -> new Pattern.Wood(number(), random.nextInt(2) * number(), octaves, seed, colors(), lay());
+            case 8 -> new Pattern.Picture("a picture.png", pick(Pattern.Filter.values()), pick(Pattern.Mapping.values()), lay());
             case 7 -> new Pattern.Granite(octaves, seed, colors(), lay());
             default -> new Pattern.Noise(octaves, seed, colors(), lay());
         };

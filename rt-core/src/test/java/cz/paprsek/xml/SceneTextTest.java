@@ -12,6 +12,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Block;
@@ -67,7 +68,7 @@ class SceneTextTest {
                 """);
         Material steel = Material.color(180, 190, 200).withDiffusion(0.3).withHighlight(0.6, 100).withReflection(0.5);
         assertThat(scene).isEqualTo(new Scene("Glass and steel", "", List.of(), new RenderSettings(1280, 720, 5, 1),
-                new Rgb(20, 92, 184), Rgb.BLACK, List.of(Camera.looking(new Vec3(0, 2, 8), new Vec3(0, -0.2, -1))),
+                new Rgb(20, 92, 184), Sky.NONE, Rgb.BLACK, List.of(Camera.looking(new Vec3(0, 2, 8), new Vec3(0, -0.2, -1))),
                 List.of(Light.at(4, 5, 3).named("key").withIntensity(0.8)), Map.of("steel", steel), List.of(
                         SceneObject.of(new Sphere(0.5)).named("ball").at(0, 0.5, 0).madeOf("steel"),
                         SceneObject.of(new Rectangle(-5, -5, 5, 5)).named("floor").rotated(-90, 0, 0).madeOf(

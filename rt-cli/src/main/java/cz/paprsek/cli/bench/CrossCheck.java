@@ -1,5 +1,6 @@
 package cz.paprsek.cli.bench;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.StoredImage;
@@ -37,15 +38,15 @@ record CrossCheck(StoredImage ours, StoredImage theirs, ImageComparison comparis
      * @param record whether a picture made now is recorded
      * @throws IOException with one line that says why there is no picture of POV-Ray's
      */
-    static CrossCheck of(Path file, Scene asked, Optional<PovRay> live, boolean record, double tolerance) throws IOException, InterruptedException {
+    static CrossCheck of(Path file, Scene asked, Assets assets, Optional<PovRay> live, boolean record, double tolerance) throws IOException, InterruptedException {
         Scene scene = asked.withSettings(asked.settings().withSamples(1));
         if (live.isPresent() && record) {
-            live.get().render(scene, 1, recording(file));
+            live.get().render(scene, assets, 1, recording(file));
         }
         StoredImage theirs = live.isPresent() && !record
-                ? new StoredImage(live.get().render(scene, 1).image(), Precision.SIXTEEN_BIT, false)
+                ? new StoredImage(live.get().render(scene, assets, 1).image(), Precision.SIXTEEN_BIT, false)
                 : recorded(recording(file));
-        StoredImage ours = StoredImage.of(Renderer.render(RenderScene.of(scene), RenderOptions.of(scene).withFixedSampler(), RenderMonitor.NONE).image());
+        StoredImage ours = StoredImage.of(Renderer.render(RenderScene.of(scene, assets, RenderMonitor.NONE), RenderOptions.of(scene).withFixedSampler(), RenderMonitor.NONE).image());
         return new CrossCheck(ours, theirs, ImageComparison.of(ours, theirs, tolerance), PovFiles.write(scene, new StringBuilder()));
     }
 

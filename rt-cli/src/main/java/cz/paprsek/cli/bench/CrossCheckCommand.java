@@ -2,6 +2,7 @@ package cz.paprsek.cli.bench;
 
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Incoming;
+import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.input.Share;
@@ -17,6 +18,7 @@ import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.text.Numbers;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -25,6 +27,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -43,6 +46,9 @@ import picocli.CommandLine.Parameters;
         })
 public final class CrossCheckCommand implements Callable<Integer> {
     private static final String ROW = "%-30s %9s %9s %8s  %s";
+
+    @Mixin
+    private Pictures pictures;
 
     private final Terminal terminal;
     private final Stop stop;
@@ -128,7 +134,7 @@ public final class CrossCheckCommand implements Callable<Integer> {
         try {
             Scene seen = Cameras.through(scene, camera);
             Scene sized = size.map(s -> seen.withSettings(seen.settings().withSize(s.width(), s.height()))).orElse(seen);
-            CrossCheck check = CrossCheck.of(file, sized, live, record, tolerance);
+            CrossCheck check = CrossCheck.of(file, sized, pictures.read(file, sized), live, record, tolerance);
             ImageComparison found = check.comparison();
             boolean isSame = found.shareBeyond() <= atMost.value();
             terminal.result(String.format(Locale.ROOT, ROW, name, CompareCommand.steps(found.largest()), CompareCommand.steps(found.mean()),
@@ -138,7 +144,7 @@ public final class CrossCheckCommand implements Callable<Integer> {
                 draw(name, check);
             }
             return isSame ? ExitCode.DONE : ExitCode.FAILED;
-        } catch (IOException | IllegalArgumentException noPicture) {
+        } catch (IOException | UncheckedIOException | IllegalArgumentException noPicture) {
             terminal.message(name + ": " + Failures.sentence(noPicture));
             return ExitCode.FAILED;
         }

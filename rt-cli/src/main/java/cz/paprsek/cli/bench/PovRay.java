@@ -1,5 +1,6 @@
 package cz.paprsek.cli.bench;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.io.AtomicFile;
@@ -7,9 +8,11 @@ import cz.paprsek.pov.PovFiles;
 import cz.paprsek.scene.Scene;
 import java.io.File;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -80,9 +83,14 @@ final class PovRay {
      * @throws InterruptedException if the thread is interrupted, which ends the program
      */
     Result render(Scene scene, int threads) throws IOException, InterruptedException {
+        return render(scene, Assets.none(), threads);
+    }
+
+    /** As above, of a scene with pictures. */
+    Result render(Scene scene, Assets assets, int threads) throws IOException, InterruptedException {
         Path picture = Files.createTempFile("paprsek-pov", ".png");
         try {
-            String log = render(scene, threads, picture);
+            String log = render(scene, assets, threads, picture);
             return new Result(ImageFiles.read(picture), log);
         } finally {
             Files.deleteIfExists(picture);
@@ -92,15 +100,24 @@ final class PovRay {
     /**
      * Exports a scene to a folder of its own, renders it at the size it asks for with one ray a pixel, and puts the picture into a file.
      *
+     * @param assets where its pictures come from, which are copied beside it
      * @param picture becomes a 16-bit PNG of linear light
      * @return what the program said, with the times it took
      * @throws IOException as above
      * @throws InterruptedException as above
      */
-    String render(Scene scene, int threads, Path picture) throws IOException, InterruptedException {
+    String render(Scene scene, Assets assets, int threads, Path picture) throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("paprsek-pov");
         try {
             PovFiles.write(scene, folder.resolve("scene.pov"));
+            for (String name : scene.files()) {
+                ByteBuffer bytes = assets.bytes(name);
+                byte[] content = new byte[bytes.remaining()];
+                bytes.get(content);
+                Path copy = folder.resolve(name);
+                Files.createDirectories(copy.getParent());
+                Files.write(copy, content);
+            }
             String log = run(folder, command("scene.pov", "scene.png", scene.settings().width(), scene.settings().height(), threads));
             Path made = folder.resolve("scene.png");
             if (!Files.exists(made)) {
@@ -165,11 +182,10 @@ final class PovRay {
     }
 
     private static void delete(Path folder) throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            for (Path file : files.toList()) {
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
                 Files.delete(file);
             }
         }
-        Files.delete(folder);
     }
 }

@@ -1,5 +1,6 @@
 package cz.paprsek.cli.output;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.RenderOptions;
@@ -50,7 +51,7 @@ public final class Checkpoint implements AutoCloseable {
      *
      * @throws WrongUsage if it holds tiles of another picture, or another process is at work on it
      */
-    static Checkpoint open(Path picture, Scene scene, RenderOptions options) throws IOException {
+    static Checkpoint open(Path picture, Scene scene, Assets assets, RenderOptions options) throws IOException {
         Path file = fileFor(picture);
         FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
         boolean opened = false;
@@ -59,7 +60,7 @@ public final class Checkpoint implements AutoCloseable {
                 throw new WrongUsage(file + ": another render is at work on this picture");
             }
             Checkpoint checkpoint = new Checkpoint(file, channel);
-            checkpoint.read(digest(scene, options), options.region());
+            checkpoint.read(digest(scene, assets, options), options.region());
             opened = true;
             return checkpoint;
         } finally {
@@ -184,10 +185,11 @@ public final class Checkpoint implements AutoCloseable {
         }
     }
 
-    /** Two pictures are the same if these are: everything but the number of threads. */
-    private static byte[] digest(Scene scene, RenderOptions options) {
+    /** Two pictures are the same if these are: everything but the number of threads, the content of all files that the scene needs included. */
+    private static byte[] digest(Scene scene, Assets assets, RenderOptions options) {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            digest.update(assets.digest().getBytes(StandardCharsets.UTF_8));
             digest.update(SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8));
             return digest.digest(options.withThreads(1).toString().getBytes(StandardCharsets.UTF_8));
         } catch (NoSuchAlgorithmException e) {

@@ -1,5 +1,7 @@
 package cz.paprsek.cli.output;
 
+import cz.paprsek.asset.Assets;
+import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.Wishes;
 import cz.paprsek.cli.output.Report.Outcome;
 import cz.paprsek.cli.process.ExitCode;
@@ -19,11 +21,12 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 
 /** Renders scenes one after the other, each on all threads; one that fails does not stop the next. */
-public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Progress.Maker progress, Report report) {
+public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Pictures pictures, Progress.Maker progress, Report report) {
 
     /** The exit code of the worst. */
     public int run(List<Target> targets) {
@@ -46,13 +49,16 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         try {
             long begin = System.nanoTime();
             Scene read = target.source().read();
-            return render(target, read, view.of(read), begin);
+            Scene seen = view.of(read);
+            return render(target, read, seen, pictures.read(target.source().file(), seen), begin);
         } catch (WrongUsage e) {
             return fail(target, Outcome.WRONG_USAGE, List.of(file + ": " + e.getMessage()));
         } catch (SceneFileException e) {
             return fail(target, Outcome.BAD_SCENE, e.problems().stream().map(Problem::toString).toList());
         } catch (IOException e) {
             return fail(target, Outcome.BAD_SCENE, List.of(Failures.sentence(file, e)));
+        } catch (UncheckedIOException e) {
+            return fail(target, Outcome.BAD_SCENE, List.of(file + ": " + e.getMessage()));
         } catch (IllegalStateException e) {
             return fail(target, Outcome.FAILED, List.of(file + ": " + e.getMessage()));
         } catch (OutOfMemoryError e) {
@@ -61,7 +67,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
     }
 
     /** @param scene what is shown of the one that was read */
-    private Outcome render(Target target, Scene read, Scene scene, long begin) {
+    private Outcome render(Target target, Scene read, Scene scene, Assets assets, long begin) {
         RenderOptions options;
         try {
             options = view.applyTo(wishes.applyTo(scene.settings()), target.format());
@@ -81,9 +87,9 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
             if (target.file().isPresent()) {
                 Room.checkDisk(target.file().get(), view.written(target.format()).leastBytes(width, height));
             }
-            try (Tiles tiles = resume ? Tiles.kept(target, scene, options, terminal) : Tiles.NOT_KEPT) {
+            try (Tiles tiles = resume ? Tiles.kept(target, scene, assets, options, terminal) : Tiles.NOT_KEPT) {
                 try (Progress monitor = progress.start(target.source().label(), options, stop)) {
-                    result = Renderer.render(scene, options, monitor, tiles.store());
+                    result = Renderer.render(scene, assets, options, monitor, tiles.store());
                 }
                 if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
                     return interrupted(target);

@@ -1,5 +1,6 @@
 package cz.paprsek.cli.output;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.render.RenderOptions;
@@ -28,9 +29,9 @@ interface Tiles extends AutoCloseable {
      *
      * @throws WrongUsage if that file is of another picture
      */
-    static Tiles kept(Target target, Scene scene, RenderOptions options, Terminal terminal) throws IOException {
+    static Tiles kept(Target target, Scene scene, Assets assets, RenderOptions options, Terminal terminal) throws IOException {
         Path picture = target.file().orElseThrow();
-        Checkpoint checkpoint = Checkpoint.open(picture, scene, options);
+        Checkpoint checkpoint = Checkpoint.open(picture, scene, assets, options);
         long pixels = (long) options.region().width() * options.region().height();
         if (checkpoint.pixels() > 0) {
             terminal.message(target.source().label() + ": going on, " + 100 * checkpoint.pixels() / pixels + " % is done already");

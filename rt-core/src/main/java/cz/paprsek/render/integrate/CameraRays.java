@@ -9,6 +9,8 @@ import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.Surroundings;
 import cz.paprsek.render.surface.World;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
 
 /** Starts the rays from the eye, each in what is around there: scratch of one worker. */
 final class CameraRays {
@@ -16,11 +18,17 @@ final class CameraRays {
     private final Sampler sampler;
     private final Surroundings surroundings;
     private final Place place = new Place();
+    private final boolean footprints;
+    /** How far rays are apart, in pixels. */
+    private final double spacing;
+    private final Ray beside = new Ray(new Spans());
 
     CameraRays(World scene, Sampling sampling, Sampler sampler) {
         this.sampling = sampling;
         this.sampler = sampler;
         this.surroundings = new Surroundings(scene);
+        this.footprints = scene.parts().havePictures();
+        this.spacing = 1 / Math.sqrt(sampling.rays());
     }
 
     /** Makes ready for rays of an eye. */
@@ -37,6 +45,7 @@ final class CameraRays {
         if (!eye.hasAperture()) {
             return start(level, eye, x, y);
         }
+        look(level, eye, x, y);
         sampler.start(column, row, sample);
         sampler.lens();
         sampler.next();
@@ -45,14 +54,34 @@ final class CameraRays {
 
     /** Starts the ray through a point of the picture and the middle of the lens; false if it is blind. */
     boolean start(Level level, Eye eye, double x, double y) {
+        look(level, eye, x, y);
         return entered(eye.start(level.ray, x, y), level);
     }
 
     /** Starts a ray anywhere, in a direction of length 1. */
     void start(Level level, Vec3 origin, Vec3 direction) {
+        level.footprint.startAlike(0);
+        level.footprint.startAlike(1);
         level.ray.start(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
         surroundings.from(Bounds.ALL);
         surroundings.enter(level.ray, level.media);
+    }
+
+    /** Sets how far the ray's neighbours are: as far as rays of a pixel are from each other, through the middle of the lens. */
+    private void look(Level level, Eye eye, double x, double y) {
+        if (footprints) {
+            boolean sees = eye.start(level.ray, x, y);
+            set(0, sees && eye.start(beside, x + spacing, y), level);
+            set(1, sees && eye.start(beside, x, y + spacing), level);
+        }
+    }
+
+    private void set(int neighbour, boolean sees, Level level) {
+        if (sees) {
+            level.footprint.start(neighbour, level.ray, beside);
+        } else {
+            level.footprint.startAlike(neighbour);
+        }
     }
 
     private boolean entered(boolean sees, Level level) {

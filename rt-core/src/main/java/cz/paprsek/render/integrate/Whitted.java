@@ -9,6 +9,7 @@ import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.sample.PixelSums;
 import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.sample.Sampling;
+import cz.paprsek.render.surface.Backdrop;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
@@ -48,7 +49,9 @@ public class Whitted extends Witness implements Integrator {
     private final Sampler sampler;
     private final boolean dims;
     private final Dimming dimming;
-    private final double[] background;
+    private final Backdrop backdrop;
+    /** Whether rays know how far their neighbours are: only if a paint asks for it. */
+    private final boolean footprints;
     private final double[] ambient;
     private final Arrival seen = new Arrival();
     private final Bundle bundle = new Bundle();
@@ -82,7 +85,8 @@ public class Whitted extends Witness implements Integrator {
             scatters[i] = new Scatter(scene, sampler, this);
         }
         levels[0].path = Sampler.EYE;
-        background = linear(scene.background());
+        backdrop = scene.sky();
+        footprints = scene.parts().havePictures();
         ambient = linear(scene.ambient());
     }
 
@@ -309,6 +313,10 @@ public class Whitted extends Witness implements Integrator {
         if (finish.paint.isMapped()) {
             map(level);
         }
+        if (footprints) {
+            level.part = parts.part(ray.part);
+            level.footprint.meet(ray, hit);
+        }
         finish.paint.color(level);
         double cosine = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz;
         boolean leaving = cosine > 0;
@@ -382,7 +390,12 @@ public class Whitted extends Witness implements Integrator {
         boolean isBlind = level.ray.isBlind();
         int sun = isBlind || level.isLit ? Glows.NONE : glows.sky(level.ray.dx, level.ray.dy, level.ray.dz, seen);
         if (sun == Glows.NONE) {
-            level.light(isBlind ? 0 : background[0], isBlind ? 0 : background[1], isBlind ? 0 : background[2]);
+            if (isBlind) {
+                level.light(0, 0, 0);
+            } else {
+                backdrop.look(level);
+                level.light(level.hit.red, level.hit.green, level.hit.blue);
+            }
             if (dims) {
                 dim(level);
             }
@@ -468,6 +481,9 @@ public class Whitted extends Witness implements Integrator {
         next.isLit = false;
         next.path = Sampler.mirrored(level.path);
         Lighting.backFrom(level, next.ray);
+        if (footprints) {
+            next.footprint.mirrored(level.footprint, ray, hit, parts.part(ray.part));
+        }
         next.media.set(level.media);
         reflected++;
     }
@@ -480,7 +496,10 @@ public class Whitted extends Witness implements Integrator {
         next.beyond = true;
         next.isLit = false;
         next.path = Sampler.refracted(level.path);
-        scene.enterBeyond(level, finish, leaving, next.media);
+        double beyond = scene.enterBeyond(level, finish, leaving, next.media);
+        if (footprints) {
+            next.footprint.refracted(level.footprint, ray, hit, parts.part(ray.part), level.media.refractiveIndex() / beyond);
+        }
         refracted++;
     }
 }

@@ -1,5 +1,6 @@
 package cz.paprsek.render.live;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.image.Image;
 import cz.paprsek.math.Require;
 import cz.paprsek.render.RenderMonitor;
@@ -35,9 +36,11 @@ public final class LiveRender implements AutoCloseable {
     private volatile boolean stopped;
     private volatile boolean closed;
     private @Nullable RenderScene ready;
+    /** Where its pictures came from. */
+    private @Nullable Assets known;
     private int firstStep = 8;
 
-    private record Request(Scene scene, RenderSettings settings, LiveListener listener) {}
+    private record Request(Scene scene, Assets assets, RenderSettings settings, LiveListener listener) {}
 
     /** @param threads how many workers trace a pass */
     public LiveRender(int threads) {
@@ -53,8 +56,17 @@ public final class LiveRender implements AutoCloseable {
      * @param settings of the final picture
      * @param listener is told of this picture only
      */
-    public synchronized void show(Scene scene, RenderSettings settings, LiveListener listener) {
-        waiting = new Request(Objects.requireNonNull(scene, "scene"), Objects.requireNonNull(settings, "settings"),
+    public void show(Scene scene, RenderSettings settings, LiveListener listener) {
+        show(scene, Assets.none(), settings, listener);
+    }
+
+    /**
+     * As above, of a scene with pictures.
+     *
+     * @param assets where they come from; as long as these are the same, pictures are read but once
+     */
+    public synchronized void show(Scene scene, Assets assets, RenderSettings settings, LiveListener listener) {
+        waiting = new Request(Objects.requireNonNull(scene, "scene"), Objects.requireNonNull(assets, "assets"), Objects.requireNonNull(settings, "settings"),
                 Objects.requireNonNull(listener, "listener"));
         outdated = true;
         notifyAll();
@@ -134,7 +146,7 @@ public final class LiveRender implements AutoCloseable {
                 return stopped || closed;
             }
         };
-        RenderScene scene = prepared(request.scene(), unlessStopped);
+        RenderScene scene = prepared(request, unlessStopped);
         ready = scene;
         LivePass pass = LivePass.at(scene, request.settings(), firstStep);
         RenderResult result = render(pass, unlessStopped);
@@ -147,9 +159,12 @@ public final class LiveRender implements AutoCloseable {
         }
     }
 
-    private RenderScene prepared(Scene scene, RenderMonitor monitor) throws Superseded {
+    private RenderScene prepared(Request request, RenderMonitor monitor) throws Superseded {
         try {
-            return ready == null ? RenderScene.of(scene, monitor) : ready.changedTo(scene, monitor);
+            RenderScene before = ready;
+            RenderScene now = before == null || request.assets() != known ? RenderScene.of(request.scene(), request.assets(), monitor) : before.changedTo(request.scene(), monitor);
+            known = request.assets();
+            return now;
         } catch (CancellationException cancelled) {
             throw superseded(monitor);
         }

@@ -1,13 +1,21 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.ray.Hit;
+import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
+import org.jspecify.annotations.Nullable;
 
 /** Scratch of one level of recursion: a ray, what it met, and the light it brings back. */
 public final class Level {
     public final Ray ray;
     public final Hit hit = new Hit();
+    /** The part that is hit; kept only if there is a paint that is a picture. */
+    public @Nullable Part part;
+    /** For places beside the hit. */
+    final Hit probe = new Hit();
+    /** What the ray stands for; kept only if a paint asks for it. */
+    public final Footprint footprint = new Footprint();
     public final Media media = new Media();
     /** Whether the ray goes on beyond the surface it starts from, rather than back to the side it was seen from. */
     public boolean beyond;

@@ -5,6 +5,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.texture.Textures;
 import cz.paprsek.text.Numbers;
 
 /** A pattern ready to be asked for its colour at a point. */
@@ -15,8 +16,13 @@ public abstract class Paint {
         this.mapped = pattern.isMapped();
     }
 
-    /** @param toDeclared from the world to the space of the object that declares the pattern */
-    public static Paint of(Pattern pattern, Affine toDeclared) {
+    /**
+     * The paint of a pattern.
+     *
+     * @param toDeclared from the world to the space of the object that declares the pattern
+     * @param textures the pictures
+     */
+    static Paint of(Pattern pattern, Affine toDeclared, Textures textures) {
         if (pattern instanceof Pattern.Plain plain) {
             return new TwoColors.Plain(plain);
         } else if (pattern instanceof Pattern.Checkerboard board) {
@@ -27,6 +33,9 @@ public abstract class Paint {
             return new TwoColors.Layers(stripes, toDeclared);
         } else if (pattern instanceof Pattern.Brick brick) {
             return new TwoColors.Bricks(brick, toDeclared);
+        }
+        if (pattern instanceof Pattern.Picture picture) {
+            return new PicturePaint(picture, toDeclared, textures.texture(picture.file(), true));
         }
         return pattern instanceof CustomPattern custom ? new Custom(custom, toDeclared) : new MixedColors(pattern, toDeclared);
     }
@@ -45,6 +54,11 @@ public abstract class Paint {
     /** Whether it asks for the map of the hit: u, v and the tangent. */
     public final boolean isMapped() {
         return mapped;
+    }
+
+    /** Whether it asks which part is hit, and for the footprint of the ray. */
+    public boolean isPicture() {
+        return false;
     }
 
     /** Writes the colour at the level's hit into the level, linear light. */

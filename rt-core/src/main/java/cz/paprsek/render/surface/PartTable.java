@@ -12,6 +12,7 @@ public final class PartTable {
     /** The first part of each object. */
     private final int[] firsts;
     private final int size;
+    private final boolean hasPictures;
     /** The numbers of the parts that stand here in the place of others, rising, and these parts. */
     private final int[] exchanged;
     private final int firstExchanged;
@@ -25,16 +26,17 @@ public final class PartTable {
      * @param firsts the first part of each object
      */
     PartTable(Placing all, int[] firsts) {
-        this(all.parts, all.finishes, all.objects, firsts, all.size, new int[0], all.parts, all.finishes, all.isRough);
+        this(all.parts, all.finishes, all.objects, firsts, all.size, all.hasPictures, new int[0], all.parts, all.finishes, all.isRough);
     }
 
-    private PartTable(Part[] parts, Finish[] finishes, int[] objects, int[] firsts, int size, int[] exchanged, Part[] freshParts, Finish[] freshFinishes,
+    private PartTable(Part[] parts, Finish[] finishes, int[] objects, int[] firsts, int size, boolean hasPictures, int[] exchanged, Part[] freshParts, Finish[] freshFinishes,
             boolean rough) {
         this.parts = parts;
         this.finishes = finishes;
         this.objects = objects;
         this.firsts = firsts;
         this.size = size;
+        this.hasPictures = hasPictures;
         this.exchanged = exchanged;
         this.firstExchanged = exchanged.length == 0 ? Integer.MAX_VALUE : exchanged[0];
         this.freshParts = freshParts;
@@ -61,7 +63,7 @@ public final class PartTable {
             numbers[k] = next++;
         }
         return fresh.size == 0 || !isEnd(next, fresh.objects[fresh.size - 1]) ? Optional.empty()
-                : Optional.of(new PartTable(parts, finishes, objects, firsts, size, numbers, fresh.parts, fresh.finishes, rough || fresh.isRough));
+                : Optional.of(new PartTable(parts, finishes, objects, firsts, size, hasPictures || fresh.hasPictures, numbers, fresh.parts, fresh.finishes, rough || fresh.isRough));
     }
 
     /** Whether an object has no part of a number. */
@@ -76,6 +78,11 @@ public final class PartTable {
 
     public int size() {
         return size;
+    }
+
+    /** Whether any paint is a picture. */
+    public boolean havePictures() {
+        return hasPictures;
     }
 
     public Part part(int i) {

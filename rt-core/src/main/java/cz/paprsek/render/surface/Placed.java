@@ -2,6 +2,7 @@ package cz.paprsek.render.surface;
 
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
@@ -28,6 +29,8 @@ final class Placed {
     /** Of what lies in one place the lowest part is met first: other things lie on bodies of glass, never a hair's breadth in them. */
     private static final boolean[] MEDIA_LAST = {false, true};
 
+    /** The scene's pictures. */
+    final Textures textures;
     final PartTable parts;
     final Bodies bodies;
     /** Of each object whether no light gets through it, and whether it has an inside. */
@@ -54,8 +57,9 @@ final class Placed {
      *
      * @param stop whether to give up, which throws a {@link java.util.concurrent.CancellationException}
      */
-    Placed(Scene scene, BooleanSupplier stop) {
-        Placing placing = new Placing(scene, Math.max(16, scene.objects().size()), stop);
+    Placed(Scene scene, Textures textures, BooleanSupplier stop) {
+        this.textures = textures;
+        Placing placing = new Placing(scene, textures, Math.max(16, scene.objects().size()), stop);
         this.scene = scene;
         this.whole = this;
         this.surfaces = new Surface[scene.objects().size()];
@@ -89,6 +93,7 @@ final class Placed {
     private Placed(Placed whole, PartTable parts, int[] exchanged, Surface[] fresh, boolean[] opaque, boolean[] solid,
             @Nullable Absorption[] absorbing, Bodies bodies) {
         this.scene = whole.scene;
+        this.textures = whole.textures;
         this.whole = whole;
         this.parts = parts;
         this.surfaces = whole.surfaces;
@@ -112,12 +117,12 @@ final class Placed {
      */
     Placed changedTo(Scene changed, BooleanSupplier stop) {
         if (changed.objects().size() != surfaces.length) {
-            return new Placed(changed, stop);
+            return new Placed(changed, textures, stop);
         }
         int[] others = others(changed);
         return others.length == 0 ? whole
-                : others.length > surfaces.length / SHARE ? new Placed(changed, stop)
-                : whole.exchanged(changed, others, stop).orElseGet(() -> new Placed(changed, stop));
+                : others.length > surfaces.length / SHARE ? new Placed(changed, textures, stop)
+                : whole.exchanged(changed, others, stop).orElseGet(() -> new Placed(changed, textures, stop));
     }
 
     /** The objects that are not the very same, or are made of a named material that is not. */
@@ -140,7 +145,7 @@ final class Placed {
 
     /** Empty if the parts of all would get other numbers. */
     private Optional<Placed> exchanged(Scene changed, int[] objects, BooleanSupplier stop) {
-        Placing placing = new Placing(changed, objects.length, stop);
+        Placing placing = new Placing(changed, textures, objects.length, stop);
         Surface[] theirs = new Surface[objects.length];
         boolean[] theyAreOpaque = new boolean[objects.length];
         boolean[] theyAreSolid = new boolean[objects.length];

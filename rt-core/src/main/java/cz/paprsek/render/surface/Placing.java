@@ -5,6 +5,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
+import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
@@ -24,26 +25,32 @@ import org.jspecify.annotations.Nullable;
 /** Objects on their way into the world, one after the other: each of their primitives gets a number, a finish and a place in the table of parts. */
 final class Placing {
     private final Map<String, Material> materials;
+    private final Textures textures;
     private final BooleanSupplier stop;
     private final Map<String, Finish> named = new HashMap<>();
     /** Of materials without a name. */
     private final Map<Material, Finish> shared = new HashMap<>();
-    private final Finish standard = anywhere(Material.DEFAULT);
+    private final Finish standard;
     private Material lastMaterial = Material.DEFAULT;
-    private Finish lastFinish = standard;
+    private Finish lastFinish;
     Part[] parts;
     Finish[] finishes;
     int[] objects;
     int size;
     /** Whether a part is rough. */
     boolean isRough;
+    /** Whether a part has a picture. */
+    boolean hasPictures;
     /** The number of the next part. */
     private int next;
 
     /** @param expected about how many parts there will be */
-    Placing(Scene scene, int expected, BooleanSupplier stop) {
+    Placing(Scene scene, Textures textures, int expected, BooleanSupplier stop) {
+        this.textures = textures;
         this.stop = stop;
         materials = scene.materials();
+        standard = anywhere(Material.DEFAULT);
+        lastFinish = standard;
         parts = new Part[expected];
         finishes = new Finish[expected];
         objects = new int[expected];
@@ -113,19 +120,19 @@ final class Placing {
         return source instanceof MaterialName reference ? named.computeIfAbsent(reference.name(), name -> anywhere(material)) : shared(material);
     }
 
-    private static Finish anywhere(Material material) {
-        return new Finish(material, Paint.of(material.pattern(), Affine.IDENTITY));
+    private Finish anywhere(Material material) {
+        return new Finish(material, Paint.of(material.pattern(), Affine.IDENTITY, textures));
     }
 
     /** A pattern in space depends on where it is declared; all other finishes are shared. */
-    private static Finish placed(Material material, Affine toWorld) {
-        return new Finish(material, Paint.of(material.pattern(), toWorld.inverse()));
+    private Finish placed(Material material, Affine toWorld) {
+        return new Finish(material, Paint.of(material.pattern(), toWorld.inverse(), textures));
     }
 
     /** Neighbours are mostly of one material: that saves hashing it. */
     private Finish shared(Material material) {
         if (!material.equals(lastMaterial)) {
-            lastFinish = shared.computeIfAbsent(material, Placing::anywhere);
+            lastFinish = shared.computeIfAbsent(material, this::anywhere);
             lastMaterial = material;
         }
         return lastFinish;
@@ -140,6 +147,7 @@ final class Placing {
         isRough |= finish.alpha > 0;
         objects[size] = object;
         finishes[size] = finish;
+        hasPictures |= finish.paint.isPicture();
         return size++;
     }
 

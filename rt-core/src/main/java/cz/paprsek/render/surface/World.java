@@ -3,6 +3,7 @@ package cz.paprsek.render.surface;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.placed.Surface;
 import java.util.function.BooleanSupplier;
@@ -17,6 +18,7 @@ public final class World {
     private final boolean[] opaque;
     private final boolean[] solid;
     private final @Nullable Absorption[] absorbing;
+    private final Backdrop sky;
     private final Lamp[] lamps;
     private final Glows glows;
     private final int[] aroundCamera;
@@ -24,16 +26,18 @@ public final class World {
     /**
      * Places a scene.
      *
+     * @param textures its pictures
      * @param stop whether to give up, which throws a {@link java.util.concurrent.CancellationException}
      */
-    public World(Scene scene, BooleanSupplier stop) {
-        this(scene, new Placed(scene, stop));
+    public World(Scene scene, Textures textures, BooleanSupplier stop) {
+        this(scene, new Placed(scene, textures, stop));
     }
 
     private World(Scene scene, Placed placed) {
         this.scene = scene;
         this.placed = placed;
         this.parts = placed.parts;
+        this.sky = Backdrop.of(scene, placed.textures);
         this.bodies = placed.bodies;
         this.opaque = placed.opaque;
         this.solid = placed.solid;
@@ -70,8 +74,9 @@ public final class World {
         return glows;
     }
 
-    public Rgb background() {
-        return scene.background();
+    /** What rays see that hit nothing. */
+    public Backdrop sky() {
+        return sky;
     }
 
     public Rgb ambient() {

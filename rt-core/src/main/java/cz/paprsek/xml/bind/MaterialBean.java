@@ -45,7 +45,8 @@ final class MaterialBean extends Located {
         @XmlElement(name = "marble", type = PatternBeans.MarbleBean.class),
         @XmlElement(name = "wood", type = PatternBeans.WoodBean.class),
         @XmlElement(name = "granite", type = PatternBeans.GraniteBean.class),
-        @XmlElement(name = "noise", type = PatternBeans.NoiseBean.class)})
+        @XmlElement(name = "noise", type = PatternBeans.NoiseBean.class),
+        @XmlElement(name = "image", type = PatternBeans.ImageBean.class)})
     List<PatternBeans.PatternBean> patterns = new ArrayList<>();
 
     Material toMaterial() {

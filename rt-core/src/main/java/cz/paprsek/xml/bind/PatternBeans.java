@@ -1,5 +1,6 @@
 package cz.paprsek.xml.bind;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
@@ -8,9 +9,11 @@ import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlAttribute;
 import jakarta.xml.bind.annotation.XmlElement;
+import jakarta.xml.bind.annotation.adapters.CollapsedStringAdapter;
 import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
@@ -171,6 +174,19 @@ final class PatternBeans {
         @Override
         Pattern toPattern() {
             return new Pattern.Noise(octaves, seed, colors(), lay());
+        }
+    }
+
+    /** {@code <image>}. */
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class ImageBean extends LaidBean {
+        @XmlAttribute(required = true) String file = "";
+        @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String filter = Described.word(Pattern.Filter.SMOOTH);
+        @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String mapping = Described.word(Pattern.Mapping.UV);
+
+        @Override
+        Pattern toPattern() {
+            return new Pattern.Picture(file, Pattern.Filter.valueOf(filter.toUpperCase(Locale.ROOT)), Pattern.Mapping.valueOf(mapping.toUpperCase(Locale.ROOT)), lay());
         }
     }
 }

@@ -2,10 +2,12 @@ package cz.paprsek.xml.bind;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Require;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
+import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SceneRules;
@@ -39,6 +41,7 @@ final class SceneBean extends Located {
     @XmlElement String description = "";
     @XmlElement RenderBean render = new RenderBean();
     @XmlElement @Nullable ColoredBean background;
+    @XmlElement @Nullable SkyBean sky;
     @XmlElement @Nullable ColoredBean ambient;
     @XmlElement(name = "camera") List<CameraBean> cameras = new ArrayList<>();
     @XmlElements({
@@ -60,6 +63,10 @@ final class SceneBean extends Located {
         SceneRules.checkCameras(eyes, (culprit, attribute, sentence) -> problems.add(problems.origin(culprit, this), sentence, attribute));
         checkTexts(problems);
         RenderSettings settings = problems.make(render, render::toSettings);
+        Sky above = sky == null ? Sky.NONE : problems.make(sky, sky::toSky);
+        if (sky != null && background != null) {
+            problems.add(sky, Scene.EITHER_SKY);
+        }
         Map<String, Material> named = named(problems);
         List<Light> lamps = made(lights, problems, LightBeans.LightBean::toLight);
         List<SceneObject> made = made(objects, problems, bean -> bean.toObject(problems));
@@ -67,8 +74,8 @@ final class SceneBean extends Located {
         if (Similar.nearest("material", problems.skipped()).isEmpty()) {
             SceneRules.check(lamps, named, made, (culprit, attribute, sentence) -> problems.add(problems.origin(culprit, this), sentence, attribute));
         }
-        return problems.size() > 0 || eyes.isEmpty() || settings == null ? null
-                : new Scene(name, description, tags, settings, background == null ? Rgb.BLACK : background.color,
+        return problems.size() > 0 || eyes.isEmpty() || settings == null || above == null ? null
+                : new Scene(name, description, tags, settings, background == null ? Rgb.BLACK : background.color, above,
                         ambient == null ? Rgb.BLACK : ambient.color, eyes, lamps, named, made);
     }
 
@@ -128,5 +135,26 @@ final class SceneBean extends Located {
     @XmlAccessorType(XmlAccessType.FIELD)
     static final class ColoredBean extends Located {
         @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Color.class) Rgb color = Rgb.BLACK;
+    }
+
+    /** {@code <sky>}. */
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class SkyBean extends Located {
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) @Nullable Rgb zenith;
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) @Nullable Rgb horizon;
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) @Nullable Rgb ground;
+        @XmlAttribute @Nullable String file;
+        @XmlAttribute @Nullable Double rotation;
+        @XmlAttribute @Nullable Double intensity;
+
+        Sky toSky() {
+            if (file != null) {
+                Require.that(zenith == null && horizon == null && ground == null, "a sky has either a file or colours, not both; remove one of them");
+                return new Sky.Picture(file, rotation == null ? 0 : rotation, intensity == null ? 1 : intensity);
+            }
+            Require.that(rotation == null && intensity == null, "the rotation and intensity of a sky are those of its picture; give it a file");
+            Sky.Gradient usual = Sky.Gradient.DEFAULT;
+            return new Sky.Gradient(zenith == null ? usual.zenith() : zenith, horizon == null ? usual.horizon() : horizon, ground == null ? usual.ground() : ground);
+        }
     }
 }

@@ -12,6 +12,7 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Placement;
@@ -63,6 +64,9 @@ final class Schema {
         Stream.of(RenderSettings.class, Camera.class).forEach(this::leaf);
         ElementTable.of(Light.class).forEach(this::leaf);
         leaf("Colored", Colored.class);
+        text.open("complexType", "name", "Sky").documentation(ElementTable.means(Sky.class));
+        Stream.of(Sky.Gradient.class, Sky.Picture.class).flatMap(kind -> Described.of(kind).stream()).forEach(one -> attribute(one, false));
+        text.close("complexType");
         materials();
         bodies();
         return text.close("schema").toString();
@@ -101,7 +105,7 @@ final class Schema {
         text.open("choice", "minOccurs", "0", "maxOccurs", "unbounded");
         text.open("element", "name", "description", "type", "s:text").documentation("Free text.").close("element");
         element(RenderSettings.class);
-        text.leaf("element", "name", "background", "type", "s:Colored").leaf("element", "name", "ambient", "type", "s:Colored");
+        text.leaf("element", "name", "background", "type", "s:Colored").leaf("element", "name", "sky", "type", "s:Sky").leaf("element", "name", "ambient", "type", "s:Colored");
         element(Camera.class);
         ElementTable.of(Light.class).forEach(this::element);
         text.leaf("element", "name", "material", "type", "s:NamedMaterial");
@@ -174,12 +178,12 @@ final class Schema {
     }
 
     private void attributes(Class<? extends Record> record) {
-        Described.inline(record).forEach(this::attribute);
+        // One of several kinds need not be there at all.
+        Described.inline(record).forEach(one -> attribute(one, one.isRequired() && one.within().isEmpty()));
     }
 
-    private void attribute(Described one) {
-        // One of several kinds need not be there at all.
-        List<String> use = one.isRequired() && one.within().isEmpty() ? List.of("use", "required") : List.of();
+    private void attribute(Described one, boolean mustBeThere) {
+        List<String> use = mustBeThere ? List.of("use", "required") : List.of();
         text.open("attribute", Stream.concat(Stream.of("name", one.name(), "type", "s:" + SimpleTypes.name(one)), use.stream()).toArray(String[]::new));
         text.documentation(one.says().means() + (one.isRequired() || one.isOptional() ? "." : "; " + standard(one) + " if not given."));
         text.close("attribute");

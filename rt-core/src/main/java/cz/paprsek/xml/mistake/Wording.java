@@ -27,7 +27,8 @@ final class Wording {
             sun directional directionallight distantlight distant infinitelight = sun-light
             rectanglelight rectlight quadlight disclight disklight softbox panel = area-light
             balllight globelight = sphere-light
-            backgroundcolor sky skycolor skysphere = background
+            backgroundcolor skycolor = background
+            skysphere skydome environment envmap skybox = sky
             ambientlight globalambient = ambient
             eye viewpoint viewer view = camera
             image film output settings options resolution = render
@@ -38,6 +39,7 @@ final class Wording {
             bricks masonry = brick
             clouds perlin bozo fractal = noise
             colorstop key = stop
+            picture texture imagemap bitmap = image
             group add join merge compound = union
             subtract subtraction minus cut = difference
             intersect common and = intersection

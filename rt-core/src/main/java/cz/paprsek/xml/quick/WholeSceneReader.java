@@ -6,6 +6,7 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SceneRules;
@@ -49,6 +50,7 @@ final class WholeSceneReader {
         private @Nullable String description;
         private @Nullable RenderSettings settings;
         private @Nullable Rgb background;
+        private @Nullable Sky sky;
         private @Nullable Rgb ambient;
         private final List<Camera> cameras = new ArrayList<>();
         private final List<Light> lights = new ArrayList<>();
@@ -83,9 +85,9 @@ final class WholeSceneReader {
         }
         List<String> tags = (List<String>) values[1];
         tags.forEach(tag -> SceneRules.checkName("scene tag", tag));
-        Unusual.unless(!parts.cameras.isEmpty());
+        Unusual.unless(!parts.cameras.isEmpty() && (parts.background == null || parts.sky == null));
         return new Scene(name, parts.description == null ? "" : parts.description, tags, parts.settings == null ? RenderSettings.DEFAULT : parts.settings,
-                parts.background == null ? Rgb.BLACK : parts.background, parts.ambient == null ? Rgb.BLACK : parts.ambient,
+                parts.background == null ? Rgb.BLACK : parts.background, parts.sky == null ? Sky.NONE : parts.sky, parts.ambient == null ? Rgb.BLACK : parts.ambient,
                 parts.cameras, parts.lights, parts.materials, parts.objects);
     }
 
@@ -101,6 +103,9 @@ final class WholeSceneReader {
         } else if (markup.isNamed(BACKGROUND)) {
             Unusual.unless(parts.background == null);
             parts.background = (Rgb) leaf(COLOR_TAG, BACKGROUND, depth)[0];
+        } else if (markup.isNamed(SkyForm.ELEMENT)) {
+            Unusual.unless(parts.sky == null);
+            parts.sky = SkyForm.sky(leaf(SkyForm.TAG, SkyForm.ELEMENT, depth));
         } else if (markup.isNamed(AMBIENT)) {
             Unusual.unless(parts.ambient == null);
             parts.ambient = (Rgb) leaf(COLOR_TAG, AMBIENT, depth)[0];

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 /** An element in the form that is written when there is no text yet; worked out when it is looked into. Equal if it stands for equal things. */
 public final class Form {
     /** The elements that are neither bodies nor lights. All bodies are one group, whose order matters, and so are all lights. */
-    static final List<String> GROUPS = List.of("description", "render", "background", "ambient", "camera", "light", "material",
+    static final List<String> GROUPS = List.of("description", "render", "background", "sky", "ambient", "camera", "light", "material",
             "checkerboard", "checker", "scene", "body");
     private static final String LIGHT = "-light";
     private static final Set<String> NAMES = Set.copyOf(GROUPS);

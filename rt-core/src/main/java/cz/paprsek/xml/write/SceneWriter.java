@@ -13,6 +13,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.CustomLight;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.scene.SceneObject;
@@ -93,6 +94,10 @@ public final class SceneWriter {
             leaf(scene.settings());
         }
         light("background", scene.background());
+        if (!scene.sky().equals(Sky.NONE)) {
+            xml.open("sky");
+            attributes((Record) scene.sky()).close("sky");
+        }
         light("ambient", scene.ambient());
         scene.cameras().forEach(this::leaf);
         scene.lights().forEach(this::light);

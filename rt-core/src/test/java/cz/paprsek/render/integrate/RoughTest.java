@@ -3,6 +3,7 @@ package cz.paprsek.render.integrate;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;
@@ -13,6 +14,7 @@ import cz.paprsek.render.Renderer;
 import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
+import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.RenderSettings;
@@ -86,7 +88,7 @@ class RoughTest {
         private final Arrival light = new Arrival();
 
         Probe(Material material, boolean isSolid, double vx, double vy, double vz) {
-            World world = new World(Scene.EMPTY.plus((isSolid ? SceneObject.of(new Plane()).rotated(90, 0, 0) : SceneObject.of(new Rectangle(-1, -1, 1, 1))).madeOf(material)), () -> false);
+            World world = new World(Scene.EMPTY.plus((isSolid ? SceneObject.of(new Plane()).rotated(90, 0, 0) : SceneObject.of(new Rectangle(-1, -1, 1, 1))).madeOf(material)), new Textures(Assets.none()), () -> false);
             finish = world.parts().finish(0);
             level.ray.part = 0;
             level.ray.dx = -vx;

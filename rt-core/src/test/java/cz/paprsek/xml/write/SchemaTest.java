@@ -15,6 +15,7 @@ import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.SphereLight;
 import cz.paprsek.scene.SpotLight;
 import cz.paprsek.scene.SunLight;
@@ -47,7 +48,7 @@ class SchemaTest {
 
     /** All that are elements, and what has attributes without being one. */
     private static Stream<Class<?>> records() {
-        return Stream.of(Stream.of(RenderSettings.class, Camera.class, Lens.Perspective.class, Lens.Orthographic.class, Lens.Fisheye.class, Material.class, Placement.class, Pattern.Stop.class, Pattern.TwoColors.class, Pattern.Lay.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
+        return Stream.of(Stream.of(RenderSettings.class, Camera.class, Lens.Perspective.class, Lens.Orthographic.class, Lens.Fisheye.class, Material.class, Placement.class, Pattern.Stop.class, Pattern.TwoColors.class, Pattern.Lay.class, Sky.Gradient.class, Sky.Picture.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
                 ElementTable.of(Shape.class).filter(type -> type != Csg.class)).flatMap(some -> some);
     }
 
@@ -146,7 +147,7 @@ class SchemaTest {
                     : component == boolean.class ? (Object) true
                     : component == AreaLight.Form.class ? new AreaLight.Radius(1)
                     : component == Vec3.class ? new Vec3(1, 1, 1)
-                    : component == String.class ? ""
+                    : component == String.class ? "name"
                     : component.isEnum() ? component.getEnumConstants()[0]
                     : component == Pattern.Lay.class ? Pattern.Lay.NONE
                     : component == Pattern.Colors.class ? Pattern.Colors.DEFAULT

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.model;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import java.util.LinkedHashSet;
@@ -27,6 +28,8 @@ public final class EditorModel {
     private final ReadOnlyBooleanWrapper unsaved = new ReadOnlyBooleanWrapper();
     private final ReadOnlyBooleanWrapper gesturing = new ReadOnlyBooleanWrapper();
     private final ReadOnlyIntegerWrapper openings = new ReadOnlyIntegerWrapper();
+    /** Where pictures come from that the scene names. */
+    private Assets assets = Assets.none();
     private @Nullable Scene saved;
     private @Nullable Gesture gesture;
 
@@ -36,6 +39,16 @@ public final class EditorModel {
         scene = new ReadOnlyObjectWrapper<>(start);
         selection = new ReadOnlyObjectWrapper<>(Set.of());
         saved = start;
+    }
+
+    /** Where pictures come from that the scene names. */
+    public Assets assets() {
+        return assets;
+    }
+
+    /** Takes pictures from elsewhere from now on; to be told before the scene that needs them. */
+    public void setAssets(Assets value) {
+        assets = value;
     }
 
     /** The state shown: during a gesture, its preview. */

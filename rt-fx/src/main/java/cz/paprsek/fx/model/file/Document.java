@@ -1,5 +1,6 @@
 package cz.paprsek.fx.model.file;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.scene.Scene;
@@ -42,6 +43,7 @@ public final class Document {
         stamp = FileStamp.of(read.source().file());
         known = Optional.of(read.scene());
         text = read.text();
+        model.setAssets(Assets.beside(read.source().file()));
         model.open(read.scene());
     }
 
@@ -51,6 +53,7 @@ public final class Document {
         stamp = Optional.empty();
         known = Optional.empty();
         text = KeptText.NONE;
+        model.setAssets(Assets.none());
         model.open(scene);
     }
 
@@ -60,11 +63,12 @@ public final class Document {
         source.set(from);
         stamp = from.flatMap(place -> FileStamp.of(place.file()));
         known = Optional.empty();
+        model.setAssets(from.map(place -> Assets.beside(place.file())).orElseGet(Assets::none));
         model.openUnsaved(scene);
     }
 
     /**
-     * Saves the scene where it is kept from now on.
+     * Saves the scene where it is kept from now on. If that is in another folder, the pictures that it names are taken along.
      *
      * @throws IOException if it cannot be written; the old file is still there
      * @throws SceneFileException if it is to go into a file that others have changed and that is not valid
@@ -72,11 +76,13 @@ public final class Document {
      */
     public void save(SceneSource to) throws IOException, SceneFileException {
         Scene scene = model.scene();
+        Assets there = source.get().filter(place -> place.isBeside(to)).isPresent() ? model.assets() : Companions.taken(scene, model.assets(), to);
         SceneSource.Kept written = to.write(scene, source.get().equals(Optional.of(to)) ? known : Optional.empty(), text);
         source.set(Optional.of(written.source()));
         stamp = FileStamp.of(to.file());
         known = Optional.of(written.scene());
         text = written.text();
+        model.setAssets(there);
         model.saved(scene);
     }
 
@@ -85,6 +91,7 @@ public final class Document {
         source.set(Optional.of(at));
         known = Optional.of(scene);
         text = KeptText.NONE;
+        model.setAssets(Assets.beside(at.file()));
         model.saved(scene);
     }
 

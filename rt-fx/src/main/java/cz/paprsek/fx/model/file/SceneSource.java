@@ -10,6 +10,7 @@ import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 
@@ -91,6 +92,11 @@ public record SceneSource(Path file, Optional<String> inDatabase) {
             return known.isPresent() && before.path().equals(file) ? before.save(scene) : before.saveAs(scene, file);
         }
         return text.database().isPresent() ? SceneFile.create(file, scene, text.database().get().text()) : SceneFile.create(file, scene);
+    }
+
+    /** Whether something is kept in the same folder. */
+    boolean isBeside(SceneSource other) {
+        return Objects.equals(file.toAbsolutePath().normalize().getParent(), other.file.toAbsolutePath().normalize().getParent());
     }
 
     /** For titles: "lens.xml", or "database.xml · lens". */

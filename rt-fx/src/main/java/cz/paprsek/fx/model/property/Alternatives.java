@@ -13,6 +13,7 @@ import cz.paprsek.scene.Camera.Aim;
 import cz.paprsek.scene.Camera.Direction;
 import cz.paprsek.scene.Camera.Target;
 import cz.paprsek.scene.Lens;
+import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SpotLight;
 import java.math.BigDecimal;
@@ -40,7 +41,12 @@ public final class Alternatives {
                     new Alternative(Pattern.Marble.class, (owner, old) -> new Pattern.Marble(1, 1, 4, 0, colors(old), Lay.NONE)),
                     new Alternative(Pattern.Wood.class, (owner, old) -> new Pattern.Wood(8, 0.4, 2, 0, colors(old), Lay.NONE)),
                     new Alternative(Pattern.Granite.class, (owner, old) -> new Pattern.Granite(6, 0, colors(old), Lay.scaled(0.25))),
-                    new Alternative(Pattern.Noise.class, (owner, old) -> new Pattern.Noise(4, 0, colors(old), Lay.scaled(0.5)))),
+                    new Alternative(Pattern.Noise.class, (owner, old) -> new Pattern.Noise(4, 0, colors(old), Lay.scaled(0.5))),
+                    new Alternative(Pattern.Picture.class, (owner, old) -> Pattern.Picture.of("picture.png"))),
+            Sky.class, List.of(
+                    new Alternative(Sky.None.class, (owner, old) -> Sky.NONE),
+                    new Alternative(Sky.Gradient.class, (owner, old) -> Sky.Gradient.DEFAULT),
+                    new Alternative(Sky.Picture.class, (owner, old) -> new Sky.Picture("sky.hdr", 0, 1))),
             Pattern.Colors.class, List.of(
                     new Alternative(Pattern.TwoColors.class, (owner, old) -> new Pattern.TwoColors(color(owner), contrast(owner))),
                     new Alternative(Pattern.Stops.class, (owner, old) -> new Pattern.Stops(((Pattern.Colors) old).stops()))),

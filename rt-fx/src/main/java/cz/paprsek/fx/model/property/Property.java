@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model.property;
 
 import cz.paprsek.attribute.Described;
+import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -85,6 +86,11 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
         }
         Object fresh = path.size() == 1
                 ? change.apply(record, old.get()) : changed((Record) old.get(), path.subList(1, path.size()), change);
+        if (record instanceof Scene scene && fresh instanceof Scene.Sky sky) {
+            return scene.withSky(sky);
+        } else if (record instanceof Scene scene && name.equals("background")) {
+            return scene.withBackground((Rgb) fresh);
+        }
         return fresh.equals(old.get()) ? record : Records.with(record, name, fresh);
     }
 

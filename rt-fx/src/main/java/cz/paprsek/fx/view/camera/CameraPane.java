@@ -53,7 +53,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     public CameraPane(EditorModel model, Consumer<Throwable> onFault) {
         this.model = model;
         this.visible = Visible.of(model.state());
-        this.picture = new LivePicture(visible.scene(), onFault);
+        this.picture = new LivePicture(visible.scene(), model.assets(), onFault);
         this.hand = new CameraHand(picture, model);
         Label size = new Label();
         size.getStyleClass().add("picture-size");
@@ -78,7 +78,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         onState = (property, old, now) -> {
             if (old.eye() != now.eye() || !old.scene().equals(now.scene()) || !old.hidden().equals(now.hidden())) {
                 visible = Visible.of(now);
-                picture.show(visible.scene());
+                picture.show(visible.scene(), model.assets());
                 caption.run();
             }
         };

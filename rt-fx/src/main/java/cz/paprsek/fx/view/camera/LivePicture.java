@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.camera;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.rays.DrawnRays;
@@ -36,14 +37,16 @@ final class LivePicture extends Region implements AutoCloseable {
     private final Consumer<Throwable> onFault;
     private Runnable onRefreshed = () -> {};
     private Scene scene;
+    private Assets assets;
     private @Nullable PictureBuffer buffer;
     private @Nullable LivePass seen;
     /** How many pictures have been begun. */
     private int pictures;
 
     /** @param onFault is told, on JavaFX's thread, if the renderer fails */
-    LivePicture(Scene scene, Consumer<Throwable> onFault) {
+    LivePicture(Scene scene, Assets assets, Consumer<Throwable> onFault) {
         this.scene = scene;
+        this.assets = assets;
         this.onFault = onFault;
         frame.getStyleClass().add("picture-frame");
         frame.setMouseTransparent(true);
@@ -57,9 +60,10 @@ final class LivePicture extends Region implements AutoCloseable {
         visibleProperty().addListener((property, old, now) -> restart());
     }
 
-    /** Shows another scene. */
-    void show(Scene next) {
+    /** Shows another scene, with pictures from there. */
+    void show(Scene next, Assets from) {
         scene = next;
+        assets = from;
         placeFrame();
         restart();
     }
@@ -160,7 +164,7 @@ final class LivePicture extends Region implements AutoCloseable {
             target = new PictureBuffer(settings.width(), settings.height());
             buffer = target;
         }
-        live.show(scene, settings, new Painter(pictures, target));
+        live.show(scene, assets, settings, new Painter(pictures, target));
     }
 
     private void seen(LivePass pass, PictureBuffer target) {

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.library;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.model.library.Library;
 import cz.paprsek.fx.model.library.LibraryRows;
 import cz.paprsek.fx.model.library.LibraryStore;
@@ -48,7 +49,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
     private final LibraryStore store;
     private final Texts texts;
     private final LibraryFiles files;
-    private final Thumbnails thumbnails = new Thumbnails();
+    private final Thumbnails thumbnails;
     private final ExecutorService searcher = Worker.named("library-search");
     private final LibraryMessages messages = new LibraryMessages();
     private final SceneSelection selection = new SceneSelection();
@@ -67,6 +68,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
     /** A library beside an editor: scenes go from one into the other. */
     public LibraryPane(Library library, LibraryStore store, Desk desk, Texts texts, LibraryFiles files) {
         this.library = library;
+        thumbnails = new Thumbnails(() -> library.path().map(Assets::beside).orElseGet(Assets::none));
         this.store = store;
         this.texts = texts;
         this.files = files;

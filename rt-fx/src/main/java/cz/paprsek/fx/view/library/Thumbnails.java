@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.library;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.io.Failures;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
@@ -11,6 +12,7 @@ import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import java.util.ArrayDeque;
@@ -20,6 +22,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ExecutorService;
+import java.util.function.Supplier;
 import javafx.application.Platform;
 import javafx.scene.image.Image;
 import javafx.scene.image.PixelFormat;
@@ -48,20 +51,26 @@ final class Thumbnails implements AutoCloseable {
         }
     };
     private final Queue<Wish> wishes = new ArrayDeque<>();
+    private final Supplier<Assets> assets;
     private boolean isBusy;
     private volatile boolean closed;
+
+    /** @param assets where pictures come from that the scenes name */
+    Thumbnails(Supplier<Assets> assets) {
+        this.assets = assets;
+    }
 
     /** A picture, or a sentence why there is none. */
     record Picture(Optional<Image> image, String fault) {}
 
     /** A picture that is asked for, and who wants to know when it is there. */
-    private record Wish(Scene scene, Runnable receiver) {}
+    private record Wish(Scene scene, Assets assets, Runnable receiver) {}
 
     /** All that a picture depends on. */
-    private record Content(int maxDepth, Rgb background, Rgb ambient, Camera camera, List<Light> lights, Map<String, Material> materials,
+    private record Content(int maxDepth, Rgb background, Sky sky, Rgb ambient, Camera camera, List<Light> lights, Map<String, Material> materials,
             List<SceneObject> objects) {
         static Content of(Scene scene) {
-            return new Content(Math.min(DEEPEST, scene.settings().maxDepth()), scene.background(), scene.ambient(), scene.camera(), scene.lights(), scene.materials(),
+            return new Content(Math.min(DEEPEST, scene.settings().maxDepth()), scene.background(), scene.sky(), scene.ambient(), scene.camera(), scene.lights(), scene.materials(),
                     scene.objects());
         }
 
@@ -79,7 +88,7 @@ final class Thumbnails implements AutoCloseable {
 
     /** Makes a picture, and tells when it is there. */
     void request(Scene scene, Runnable receiver) {
-        wishes.add(new Wish(scene, receiver));
+        wishes.add(new Wish(scene, assets.get(), receiver));
         next();
     }
 
@@ -95,7 +104,7 @@ final class Thumbnails implements AutoCloseable {
         Wish wish = wishes.remove();
         isBusy = true;
         worker.execute(() -> {
-            Optional<Picture> picture = render(wish.scene());
+            Optional<Picture> picture = render(wish.scene(), wish.assets());
             Platform.runLater(() -> {
                 isBusy = false;
                 picture.ifPresent(done -> {
@@ -108,7 +117,7 @@ final class Thumbnails implements AutoCloseable {
     }
 
     /** Nothing if the window was closed meanwhile. */
-    private Optional<Picture> render(Scene scene) {
+    private Optional<Picture> render(Scene scene, Assets from) {
         RenderMonitor monitor = new RenderMonitor() {
             @Override
             public boolean cancelled() {
@@ -117,7 +126,7 @@ final class Thumbnails implements AutoCloseable {
         };
         RenderSettings small = new RenderSettings(WIDTH, HEIGHT, Math.min(DEEPEST, scene.settings().maxDepth()), 2);
         try {
-            RenderResult result = Renderer.render(RenderScene.of(scene), RenderOptions.of(small).withThreads(1), monitor);
+            RenderResult result = Renderer.render(RenderScene.of(scene, from, monitor), RenderOptions.of(small).withThreads(1), monitor);
             return result.outcome() == RenderResult.Outcome.CANCELLED ? Optional.empty() : Optional.of(new Picture(Optional.of(image(result)), ""));
         } catch (RuntimeException | StackOverflowError | OutOfMemoryError fault) {
             return Optional.of(new Picture(Optional.empty(), Failures.sentence(fault)));

@@ -155,7 +155,7 @@ public final class RenderPane extends BorderPane {
         Scene scene = form.chosen(model.scene());
         RenderTask task;
         try {
-            task = new RenderTask(scene, options);
+            task = new RenderTask(scene, model.assets(), options);
         } catch (IllegalArgumentException | ArithmeticException | OutOfMemoryError tooLarge) {
             message.setText(texts.of("render.too-large", options.settings().width(), options.settings().height()));
             return;

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderMonitor;
@@ -20,6 +21,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class RenderTask extends Task<RenderResult> {
     private final Scene scene;
+    private final Assets assets;
     private final RenderOptions options;
     private final PictureBuffer buffer;
     private final AtomicLong rays = new AtomicLong();
@@ -31,8 +33,9 @@ final class RenderTask extends Task<RenderResult> {
     private volatile @Nullable Image image;
 
     /** @throws ArithmeticException if the picture is larger than any array */
-    RenderTask(Scene scene, RenderOptions options) {
+    RenderTask(Scene scene, Assets assets, RenderOptions options) {
         this.scene = scene;
+        this.assets = assets;
         this.options = options;
         this.buffer = new PictureBuffer(options.settings().width(), options.settings().height());
     }
@@ -40,7 +43,7 @@ final class RenderTask extends Task<RenderResult> {
     @Override
     protected RenderResult call() {
         try {
-            RenderScene ready = RenderScene.of(scene, new Monitor());
+            RenderScene ready = RenderScene.of(scene, assets, new Monitor());
             prepared = ready;
             return Renderer.render(ready, options, new Monitor());
         } finally {

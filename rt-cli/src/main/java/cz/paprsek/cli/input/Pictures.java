@@ -1,0 +1,33 @@
+package cz.paprsek.cli.input;
+
+import cz.paprsek.asset.Assets;
+import cz.paprsek.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** Where the pictures come from that scenes name. */
+public final class Pictures {
+    @Option(names = "--assets", paramLabel = "DIR", description =
+            "The folder that pictures named by scenes are in, or below. Default: that of the scene's file; of standard input, none.")
+    private Optional<Path> folder = Optional.empty();
+
+    /** Those of the scenes of a file, none read yet. */
+    public Assets of(Path file) {
+        return folder.map(Assets::in).orElseGet(() -> Incoming.isOnce(file) ? Assets.none() : Assets.beside(file));
+    }
+
+    /**
+     * Those that a scene names, all there, though not decoded.
+     *
+     * @throws IOException with a sentence that names the first that is missing, or cannot be read
+     */
+    public Assets read(Path file, Scene scene) throws IOException {
+        Assets assets = of(file);
+        for (String name : scene.files()) {
+            assets.bytes(name);
+        }
+        return assets;
+    }
+}

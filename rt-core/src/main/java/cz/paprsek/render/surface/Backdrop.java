@@ -1,0 +1,87 @@
+package cz.paprsek.render.surface;
+
+import cz.paprsek.material.Rgb;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.render.texture.Texture;
+import cz.paprsek.render.texture.Textures;
+import cz.paprsek.scene.Scene.Sky;
+import cz.paprsek.scene.Scene;
+
+/** What rays see that hit nothing: the sky, ready to be asked, or one colour. */
+public abstract class Backdrop {
+    Backdrop() {}
+
+    static Backdrop of(Scene scene, Textures textures) {
+        if (scene.sky() instanceof Sky.Gradient gradient) {
+            return new Gradient(gradient);
+        } else if (scene.sky() instanceof Sky.Picture picture) {
+            return new Panorama(picture, textures.texture(picture.file(), true));
+        }
+        return new Even(scene.background());
+    }
+
+    /**
+     * Sets the colour of the level's hit, though there is none, to the light that its ray brings, linear; and u and v to the place in the
+     * picture, if there is one.
+     */
+    public abstract void look(Level level);
+
+    private static final class Even extends Backdrop {
+        private final double red;
+        private final double green;
+        private final double blue;
+
+        Even(Rgb color) {
+            red = color.linearRed();
+            green = color.linearGreen();
+            blue = color.linearBlue();
+        }
+
+        @Override
+        public void look(Level level) {
+            level.hit.color(red, green, blue);
+        }
+    }
+
+    private static final class Gradient extends Backdrop {
+        private final double[] linear;
+
+        Gradient(Sky.Gradient sky) {
+            linear = new double[] {
+                sky.horizon().linearRed(), sky.horizon().linearGreen(), sky.horizon().linearBlue(),
+                sky.zenith().linearRed(), sky.zenith().linearGreen(), sky.zenith().linearBlue(),
+                sky.ground().linearRed(), sky.ground().linearGreen(), sky.ground().linearBlue()};
+        }
+
+        @Override
+        public void look(Level level) {
+            double y = level.ray.dy;
+            int end = y < 0 ? 6 : 3;
+            double share = Math.min(1, Math.abs(y));
+            level.hit.color(linear[0] + share * (linear[end] - linear[0]), linear[1] + share * (linear[end + 1] - linear[1]),
+                    linear[2] + share * (linear[end + 2] - linear[2]));
+        }
+    }
+
+    private static final class Panorama extends Backdrop {
+        private final Texture texture;
+        private final double turned;
+        private final double intensity;
+
+        Panorama(Sky.Picture sky, Texture texture) {
+            this.texture = texture;
+            turned = sky.rotation() / 360;
+            intensity = sky.intensity();
+        }
+
+        @Override
+        public void look(Level level) {
+            Hit hit = level.hit;
+            hit.u = StrictMath.atan2(level.ray.dz, level.ray.dx) / (2 * Math.PI) + turned;
+            hit.u -= Math.floor(hit.u);
+            hit.v = 0.5 + StrictMath.asin(Math.max(-1, Math.min(1, level.ray.dy))) / Math.PI;
+            texture.bilinear(hit.u, hit.v, hit);
+            hit.color(intensity * hit.red, intensity * hit.green, intensity * hit.blue);
+        }
+    }
+}

@@ -1,0 +1,88 @@
+package cz.paprsek.render.surface;
+
+import cz.paprsek.material.Pattern;
+import cz.paprsek.math.Affine;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.render.texture.Texture;
+import cz.paprsek.shape.placed.Part;
+import java.util.Objects;
+
+/** A picture on a surface. */
+final class PicturePaint extends Paint {
+    /** Slopes of u and v are found this share of the way to the neighbours. */
+    private static final double STEP = 0x1p-10;
+    /** So far u and v hardly grow on such a short way: there may be a seam between. */
+    private static final double JUMP = 0.05;
+
+    private final Texture texture;
+    private final Pattern.Filter filter;
+    private final Mapping mapping;
+
+    PicturePaint(Pattern.Picture picture, Affine toDeclared, Texture texture) {
+        super(picture);
+        this.texture = texture;
+        this.filter = picture.filter();
+        this.mapping = Mapping.of(picture.mapping(), toOwn(picture.lay(), toDeclared), toOwn(picture.lay(), Affine.IDENTITY));
+    }
+
+    @Override
+    public boolean isPicture() {
+        return true;
+    }
+
+    @Override
+    public void color(Level level) {
+        Hit hit = level.hit;
+        int face = level.ray.face < 0 ? ~level.ray.face : level.ray.face;
+        Part part = Objects.requireNonNull(level.part);
+        mapping.map(hit, part, face);
+        switch (filter) {
+            case NEAREST -> texture.nearest(hit.u, hit.v, hit);
+            case BILINEAR -> texture.bilinear(hit.u, hit.v, hit);
+            case SMOOTH -> smooth(level, part, face);
+        }
+        level.colorRed = hit.red;
+        level.colorGreen = hit.green;
+        level.colorBlue = hit.blue;
+    }
+
+    private void smooth(Level level, Part part, int face) {
+        Hit hit = level.hit;
+        Hit probe = level.probe;
+        slope(level, 0, part, face);
+        double uX = probe.u;
+        double vX = probe.v;
+        slope(level, 3, part, face);
+        texture.smooth(hit.u, hit.v, uX, vX, probe.u, probe.v, hit);
+    }
+
+    /** Sets the probe's u and v to how much they grow on the way to a neighbour. */
+    private void slope(Level level, int neighbour, Part part, int face) {
+        Hit probe = level.probe;
+        step(level, neighbour, STEP, part, face);
+        double u = probe.u;
+        double v = probe.v;
+        if (Math.abs(u) + Math.abs(v) > JUMP) {
+            step(level, neighbour, -STEP, part, face);
+            if (Math.abs(probe.u) + Math.abs(probe.v) < Math.abs(u) + Math.abs(v)) {
+                u = -probe.u;
+                v = -probe.v;
+            }
+        }
+        probe.u = u / STEP;
+        probe.v = v / STEP;
+    }
+
+    private void step(Level level, int neighbour, double share, Part part, int face) {
+        Hit hit = level.hit;
+        Hit probe = level.probe;
+        double[] point = level.footprint.point;
+        probe.px = hit.px + share * point[neighbour];
+        probe.py = hit.py + share * point[neighbour + 1];
+        probe.pz = hit.pz + share * point[neighbour + 2];
+        probe.unitNormal(hit.nx, hit.ny, hit.nz);
+        mapping.map(probe, part, face);
+        probe.u -= hit.u;
+        probe.v -= hit.v;
+    }
+}
