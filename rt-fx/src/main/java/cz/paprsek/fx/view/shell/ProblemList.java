@@ -17,6 +17,10 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 
 /** Lines that tell what is wrong: with a file that could not be opened, by line and column, or with the scene, each leading to the thing it is about. */
 public final class ProblemList extends BorderPane {
+    /** The list is as high as it needs to be, but not higher, pixels. */
+    private static final double HIGHEST = 150;
+    private static final double ROW = 28;
+
     private final UnaryOperator<String> language;
     private final Label title = new Label();
     private final ListView<Entry> list = new ListView<>();
@@ -52,7 +56,6 @@ public final class ProblemList extends BorderPane {
         top.getStyleClass().add("view-title");
         setTop(top);
         setCenter(list);
-        list.setPrefHeight(150);
         hide();
     }
 
@@ -63,6 +66,7 @@ public final class ProblemList extends BorderPane {
     public void showEntries(String header, List<Entry> entries) {
         title.setText(header);
         list.getItems().setAll(entries);
+        list.setPrefHeight(Math.min(HIGHEST, ROW * (entries.size() + 0.5)));
         setVisible(true);
         setManaged(true);
     }
