@@ -1,6 +1,7 @@
 package cz.paprsek.warning;
 
 import cz.paprsek.scene.ScenePath;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -13,4 +14,12 @@ import java.util.Optional;
  * @param message a sentence for people
  * @param isNote whether it is only worth knowing: pictures show it as it is meant
  */
-public record SceneWarning(String kind, String object, Optional<ScenePath> place, String attribute, String message, boolean isNote) {}
+public record SceneWarning(String kind, String object, Optional<ScenePath> place, String attribute, String message, boolean isNote) {
+    public SceneWarning {
+        Objects.requireNonNull(kind, "kind");
+        Objects.requireNonNull(object, "object");
+        Objects.requireNonNull(place, "place");
+        Objects.requireNonNull(attribute, "attribute");
+        Objects.requireNonNull(message, "message");
+    }
+}
