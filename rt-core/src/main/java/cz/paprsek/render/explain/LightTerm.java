@@ -79,7 +79,7 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
             double alignment,
             double visibility,
             List<Obstacle> obstacles,
-            List<Absorption> absorptions,
+            List<TracedRay.Absorption> absorptions,
             LinearRgb left,
             Optional<Strewn> strewn,
             double diffuse,

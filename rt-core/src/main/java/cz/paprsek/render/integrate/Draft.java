@@ -1,7 +1,6 @@
 package cz.paprsek.render.integrate;
 
 import cz.paprsek.material.Material;
-import cz.paprsek.render.explain.Absorption;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Encounter.Facet;
 import cz.paprsek.render.explain.Encounter.Refraction;
@@ -10,6 +9,7 @@ import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.explain.LightTerm.ShadowRay;
 import cz.paprsek.render.explain.LightTerm.Strewn;
 import cz.paprsek.render.explain.LinearRgb;
+import cz.paprsek.render.explain.TracedRay.Absorption;
 import cz.paprsek.render.explain.TracedRay;
 import java.util.ArrayList;
 import java.util.List;

@@ -2,8 +2,8 @@ package cz.paprsek.render.explain.text;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
-import cz.paprsek.render.explain.Absorption;
 import cz.paprsek.render.explain.LinearRgb;
+import cz.paprsek.render.explain.TracedRay.Absorption;
 import cz.paprsek.render.explain.text.Step.Topic;
 import cz.paprsek.words.Words;
 
