@@ -8,6 +8,7 @@ import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
+import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.render.light.FixedPoints;
 import cz.paprsek.scene.Lens;
@@ -80,7 +81,7 @@ final class PovWarnings {
         if (source == Inherited.INHERITED) {
             return inherited;
         }
-        return source instanceof MaterialName reference ? scene.materials().getOrDefault(reference.name(), Material.DEFAULT) : (Material) source;
+        return source instanceof MaterialName reference ? ReadyMaterials.named(scene.materials(), reference.name()) : (Material) source;
     }
 
     private void check() {

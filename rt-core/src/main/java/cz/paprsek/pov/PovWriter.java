@@ -7,6 +7,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
+import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -102,7 +103,7 @@ final class PovWriter {
         if (source instanceof MaterialName reference) {
             String identifier = identifiers.get(reference.name());
             return identifier == null
-                    ? PovMaterials.texture(scene.materials().getOrDefault(reference.name(), Material.DEFAULT), shape)
+                    ? PovMaterials.texture(ReadyMaterials.named(scene.materials(), reference.name()), shape)
                     : "texture { " + identifier + " }";
         }
         return PovMaterials.texture((Material) source, shape);

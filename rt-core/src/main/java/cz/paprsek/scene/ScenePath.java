@@ -4,6 +4,7 @@ import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
@@ -196,7 +197,7 @@ public sealed interface ScenePath {
         /** What it is made of, by itself or as its operation. */
         public Material material(Scene scene) {
             MaterialSource source = source(scene);
-            return source instanceof MaterialName reference ? scene.materials().getOrDefault(reference.name(), Material.DEFAULT)
+            return source instanceof MaterialName reference ? ReadyMaterials.named(scene.materials(), reference.name())
                     : source instanceof Material own ? own : Material.DEFAULT;
         }
 

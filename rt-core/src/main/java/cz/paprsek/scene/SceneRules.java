@@ -5,6 +5,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
+import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Require;
 import cz.paprsek.shape.Csg;
@@ -14,6 +15,7 @@ import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.text.Similar;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -172,14 +174,21 @@ public final class SceneRules {
         }
     }
 
+    /** All names of materials that there are. */
+    private static Set<String> known(Map<String, Material> own) {
+        Set<String> names = new LinkedHashSet<>(own.keySet());
+        names.addAll(ReadyMaterials.byName().keySet());
+        return names;
+    }
+
     private static void checkMaterial(
             MaterialSource source, Shape shape, Object owner, Map<String, Material> materials, Report report) {
-        if (source instanceof MaterialName reference && !materials.containsKey(reference.name())) {
+        if (source instanceof MaterialName reference && !materials.containsKey(reference.name()) && ReadyMaterials.find(reference.name()).isEmpty()) {
             report.broken(owner, "material", "there is no material named \"" + reference.name() + "\""
-                    + Similar.suggestion(reference.name(), materials.keySet()));
+                    + Similar.suggestion(reference.name(), known(materials)));
         }
         Material material = source instanceof MaterialName reference
-                ? materials.getOrDefault(reference.name(), Material.DEFAULT)
+                ? ReadyMaterials.named(materials, reference.name())
                 : source == Inherited.INHERITED ? Material.DEFAULT : (Material) source;
         if (material.pattern() instanceof Pattern.Checkerboard && !(shape instanceof Rectangle || shape instanceof Disc)) {
             report.broken(owner, source instanceof MaterialName ? "material" : "", "a checkerboard lies on a rectangle or a disc only; give this shape a checker");

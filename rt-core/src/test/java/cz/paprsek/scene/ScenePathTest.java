@@ -88,8 +88,8 @@ class ScenePathTest {
     void aChangeThatMakesASceneThatCannotBeIsRefused() {
         assertThatThrownBy(() -> SCENE.with(ScenePath.body(0), body -> body.named("bowl"))).isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("already an object named \"bowl\"");
-        assertThatThrownBy(() -> SCENE.with(ScenePath.body(1, 0), body -> body.madeOf(new MaterialName("gold")))).isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("no material named \"gold\"");
+        assertThatThrownBy(() -> SCENE.with(ScenePath.body(1, 0), body -> body.madeOf(new MaterialName("unobtainium")))).isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("no material named \"unobtainium\"");
     }
 
     @Test

@@ -35,6 +35,7 @@ public final class SummaryAsJson {
                 .with("ambient", vector(scene.ambient()))
                 .with("lights", scene.lights().stream().map(SummaryAsJson::of).toList())
                 .with("materials", scene.materials().entrySet().stream().map(entry -> of(entry.getKey(), entry.getValue())).toList())
+                .with("ready-materials", ReadyUses.of(scene).entrySet().stream().map(entry -> of(entry.getKey(), entry.getValue())).toList())
                 .with("objects", scene.objects().size())
                 .with("kinds", kinds)
                 .with("unbounded", summary.unbounded());

@@ -53,6 +53,7 @@ public final class SummaryAsText {
         }
         line("materials", Integer.toString(scene.materials().size()));
         scene.materials().forEach((name, material) -> item(name, text(material)));
+        ReadyUses.of(scene).forEach((name, material) -> item(name, text(material) + " (ready)"));
     }
 
     private static String text(Light light) {

@@ -4,6 +4,7 @@ import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Affine;
 import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Scene;
@@ -106,7 +107,7 @@ final class Placing {
     }
 
     private Material material(MaterialSource source) {
-        return source instanceof MaterialName reference ? materials.getOrDefault(reference.name(), Material.DEFAULT) : (Material) source;
+        return source instanceof MaterialName reference ? ReadyMaterials.named(materials, reference.name()) : (Material) source;
     }
 
     private Finish own(MaterialSource source, Affine toWorld, Finish inherited) {

@@ -3,6 +3,7 @@ package cz.paprsek.fx.model.edit;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Require;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
@@ -16,6 +17,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 
@@ -47,8 +49,11 @@ public final class Materials {
                 body.material().equals(own) ? body.madeOf(reference) : body);
     }
 
-    /** Makes bodies of a named material, which the scene gets if it has none like it; under a free name if another one has that. */
+    /** Makes bodies of a named material, which the scene gets if it has none like it and does not know it anyway; under a free name if another one has that. */
     public static Scene give(Scene scene, Collection<BodyAt> places, String name, Material material) {
+        if (!scene.materials().containsKey(name) && ReadyMaterials.find(name).equals(Optional.of(material))) {
+            return scene.with(places, (at, body) -> body.madeOf(new MaterialName(name)));
+        }
         String free = material.equals(scene.materials().get(name)) ? name : Names.free(name, scene.materials().keySet());
         MaterialName reference = new MaterialName(free);
         return scene.plus(free, material).with(places, (at, body) -> body.madeOf(reference));

@@ -2,6 +2,7 @@ package cz.paprsek.fx.model.property;
 
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
@@ -100,11 +101,11 @@ final class Targets {
         }
     }
 
-    /** Materials by their names. */
+    /** Materials by their names. A change of one that every scene knows makes it this scene's own. */
     record NamedMaterials(Set<String> names) implements Target {
         @Override
         public List<Material> read(Scene scene) {
-            return names.stream().filter(scene.materials()::containsKey).map(name -> material(scene.materials(), name)).toList();
+            return names.stream().filter(name -> scene.materials().containsKey(name) || ReadyMaterials.find(name).isPresent()).map(name -> material(scene.materials(), name)).toList();
         }
 
         @Override
@@ -118,7 +119,7 @@ final class Targets {
         }
 
         private static Material material(Map<String, Material> materials, String name) {
-            return materials.getOrDefault(name, Material.DEFAULT);
+            return ReadyMaterials.named(materials, name);
         }
     }
 }

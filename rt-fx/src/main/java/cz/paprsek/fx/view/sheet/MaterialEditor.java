@@ -3,18 +3,17 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Materials;
-import cz.paprsek.fx.model.edit.ReadyMaterial;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
+import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import javafx.geometry.Pos;
@@ -28,7 +27,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** Where the material of what is selected comes from: its own, one of the scene's named ones, or from above; and a few to start from. */
+/** Where the material of what is selected comes from: its own, one of the scene's named ones, one that every scene knows, or from above. */
 final class MaterialEditor implements PropertyEditor {
     /** A material of an object's own, whatever it is like. */
     private enum Own { OWN }
@@ -102,9 +101,6 @@ final class MaterialEditor implements PropertyEditor {
         if (option instanceof MaterialName named) {
             return named.name();
         }
-        if (option instanceof ReadyMaterial ready) {
-            return texts.of("ready." + ready.name().toLowerCase(Locale.ROOT));
-        }
         boolean operands = places.stream().allMatch(at -> at.depth() > 0);
         return texts.of(option == Own.OWN ? "material.own" : operands ? "material.inherited" : "material.none");
     }
@@ -112,7 +108,7 @@ final class MaterialEditor implements PropertyEditor {
     private List<Object> options(Scene scene) {
         List<Object> options = new ArrayList<>(List.of(Inherited.INHERITED, Own.OWN));
         scene.materials().keySet().forEach(known -> options.add(new MaterialName(known)));
-        options.addAll(List.of(ReadyMaterial.values()));
+        ReadyMaterials.byName().keySet().stream().filter(known -> !scene.materials().containsKey(known)).map(MaterialName::new).forEach(options::add);
         return options;
     }
 
@@ -126,12 +122,12 @@ final class MaterialEditor implements PropertyEditor {
     }
 
     private Optional<String> named(Scene scene) {
-        return chosen(scene).flatMap(source -> source instanceof MaterialName named ? Optional.of(named.name()) : Optional.empty());
+        return chosen(scene).flatMap(source -> source instanceof MaterialName named && scene.materials().containsKey(named.name()) ? Optional.of(named.name()) : Optional.empty());
     }
 
     private void choose(Object option) {
         boolean accepted = edit.change(scene -> option == Own.OWN ? Materials.own(scene, places)
-                : property.write(scene, option instanceof ReadyMaterial ready ? ready.material() : option));
+                : property.write(scene, option));
         if (!accepted) {
             choice.show(model.scene());
         }

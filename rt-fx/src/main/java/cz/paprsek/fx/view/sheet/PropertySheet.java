@@ -35,6 +35,7 @@ public final class PropertySheet extends BorderPane {
     private final Set<String> collapsed = new HashSet<>();
     private final List<SectionPane> panes = new ArrayList<>();
     private final MaterialsPane materials;
+    private final ReadyPane ready;
     /** Held here, for the model, which outlives the window's content, holds it weakly. */
     private final InvalidationListener onChange = property -> later();
     private List<Section> sections = List.of();
@@ -47,6 +48,7 @@ public final class PropertySheet extends BorderPane {
         editors = new Editors(model, texts, proportional);
         titles = new Titles(texts);
         materials = new MaterialsPane(model, texts, editors);
+        ready = new ReadyPane(model, texts);
         setId("property-sheet");
         getStyleClass().add("property-sheet");
         getStylesheets().add(Objects.requireNonNull(PropertySheet.class.getResource("sheet.css")).toExternalForm());
@@ -102,6 +104,7 @@ public final class PropertySheet extends BorderPane {
         if (state.selection().isEmpty()) {
             content.getChildren().add(materials);
         }
+        content.getChildren().add(ready);
         focused.ifPresent(this::goOnAt);
     }
 

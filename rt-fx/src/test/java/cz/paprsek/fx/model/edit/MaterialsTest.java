@@ -62,14 +62,14 @@ class MaterialsTest {
 
     @Test
     void aMaterialThatIsGivenComesUnderItsNameOrAFreeOneAndOnlyOnce() {
-        Material gold = ReadyMaterial.GOLD.material();
+        Material gold = Material.color(255, 196, 70);
         Scene scene = Scene.EMPTY.plus("gold", gold).plus(SceneObject.of(new Sphere(1)), SceneObject.of(new Sphere(2)));
         Scene same = Materials.give(scene, List.of(ScenePath.body(1)), "gold", gold);
         assertThat(same.materials()).containsOnlyKeys("gold");
         assertThat(same.objects().get(1).material()).isEqualTo(new MaterialName("gold"));
         assertThat(same.objects().get(0)).isSameAs(scene.objects().get(0));
-        Scene other = Materials.give(scene, List.of(ScenePath.body(0)), "gold", ReadyMaterial.STEEL.material());
-        assertThat(other.materials()).containsEntry("gold", gold).containsEntry("gold 2", ReadyMaterial.STEEL.material());
+        Scene other = Materials.give(scene, List.of(ScenePath.body(0)), "gold", Material.color(180, 190, 200));
+        assertThat(other.materials()).containsEntry("gold", gold).containsEntry("gold 2", Material.color(180, 190, 200));
         assertThat(other.objects().get(0).material()).isEqualTo(new MaterialName("gold 2"));
     }
 }

@@ -3,7 +3,6 @@ package cz.paprsek.fx.view.command;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.edit.ReadyMaterial;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
@@ -18,7 +17,7 @@ import java.util.Locale;
 import org.junit.jupiter.api.Test;
 
 class MaterialDropTest {
-    private static final Scene GOLD = Scene.EMPTY.plus("gold", ReadyMaterial.GOLD.material());
+    private static final Scene GOLD = Scene.EMPTY.plus("gold", Material.color(255, 196, 70));
 
     private final EditorModel model = new EditorModel(Scene.EMPTY.plus(SceneObject.of(new Sphere(1)).named("ball")));
     private final Edits edits = new Edits(model, Texts.in(Locale.ENGLISH));
@@ -26,7 +25,7 @@ class MaterialDropTest {
     @Test
     void onlyOneMaterialAndNothingElseIsDroppedOnABody() {
         assertThat(MaterialDrop.material(SceneFiles.format(GOLD))).get().extracting(Scene::materials).isEqualTo(GOLD.materials());
-        assertThat(MaterialDrop.material(SceneFiles.format(GOLD.plus("steel", ReadyMaterial.STEEL.material())))).isEmpty();
+        assertThat(MaterialDrop.material(SceneFiles.format(GOLD.plus("steel", Material.color(180, 190, 200))))).isEmpty();
         assertThat(MaterialDrop.material(SceneFiles.format(GOLD.plus(SceneObject.of(new Sphere(1)))))).isEmpty();
         assertThat(MaterialDrop.material("gold")).isEmpty();
         assertThat(MaterialDrop.material("")).isEmpty();

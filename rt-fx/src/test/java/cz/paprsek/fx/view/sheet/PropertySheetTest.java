@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.edit.ReadyMaterial;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
@@ -205,9 +204,12 @@ class PropertySheetTest {
         assertThat(model.scene().materials().get("steel")).extracting(Material::diffusion).isEqualTo(0.3);
         type("#material-name", "iron");
         assertThat(model.scene().objects()).extracting(SceneObject::material).contains(new MaterialName("iron"));
-        choose("#material", ReadyMaterial.WATER);
-        assertThat(model.scene().objects().get(0).material()).isEqualTo(ReadyMaterial.WATER.material());
-        assertThat(gui.node("#material-share").isDisabled()).isFalse();
+        choose("#material", new MaterialName("water"));
+        assertThat(model.scene().objects().get(0).material()).isEqualTo(new MaterialName("water"));
+        assertThat(model.scene().materials()).as("every scene knows it").doesNotContainKey("water");
+        assertThat(gui.node("#material-share").isDisabled()).isTrue();
+        type("#diffusion", "0.3");
+        assertThat(model.scene().materials().get("water")).as("changed, it is this scene's own").extracting(Material::diffusion).isEqualTo(0.3);
         choose("#material", Inherited.INHERITED);
         assertThat(model.scene().objects().get(0).material()).isEqualTo(Inherited.INHERITED);
         gui.until("there is nothing to set", () -> gui.stage().getScene().lookup("#diffusion") == null);
@@ -223,7 +225,7 @@ class PropertySheetTest {
         gui.keys(KeyCode.DOWN);
         assertThat(model.scene()).isSameAs(START);
         gui.keys(KeyCode.ENTER);
-        assertThat(material()).isEqualTo(ReadyMaterial.GLASS.material());
+        assertThat(model.scene().objects().get(0).material()).isEqualTo(new MaterialName("glass"));
         gui.until("the keyboard is still there", () -> "material".equals(gui.stage().getScene().getFocusOwner().getId()));
         gui.act(model::undo);
         assertThat(model.scene()).isSameAs(START);
