@@ -81,7 +81,7 @@ final class ExplainCommand implements Callable<Integer> {
     @Option(names = "--max-depth", paramLabel = "N", description = "Levels of reflected and refracted rays, 1-250. Default: the scene's.")
     private Optional<Integer> maxDepth;
 
-    @Option(names = "--all", description = 
+    @Option(names = "--all", description =
             "Shows all rays, also those whose share in the pixel's light is below 1 percent, and of a pixel of several samples the tree of each, "
                     + "not only of the one whose light is nearest to the pixel's.")
     private boolean all;

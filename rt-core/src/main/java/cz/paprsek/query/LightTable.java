@@ -2,7 +2,6 @@ package cz.paprsek.query;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.ElementTable;
-import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.InScene;

@@ -4,8 +4,8 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.texture.Texture;
 import cz.paprsek.render.texture.Textures;
-import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Scene.Sky;
 
 /** What rays see that hit nothing: the sky, ready to be asked, or one colour. */
 public abstract class Backdrop {

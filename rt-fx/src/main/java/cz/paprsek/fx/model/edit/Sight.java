@@ -3,8 +3,8 @@ package cz.paprsek.fx.model.edit;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.scene.Camera.Target;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Camera.Target;
 import cz.paprsek.scene.Scene;
 import java.util.function.Predicate;
 
