@@ -5,6 +5,7 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.function.Consumer;
 
@@ -93,6 +94,14 @@ public record Material(
     /** The names of the pictures it needs. */
     public List<String> files() {
         return pattern instanceof Pattern.Picture picture ? List.of(picture.file()) : List.of();
+    }
+
+    /**
+     * The materials that every scene knows by name, unless it has one of its own of that name: glass and stones, metals, what is coated or matte,
+     * patterns. Bodies are taken to be about 1 across. Cannot be changed.
+     */
+    public static Map<String, Material> ready() {
+        return ReadyMaterials.byName();
     }
 
     /** The default material in a colour of sRGB channels 0–255. */

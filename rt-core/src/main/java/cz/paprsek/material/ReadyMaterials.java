@@ -8,14 +8,12 @@ import cz.paprsek.math.Vec3;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Objects;
-import java.util.Optional;
 
 /**
  * Materials that every scene knows by name, unless it has one of its own of that name. Bodies are taken to be about 1 across. Where the numbers come
  * from stands in {@code docs/materials.md}.
  */
-public final class ReadyMaterials {
+final class ReadyMaterials {
     private static final Map<String, Material> ALL = new ReadyMaterials().all();
 
     private final Map<String, Material> made = new LinkedHashMap<>();
@@ -23,24 +21,8 @@ public final class ReadyMaterials {
     private ReadyMaterials() {}
 
     /** All of them by name: glass and stones, metals, what is coated or matte, patterns. Cannot be changed. */
-    public static Map<String, Material> byName() {
+    static Map<String, Material> byName() {
         return ALL;
-    }
-
-    /** The material of a name. */
-    public static Optional<Material> find(String name) {
-        return Optional.ofNullable(ALL.get(Objects.requireNonNull(name, "name")));
-    }
-
-    /**
-     * What a scene means by a name.
-     *
-     * @param own the scene's own materials
-     * @return {@link Material#DEFAULT} if there is none of that name
-     */
-    public static Material named(Map<String, Material> own, String name) {
-        Material material = own.get(name);
-        return material != null ? material : find(name).orElse(Material.DEFAULT);
     }
 
     private Map<String, Material> all() {

@@ -8,7 +8,6 @@ import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
-import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.render.light.FixedPoints;
 import cz.paprsek.scene.Lens;
@@ -81,7 +80,7 @@ final class PovWarnings {
         if (source == Inherited.INHERITED) {
             return inherited;
         }
-        return source instanceof MaterialName reference ? ReadyMaterials.named(scene.materials(), reference.name()) : (Material) source;
+        return source instanceof MaterialName reference ? reference.in(scene.materials()) : (Material) source;
     }
 
     private void check() {

@@ -7,7 +7,6 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
-import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -103,7 +102,7 @@ final class PovWriter {
         if (source instanceof MaterialName reference) {
             String identifier = identifiers.get(reference.name());
             return identifier == null
-                    ? PovMaterials.texture(ReadyMaterials.named(scene.materials(), reference.name()), shape)
+                    ? PovMaterials.texture(reference.in(scene.materials()), shape)
                     : "texture { " + identifier + " }";
         }
         return PovMaterials.texture((Material) source, shape);

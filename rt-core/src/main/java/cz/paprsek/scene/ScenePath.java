@@ -4,7 +4,6 @@ import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
-import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
@@ -197,7 +196,7 @@ public sealed interface ScenePath {
         /** What it is made of, by itself or as its operation. */
         public Material material(Scene scene) {
             MaterialSource source = source(scene);
-            return source instanceof MaterialName reference ? ReadyMaterials.named(scene.materials(), reference.name())
+            return source instanceof MaterialName reference ? reference.in(scene.materials())
                     : source instanceof Material own ? own : Material.DEFAULT;
         }
 

@@ -5,7 +5,6 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
-import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Require;
 import cz.paprsek.shape.Csg;
@@ -177,18 +176,18 @@ public final class SceneRules {
     /** All names of materials that there are. */
     private static Set<String> known(Map<String, Material> own) {
         Set<String> names = new LinkedHashSet<>(own.keySet());
-        names.addAll(ReadyMaterials.byName().keySet());
+        names.addAll(Material.ready().keySet());
         return names;
     }
 
     private static void checkMaterial(
             MaterialSource source, Shape shape, Object owner, Map<String, Material> materials, Report report) {
-        if (source instanceof MaterialName reference && !materials.containsKey(reference.name()) && ReadyMaterials.find(reference.name()).isEmpty()) {
+        if (source instanceof MaterialName reference && !materials.containsKey(reference.name()) && !Material.ready().containsKey(reference.name())) {
             report.broken(owner, "material", "there is no material named \"" + reference.name() + "\""
                     + Similar.suggestion(reference.name(), known(materials)));
         }
         Material material = source instanceof MaterialName reference
-                ? ReadyMaterials.named(materials, reference.name())
+                ? reference.in(materials)
                 : source == Inherited.INHERITED ? Material.DEFAULT : (Material) source;
         if (material.pattern() instanceof Pattern.Checkerboard && !(shape instanceof Rectangle || shape instanceof Disc)) {
             report.broken(owner, source instanceof MaterialName ? "material" : "", "a checkerboard lies on a rectangle or a disc only; give this shape a checker");

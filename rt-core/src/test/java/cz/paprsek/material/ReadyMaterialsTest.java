@@ -25,20 +25,20 @@ class ReadyMaterialsTest {
     private static final String SCENE = "<scene xmlns=\"urn:paprsek:scene:1\"><camera position=\"0 0 5\" direction=\"0 0 -1\"/>%s<sphere radius=\"1\" material=\"%s\"/></scene>";
 
     static Stream<String> names() {
-        return ReadyMaterials.byName().keySet().stream();
+        return Material.ready().keySet().stream();
     }
 
     @Test
     void thereAreManyAndNobodyCanChangeThem() {
-        assertThat(ReadyMaterials.byName()).hasSizeGreaterThanOrEqualTo(24);
-        assertThatThrownBy(() -> ReadyMaterials.byName().put("mine", Material.DEFAULT)).isInstanceOf(UnsupportedOperationException.class);
+        assertThat(Material.ready()).hasSizeGreaterThanOrEqualTo(24);
+        assertThatThrownBy(() -> Material.ready().put("mine", Material.DEFAULT)).isInstanceOf(UnsupportedOperationException.class);
     }
 
     @ParameterizedTest
     @MethodSource("names")
     void eachIsKnownByNameGivesBackNoMoreThanItGetsAndIsTold(String name) throws Exception {
         Scene scene = SceneFiles.parse(SCENE.formatted("", name));
-        Material material = ReadyMaterials.find(name).orElseThrow();
+        Material material = Material.ready().get(name);
         assertThat(scene.objects().get(0).material()).isEqualTo(new MaterialName(name));
         double back = material.fresnel() == Fresnel.TRUE ? Math.max(material.reflection(), material.transparency()) : material.reflection() + material.transparency();
         assertThat(material.diffusion() + back).isLessThanOrEqualTo(1);

@@ -4,7 +4,6 @@ import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
-import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Affine;
 import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Scene;
@@ -107,7 +106,7 @@ final class Placing {
     }
 
     private Material material(MaterialSource source) {
-        return source instanceof MaterialName reference ? ReadyMaterials.named(materials, reference.name()) : (Material) source;
+        return source instanceof MaterialName reference ? reference.in(materials) : (Material) source;
     }
 
     private Finish own(MaterialSource source, Affine toWorld, Finish inherited) {

@@ -3,7 +3,6 @@ package cz.paprsek.fx.model.edit;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
-import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.math.Require;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
@@ -17,7 +16,6 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 
@@ -51,7 +49,7 @@ public final class Materials {
 
     /** Makes bodies of a named material, which the scene gets if it has none like it and does not know it anyway; under a free name if another one has that. */
     public static Scene give(Scene scene, Collection<BodyAt> places, String name, Material material) {
-        if (!scene.materials().containsKey(name) && ReadyMaterials.find(name).equals(Optional.of(material))) {
+        if (!scene.materials().containsKey(name) && material.equals(Material.ready().get(name))) {
             return scene.with(places, (at, body) -> body.madeOf(new MaterialName(name)));
         }
         String free = material.equals(scene.materials().get(name)) ? name : Names.free(name, scene.materials().keySet());

@@ -2,7 +2,7 @@ package cz.paprsek.fx.model.property;
 
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.material.Material;
-import cz.paprsek.material.ReadyMaterials;
+import cz.paprsek.material.MaterialName;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
@@ -105,7 +105,7 @@ final class Targets {
     record NamedMaterials(Set<String> names) implements Target {
         @Override
         public List<Material> read(Scene scene) {
-            return names.stream().filter(name -> scene.materials().containsKey(name) || ReadyMaterials.find(name).isPresent()).map(name -> material(scene.materials(), name)).toList();
+            return names.stream().filter(name -> scene.materials().containsKey(name) || Material.ready().containsKey(name)).map(name -> material(scene.materials(), name)).toList();
         }
 
         @Override
@@ -119,7 +119,7 @@ final class Targets {
         }
 
         private static Material material(Map<String, Material> materials, String name) {
-            return ReadyMaterials.named(materials, name);
+            return new MaterialName(name).in(materials);
         }
     }
 }

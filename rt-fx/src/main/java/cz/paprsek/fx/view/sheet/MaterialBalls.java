@@ -3,7 +3,6 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.Pattern;
-import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderMonitor;
@@ -34,7 +33,7 @@ final class MaterialBalls {
 
     /** Tells each picture on JavaFX's thread, when it is there. */
     static void paint(BiConsumer<String, Image> receiver) {
-        Thread thread = new Thread(() -> ReadyMaterials.byName().keySet().forEach(name -> {
+        Thread thread = new Thread(() -> Material.ready().keySet().forEach(name -> {
             Image image = image(scene(name));
             Platform.runLater(() -> receiver.accept(name, image));
         }), "material-balls");

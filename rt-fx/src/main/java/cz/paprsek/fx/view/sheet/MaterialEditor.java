@@ -8,7 +8,6 @@ import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
-import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.ArrayList;
@@ -108,7 +107,7 @@ final class MaterialEditor implements PropertyEditor {
     private List<Object> options(Scene scene) {
         List<Object> options = new ArrayList<>(List.of(Inherited.INHERITED, Own.OWN));
         scene.materials().keySet().forEach(known -> options.add(new MaterialName(known)));
-        ReadyMaterials.byName().keySet().stream().filter(known -> !scene.materials().containsKey(known)).map(MaterialName::new).forEach(options::add);
+        Material.ready().keySet().stream().filter(known -> !scene.materials().containsKey(known)).map(MaterialName::new).forEach(options::add);
         return options;
     }
 

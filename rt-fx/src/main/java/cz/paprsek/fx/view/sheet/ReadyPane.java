@@ -5,7 +5,6 @@ import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
-import cz.paprsek.material.ReadyMaterials;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.xml.SceneFiles;
@@ -42,7 +41,7 @@ final class ReadyPane extends TitledPane {
     /** Balls are made when somebody wants to see them. */
     private void fill() {
         if (isExpanded() && balls.getChildren().isEmpty()) {
-            ReadyMaterials.byName().forEach((name, material) -> balls.getChildren().add(ball(name, material)));
+            Material.ready().forEach((name, material) -> balls.getChildren().add(ball(name, material)));
             MaterialBalls.paint((name, image) -> balls.getChildren().stream().filter(node -> node.getId().equals(id(name)))
                     .forEach(node -> ((ImageView) ((Button) node).getGraphic()).setImage(image)));
         }
