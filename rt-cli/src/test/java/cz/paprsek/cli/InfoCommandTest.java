@@ -37,7 +37,8 @@ class InfoCommandTest {
                 "lights 1",
                 "key point-light: position 2 3 4, color 255 255 255, intensity 0.5",
                 "materials 1",
-                "red color 255 0 0, diffusion 0.8, specular 0, shininess 30, reflection 0, transparency 0, refractive-index 1",
+                "red color 255 0 0, diffusion 0.8, specular 0, shininess 30, reflection 0, transparency 0, refractive-index 1, "
+                        + "fresnel false, roughness 0, thin false, attenuation-color 255 255 255, attenuation-distance 1, emission 0 0 0, emission-strength 1",
                 "objects 3, with 2 operands",
                 "block 0 and 1 operand",
                 "difference 1",

@@ -16,6 +16,7 @@ import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,7 +39,7 @@ class ReadyMaterialsTest {
     @MethodSource("names")
     void eachIsKnownByNameGivesBackNoMoreThanItGetsAndIsTold(String name) throws Exception {
         Scene scene = SceneFiles.parse(SCENE.formatted("", name));
-        Material material = Material.ready().get(name);
+        Material material = Optional.ofNullable(Material.ready().get(name)).orElseThrow();
         assertThat(scene.objects().get(0).material()).isEqualTo(new MaterialName(name));
         double back = material.fresnel() == Fresnel.TRUE ? Math.max(material.reflection(), material.transparency()) : material.reflection() + material.transparency();
         assertThat(material.diffusion() + back).isLessThanOrEqualTo(1);

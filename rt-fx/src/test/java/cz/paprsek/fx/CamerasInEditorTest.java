@@ -57,7 +57,6 @@ class CamerasInEditorTest {
         assertThat(lens.focus()).isBetween(4.0, 8.0);
         assertThat(editor.model().selection()).as("nothing is selected by this click").isEmpty();
         editor.gui.act(() -> editor.model().select(ScenePath.camera()));
-        editor.gui.until("the picture is complete", editor.editor::isPictureComplete);
         assertThat(Screenshots.save(editor.gui, "camera-focus")).isNotEmptyFile();
         editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
         assertThat(editor.model().scene().camera().lens()).isEqualTo(Lens.Perspective.DEFAULT.withFovy(25));

@@ -115,7 +115,7 @@ class LibraryWindowTest {
 
     @Test
     void whatIsTypedIsFoundAndWhatIsWrongIsTold() {
-        type("#library-filter", "tag = \"glass\" and exists(torus)");
+        type("#library-filter", "tag = \"glass\" and exists(torus) and exists(cone)");
         gui.until("two are found", () -> scenes() == 2);
         assertThat(textNow("#library-count")).isEqualTo("2 of " + all + " scenes");
         type("#library-filter", "transparancy > 0");

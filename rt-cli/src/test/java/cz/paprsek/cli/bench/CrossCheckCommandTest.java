@@ -20,7 +20,7 @@ class CrossCheckCommandTest {
 
     @Test
     void theTableSaysHowFarThePicturesAreApart() {
-        Run run = Run.cli("crosscheck", "--recorded", SUITE.resolve("s*.xml"), SUITE.resolve("combined-table.xml"));
+        Run run = Run.cli("crosscheck", "--recorded", SUITE.resolve("spher*.xml"), SUITE.resolve("combined-table.xml"));
         assertThat(run.code()).as(run.err()).isZero();
         assertThat(run.out().lines()).hasSize(4).first().asString().startsWith("POV-Ray 3.7, recorded");
         assertThat(run.out()).containsPattern("sphere.xml +0\\.5 +0\\.\\d+ +0  the same\n");

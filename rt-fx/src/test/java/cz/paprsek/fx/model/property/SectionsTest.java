@@ -47,7 +47,7 @@ class SectionsTest {
     @Test
     void sceneIsShownWhenNothingIsSelected() {
         assertThat(titles(Set.of())).containsExactly("section.scene", "section.picture");
-        assertThat(names(Set.of())).containsExactly("name", "description", "tags", "background", "ambient", "width", "height", "maxDepth", "samples",
+        assertThat(names(Set.of())).containsExactly("name", "description", "tags", "background", "sky", "ambient", "width", "height", "maxDepth", "samples",
                 "mostSamples", "error", "confidence", "filter");
     }
 
