@@ -10,6 +10,7 @@ import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SphereLight;
 import cz.paprsek.scene.SpotLight;
@@ -36,7 +37,7 @@ final class RandomEdits {
             scene -> scene.withTags(List.of("new", "it's")), scene -> scene.withTags(List.of()),
             scene -> scene.withDescription("Said\n <anew> & \"so\" ěšč"),
             scene -> scene.withSettings(new RenderSettings(17, 600, 5, 2)),
-            scene -> scene.withSettings(scene.settings().withSamples(2, 7).withError(0.02)), scene -> scene.withBackground(Rgb.grey(77)),
+            scene -> scene.withSettings(scene.settings().withSamples(2, 7).withError(0.02)), scene -> scene.sky() == Sky.NONE ? scene.withBackground(Rgb.grey(77)) : scene,
             scene -> scene.withAmbient(Rgb.grey(3)), scene -> scene.withCamera(scene.camera().withFovy(33)),
             this::anotherLight, this::changedLight, this::anotherMaterial, this::changedMaterial, this::mixedMaterials,
             this::moved, this::moved, this::resized, this::renamed, this::another, this::mixed, this::changedInside, this::rotatedInside, this::otherOperation);

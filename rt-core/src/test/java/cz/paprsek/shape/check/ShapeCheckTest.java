@@ -66,7 +66,7 @@ class ShapeCheckTest {
                         super.cross(line, leave, enter);
                     }
                 }),
-                Arguments.of("must be in rising order", new Ball() {
+                Arguments.of("says that a line crosses it at NaN", new Ball() {
                     @Override
                     void cross(Line line, double enter, double leave) {
                         super.cross(line, enter, Double.NaN);
