@@ -59,7 +59,7 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
      * @param intensity I, what arrives from there if nothing is in the way; black if the light does not shine this way
      * @param direction L, from the point to the light, of length 1
      * @param distance to the light; infinite for a sun
-     * @param facing N·L
+     * @param facing N·L; 0 also if a rough surface strews nothing of the light, so that nobody looked
      * @param alignment R·L
      * @param visibility V, the share of the light that arrives; 0 also if the surface is turned away
      * @param obstacles what stands between, the nearest to the point first, up to the first opaque one
