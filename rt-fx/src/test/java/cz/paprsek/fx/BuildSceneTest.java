@@ -7,6 +7,7 @@ import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.Pattern.Checkerboard;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.Renderer;
@@ -100,7 +101,7 @@ class BuildSceneTest {
         choose(editor, "#material", 2);
         Vec3 moved = editor.model().scene().objects().get(1).placement().position();
         assertThat(moved).matches(at -> at.x() > 0.5 && at.y() == middle.y() && at.z() > 0.5);
-        assertThat(((Material) editor.model().scene().objects().get(1).material()).refractiveIndex()).isEqualTo(1.5);
+        assertThat(editor.model().scene().objects().get(1).material()).isEqualTo(new MaterialName("glass"));
     }
 
     /** A rectangle laid down by its handle, made large by another and put below the rest. */
