@@ -56,10 +56,11 @@ public record LightTerm(int light, String name, List<ShadowRay> rays, LinearRgb 
      * A ray that went to look for a light, and what the light brings along it: V·τ·I·(kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ).
      *
      * @param target the point of the light, world space; empty for a sun
-     * @param intensity I, what arrives from there if nothing is in the way; black if the light does not shine this way
+     * @param intensity I, what arrives from there if nothing is in the way; black if the light does not shine this way, or a rough surface
+     *        strews nothing of it the way that is looked
      * @param direction L, from the point to the light, of length 1
      * @param distance to the light; infinite for a sun
-     * @param facing N·L; 0 also if a rough surface strews nothing of the light, so that nobody looked
+     * @param facing N·L
      * @param alignment R·L
      * @param visibility V, the share of the light that arrives; 0 also if the surface is turned away
      * @param obstacles what stands between, the nearest to the point first, up to the first opaque one

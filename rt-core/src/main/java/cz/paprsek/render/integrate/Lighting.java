@@ -256,7 +256,10 @@ final class Lighting {
         boolean strews = shines && (!isSeen[light] || finish.looksForLamps) && lobe.look(level, finish, arrival, facing);
         boolean isBefore = facing > 0;
         if (!shines || !(strews || (isBefore && (finish.diffusion > 0 || finish.specular > 0)))) {
-            witness.sought(light, arrival, isBefore ? 0 : facing, 0);
+            if (isBefore) {
+                arrival.light(0, 0, 0);
+            }
+            witness.sought(light, arrival, facing, 0);
             return false;
         }
         double visibility = isBefore ? visibility(depth, light, level, leaving) : visibilityBeyond(depth, light, level, leaving);
