@@ -36,6 +36,11 @@ public final class Cameras {
         return scene.withCameras(cameras);
     }
 
+    /** A camera that looks at a point, by a target or a direction as before. */
+    public static Camera lookingAt(Camera camera, Vec3 point) {
+        return camera.withAim(camera.aim() instanceof Camera.Target ? new Camera.Target(point) : new Camera.Direction(point.minus(camera.position())));
+    }
+
     /** Makes a camera the first, whose picture is rendered where none is named. */
     public static EditorState first(EditorState state, int camera) {
         return state.moved(state.scene().through(camera),

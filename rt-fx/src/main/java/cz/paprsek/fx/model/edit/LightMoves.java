@@ -14,6 +14,9 @@ import java.util.function.UnaryOperator;
 
 /** Moves, turns and stretches lights in world space. A sun stands nowhere: hands have it where its direction, drawn as an arrow, leads to the origin. */
 public final class LightMoves {
+    /** Angles that follow from where a hand is are of this coarseness, so that they can be read. */
+    private static final double DEGREES = 0.5;
+
     private LightMoves() {}
 
     /** Where a light is for hands. */
@@ -27,6 +30,26 @@ public final class LightMoves {
             return placed.withPosition(point.apply(placed.position()));
         }
         return light instanceof SunLight sun ? sun.withDirection(point.apply(place(sun)).negated()) : light;
+    }
+
+    /** A light that shines at a point: a spot, or one with a side. Others stay as they are. */
+    public static Light shiningAt(Light light, Vec3 point) {
+        if (light instanceof SpotLight spot) {
+            return spot.withAim(spot.aim() instanceof Camera.Target ? new Camera.Target(point) : new Camera.Direction(point.minus(spot.position())));
+        } else if (light instanceof AreaLight area) {
+            Vec3 turned = area.shiningAt(point).rotation();
+            return area.withRotation(new Vec3(readable(turned.x()), readable(turned.y()), 0));
+        }
+        return light;
+    }
+
+    /** A spot with another outer angle, in degrees, and the inner one in proportion. */
+    public static SpotLight widened(SpotLight spot, double outer) {
+        return spot.withAngles(Math.min(outer, readable(spot.fullAngle() * outer / spot.outerAngle())), outer);
+    }
+
+    private static double readable(double degrees) {
+        return Math.rint(degrees / DEGREES) * DEGREES + 0.0;
     }
 
     /** A light turned. */

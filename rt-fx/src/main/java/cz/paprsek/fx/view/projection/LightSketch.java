@@ -38,10 +38,10 @@ record LightSketch(Vec3 place, List<List<Vec3>> extent, List<List<Vec3>> way, Op
             Vec3 aim = aim(spot);
             List<List<Vec3>> lines = new ArrayList<>();
             lines.add(List.of(place, aim));
-            List<Vec3> rim = rim(spot, spot.outerAngle());
-            lines.add(rim);
-            lines.add(rim(spot, spot.fullAngle()));
-            Vec3 side = side(spot, axes);
+            lines.add(rim(place, aim, spot.outerAngle()));
+            lines.add(rim(place, aim, spot.fullAngle()));
+            Vec3 axis = aim.minus(place);
+            Vec3 side = side(axis, axes).times(width(axis, spot.outerAngle()));
             lines.add(List.of(place, aim.plus(side)));
             lines.add(List.of(place, aim.minus(side)));
             return new LightSketch(place, List.of(), lines, Optional.of(aim));
@@ -50,8 +50,8 @@ record LightSketch(Vec3 place, List<List<Vec3>> extent, List<List<Vec3>> way, Op
             return new LightSketch(place, List.of(outline(area)), List.of(List.of(place, aim)), Optional.of(aim));
         } else if (light instanceof SphereLight ball) {
             return new LightSketch(place, List.of(circle(place, axes.vector(ball.radius(), 0), axes.vector(0, ball.radius()))), List.of(), Optional.empty());
-        } else if (light instanceof SunLight) {
-            return new LightSketch(place, List.of(), List.of(List.of(place, Vec3.ZERO)), Optional.empty());
+        } else if (light instanceof SunLight sun) {
+            return new LightSketch(place, List.of(), List.of(List.of(place, Vec3.ZERO), rim(Vec3.ZERO, place, sun.angle() / 2)), Optional.empty());
         }
         return new LightSketch(place, List.of(), List.of(), Optional.empty());
     }
@@ -59,11 +59,6 @@ record LightSketch(Vec3 place, List<List<Vec3>> extent, List<List<Vec3>> way, Op
     /** What a spot shines at. */
     static Vec3 aim(SpotLight spot) {
         return spot.aim() instanceof Camera.Target target ? target.point() : spot.position().plus(((Camera.Direction) spot.aim()).vector());
-    }
-
-    /** Where a spot's cone is grabbed to make it wider. */
-    static Vec3 rimHandle(SpotLight spot, Axes axes) {
-        return aim(spot).plus(side(spot, axes));
     }
 
     private static double size(AreaLight area) {
@@ -82,18 +77,22 @@ record LightSketch(Vec3 place, List<List<Vec3>> extent, List<List<Vec3>> way, Op
         return circle(area.position(), toWorld.direction(Vec3.X).times(radius), toWorld.direction(Vec3.Y).times(radius));
     }
 
-    private static List<Vec3> rim(SpotLight spot, double degrees) {
-        Vec3 axis = aim(spot).minus(spot.position());
-        Vec3 across = perpendicular(axis.normalized()).times(axis.length() * Angles.tan(Math.min(WIDEST, degrees)));
-        return circle(aim(spot), across, axis.normalized().cross(across));
+    /** Around a cone's end. */
+    private static List<Vec3> rim(Vec3 from, Vec3 middle, double degrees) {
+        Vec3 axis = middle.minus(from);
+        Vec3 across = perpendicular(axis.normalized()).times(width(axis, degrees));
+        return circle(middle, across, axis.normalized().cross(across));
     }
 
-    /** From the aim to the rim of the outer cone, in the plane of the projection where that can be. */
-    private static Vec3 side(SpotLight spot, Axes axes) {
-        Vec3 axis = aim(spot).minus(spot.position());
+    /** How far a cone's rim is from the end of its axis, degrees from the middle. */
+    static double width(Vec3 axis, double degrees) {
+        return axis.length() * Angles.tan(Math.min(WIDEST, degrees));
+    }
+
+    /** The way from a cone's axis to its rim, of length 1: in the plane of the projection where that can be. */
+    static Vec3 side(Vec3 axis, Axes axes) {
         Vec3 across = axis.cross(axes.along());
-        Vec3 side = across.length() > 1e-9 * axis.length() ? across.normalized() : perpendicular(axis.normalized());
-        return side.times(axis.length() * Angles.tan(Math.min(WIDEST, spot.outerAngle())));
+        return across.length() > 1e-9 * axis.length() ? across.normalized() : perpendicular(axis.normalized());
     }
 
     private static Vec3 perpendicular(Vec3 unit) {

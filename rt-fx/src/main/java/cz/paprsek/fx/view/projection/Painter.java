@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.projection;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.view.look.Palette;
+import cz.paprsek.fx.view.projection.Grips.Grip;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
@@ -214,17 +215,17 @@ final class Painter {
         g.stroke();
     }
 
-    /** What a light is grabbed by: a cross for what it shines at, a dot on the rim of its cone. */
-    void handles(Light light) {
+    /** A cross for what something looks or shines at, dots for numbers to be pulled. */
+    void grips(List<Grip> grips) {
         g.setStroke(palette.selected());
         g.setFill(palette.background());
         g.setLineWidth(1.5);
-        for (LightDrag.Handle handle : LightDrag.handles(light, axes)) {
-            if (handle.kind() == LightDrag.Kind.AIM) {
-                cross(handle.place());
+        for (Grip grip : grips) {
+            if (grip instanceof Grip.Aim) {
+                cross(grip.place());
             } else {
-                g.fillOval(x(handle.place()) - 4, y(handle.place()) - 4, 8, 8);
-                g.strokeOval(x(handle.place()) - 4, y(handle.place()) - 4, 8, 8);
+                g.fillOval(x(grip.place()) - 4, y(grip.place()) - 4, 8, 8);
+                g.strokeOval(x(grip.place()) - 4, y(grip.place()) - 4, 8, 8);
             }
         }
     }
@@ -238,7 +239,7 @@ final class Painter {
     }
 
     /**
-     * A camera and what it sees; with the point it looks at, to be grabbed, if it is selected. All but the one looked through are thin.
+     * A camera and what it sees. All but those selected or looked through are thin.
      *
      * @param name beside it; empty for none
      */
@@ -261,9 +262,7 @@ final class Painter {
         g.fillRect(x - 7, y - 5, 14, 10);
         g.strokeRect(x - 7, y - 5, 14, 10);
         g.strokeOval(x - 3, y - 3, 6, 6);
-        if (isSelected) {
-            cross(sketch.aim());
-        } else if (!name.isEmpty() && x >= 0 && x <= view.width() && y >= 0 && y <= view.height()) {
+        if (!isSelected && !name.isEmpty() && x >= 0 && x <= view.width() && y >= 0 && y <= view.height()) {
             Plate.draw(g, view, NAME_FONT, name, new Point2D(x + 14, y + 4), palette.camera(), palette.background());
         }
     }

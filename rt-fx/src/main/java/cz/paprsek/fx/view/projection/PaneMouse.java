@@ -1,10 +1,11 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.LightMoves;
+import cz.paprsek.fx.view.projection.Grips.Grip;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
@@ -29,6 +30,8 @@ import org.jspecify.annotations.Nullable;
 final class PaneMouse {
     /** How far the mouse goes before a click becomes a drag, pixels. */
     private static final double SLACK = 3;
+    /** How near the mouse must come to what a light or camera is grabbed by, pixels. */
+    private static final double GRIP = 8;
     private static final double ZOOM_PER_NOTCH = 1.15;
 
     private final ProjectionPane pane;
@@ -154,17 +157,10 @@ final class PaneMouse {
         if (handle.isPresent()) {
             return begin(handle.get());
         }
-        Optional<LightDrag.Handle> onLight = lightHandle(pressX, pressY);
-        if (onLight.isPresent()) {
-            int light = pane.grabbedLight().orElseThrow();
-            Edit edit = onLight.get().kind() == LightDrag.Kind.AIM ? Edit.ROTATE : Edit.RESIZE;
-            return new LightDrag(model.begin(label(edit, Set.of(ScenePath.light(light)))), light, onLight.get(), pane.axes(), pane.view(), pane.snaps(), pressX, pressY);
-        }
-        OptionalInt aimed = aimAt(pressX, pressY);
-        if (aimed.isPresent()) {
-            int camera = aimed.getAsInt();
-            return new AimDrag(model.begin(label(Edit.ROTATE, Set.of(ScenePath.camera(camera)))), camera, pane.axes(), pane.view(),
-                    CameraSketch.of(model.scene(), camera).aim(), pane.snaps(), pressX, pressY);
+        Optional<Grip> grip = gripAt(pressX, pressY);
+        if (grip.isPresent()) {
+            Label label = label(grip.get() instanceof Grip.Aim ? Edit.ROTATE : Edit.CHANGE, Set.of(grip.get().item()));
+            return new GripDrag(model.begin(label), grip.get(), pane.axes(), pane.view(), pane.texts(), pane.snaps(), pressX, pressY);
         }
         if (pressedOn.isEmpty()) {
             Set<ScenePath> before = event.isShiftDown() ? model.selection() : Set.of();
@@ -232,14 +228,8 @@ final class PaneMouse {
         return new Snapping(boxes.filter(box -> pane.view().shows(box)));
     }
 
-    private Optional<LightDrag.Handle> lightHandle(double x, double y) {
-        return pane.grabbedLight().flatMap(light -> LightDrag.handles(model.scene().lights().get(light), pane.axes()).stream()
-                .filter(handle -> pane.toPane(handle.place()).distance(x, y) <= 8).findFirst());
-    }
-
-    /** The selected camera whose aim is at a point of the pane. */
-    private OptionalInt aimAt(double x, double y) {
-        return pane.grabbedCameras().filter(camera -> pane.toPane(CameraSketch.of(model.scene(), camera).aim()).distance(x, y) <= 8).findFirst();
+    private Optional<Grip> gripAt(double x, double y) {
+        return pane.grips().stream().filter(grip -> pane.toPane(grip.place()).distance(x, y) <= GRIP).findFirst();
     }
 
     private void moved(MouseEvent event) {
@@ -247,7 +237,7 @@ final class PaneMouse {
         lastX = event.getX();
         lastY = event.getY();
         Optional<Handle> handle = pane.handleAt(lastX, lastY);
-        pane.setHoverCursor(spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElse(aimAt(lastX, lastY).isPresent() || lightHandle(lastX, lastY).isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT));
+        pane.setHoverCursor(spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElseGet(() -> gripAt(lastX, lastY).isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT));
     }
 
     private void point(MouseEvent event) {

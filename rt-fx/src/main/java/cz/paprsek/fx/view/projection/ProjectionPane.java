@@ -8,15 +8,16 @@ import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.projection.Grips.Grip;
 import cz.paprsek.fx.view.rays.DrawnRays;
 import cz.paprsek.fx.view.rays.RayPainter;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
+import cz.paprsek.scene.ScenePath;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -244,16 +245,12 @@ public final class ProjectionPane extends Region {
         return items;
     }
 
-    /** The light whose own handles are shown: the only thing selected. */
-    Optional<Integer> grabbedLight() {
+    /** What is grabbed to change the selected cameras, and a light that is the only thing selected. */
+    List<Grip> grips() {
         Set<ScenePath> items = movable();
-        return items.size() == 1 && items.iterator().next() instanceof ScenePath.LightAt light && light.isIn(model.scene())
-                && !model.state().isHidden(light) ? Optional.of(light.index()) : Optional.empty();
-    }
-
-    /** The cameras, counted from 0, whose aims are shown to be grabbed: those that are selected. */
-    IntStream grabbedCameras() {
-        return Places.cameras(movable()).stream().filter(camera -> camera.isIn(model.scene()) && !model.state().isHidden(camera)).mapToInt(CameraAt::index);
+        Grips grips = new Grips(model.scene(), axes, view);
+        return items.stream().filter(item -> item instanceof CameraAt || items.size() == 1).filter(item -> !model.state().isHidden(item))
+                .flatMap(item -> grips.of(item).stream()).toList();
     }
 
     /** The box of the handles; empty if there is nothing to resize. */
@@ -330,11 +327,11 @@ public final class ProjectionPane extends Region {
         if (!state.selection().isEmpty()) {
             painter.selected(state, figures);
             painter.handles(handleBox(), true);
-            grabbedLight().ifPresent(light -> painter.handles(state.scene().lights().get(light)));
             Box box = figures.box(state.selection());
             if (!box.isEmpty() && view.shows(box)) {
                 painter.name(PathNames.of(state.scene(), state.selection(), texts), box);
             }
+            painter.grips(grips());
         }
         rays.ifPresent(RayPainter.on(g, theme(), (from, to) -> List.of(segment(from, to)))::draw);
         if (drag != null) {

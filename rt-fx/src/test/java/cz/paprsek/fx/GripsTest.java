@@ -1,0 +1,200 @@
+package cz.paprsek.fx;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.projection.ProjectionPane;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Lens;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.SpotLight;
+import cz.paprsek.scene.SunLight;
+import cz.paprsek.shape.Sphere;
+import java.nio.file.Path;
+import java.util.List;
+import javafx.geometry.Point2D;
+import javafx.scene.image.WritableImage;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javafx.scene.paint.Color;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The numbers of cameras and lights, pulled in the projections. The picture is twice as wide as high; the camera, at z = 4, looks at the origin. */
+class GripsTest {
+    private static final Camera CAMERA = Camera.lookingAt(new Vec3(0, 0, 4), Vec3.ZERO);
+    private static final Scene SCENE = Scene.EMPTY.withSettings(new RenderSettings(200, 100, 5, 1)).withCamera(CAMERA)
+            .plus(Light.at(-3, 5, 3)).plus(SceneObject.of(new Sphere(1)).named("ball"));
+    private static final double TAN_HALF = Math.tan(Math.toRadians(22.5));
+
+    @TempDir
+    Path folder;
+
+    private EditorGui editor;
+
+    @BeforeEach
+    void open() {
+        editor = new EditorGui(folder, SCENE);
+        editor.gui.act(() -> editor.editor.snapping().set(false));
+    }
+
+    @AfterEach
+    void close() {
+        editor.close();
+    }
+
+    @Test
+    void theFieldOfViewIsPulledByTheUpperEdgeOfWhatIsSeen() {
+        seenThrough(CAMERA);
+        drag("right", new Vec3(0, 4 * TAN_HALF, 0), new Vec3(0, 4 * Math.tan(Math.toRadians(30)), 0));
+        assertThat(lens(Lens.Perspective.class).fovy()).isCloseTo(60, within(1.0));
+        assertThat(lens(Lens.Perspective.class).fovy() * 2).as("to be read").isEqualTo(Math.rint(lens(Lens.Perspective.class).fovy() * 2));
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(editor.model().scene().camera()).as("one step").isEqualTo(CAMERA);
+    }
+
+    @Test
+    void fromAboveItIsPulledByTheRightEdge() {
+        seenThrough(CAMERA);
+        drag("top", new Vec3(2 * 4 * TAN_HALF, 0, 0), new Vec3(2 * 4 * Math.tan(Math.toRadians(10)), 0, 0));
+        assertThat(lens(Lens.Perspective.class).fovy()).isCloseTo(20, within(1.0));
+    }
+
+    @Test
+    void aParallelPictureIsMadeHigherByItsEdge() {
+        seenThrough(CAMERA.withLens(new Lens.Orthographic(3)));
+        drag("front", new Vec3(0, 1.5, 0), new Vec3(0, 2.5, 0));
+        assertThat(lens(Lens.Orthographic.class).height()).isCloseTo(5, within(0.2));
+        drag("front", new Vec3(0, lens(Lens.Orthographic.class).height() / 2, 0), new Vec3(0, -3, 0));
+        assertThat(lens(Lens.Orthographic.class).height()).as("never nothing").isBetween(1e-4, 0.1);
+    }
+
+    @Test
+    void whatIsSharpIsPulledAlongTheEdgeOfTheView() {
+        seenThrough(CAMERA.withLens(Lens.Perspective.DEFAULT.withAperture(0.1)));
+        drag("right", new Vec3(0, -4 * TAN_HALF, 0), new Vec3(0, -2 * TAN_HALF, 2));
+        assertThat(lens(Lens.Perspective.class).focus()).isCloseTo(2, within(0.1));
+        assertThat(lens(Lens.Perspective.class).fovy()).isEqualTo(45);
+        editor.gui.act(() -> editor.editor.snapping().set(true));
+        drag("right", new Vec3(0, -2 * TAN_HALF, 2), new Vec3(0, -3 * TAN_HALF, 1));
+        assertThat(lens(Lens.Perspective.class).focus() * 10).as("on the grid").isCloseTo(30, within(2.1)).isEqualTo(Math.rint(lens(Lens.Perspective.class).focus() * 10));
+    }
+
+    @Test
+    void aPinholeHasNothingThatIsSharp() {
+        seenThrough(CAMERA);
+        drag("right", new Vec3(0, -4 * TAN_HALF, 0), new Vec3(0, -2 * TAN_HALF, 2));
+        assertThat(editor.model().scene().camera()).isEqualTo(CAMERA);
+    }
+
+    @Test
+    void aFisheyeIsMadeWiderByItsRim() {
+        seenThrough(CAMERA.withLens(Lens.Fisheye.DEFAULT));
+        drag("right", new Vec3(0, 4, 4), new Vec3(0, 2.83, 4 - 2.83));
+        assertThat(lens(Lens.Fisheye.class).angle()).isCloseTo(90, within(2.0));
+    }
+
+    @Test
+    void aSpotHasADotForEachOfItsAngles() {
+        lit(SpotLight.from(new Vec3(-3, 4, 0), new Vec3(-3, 2, 0)));
+        double inner = 2 * Math.tan(Math.toRadians(30));
+        // Seen from the front, the light shining down, the outer angle has its dot to the right and the inner one to the left.
+        drag("front", new Vec3(-3 - inner, 2, 0), new Vec3(-3 - 2 * Math.tan(Math.toRadians(10)), 2, 0));
+        assertThat(spot().innerAngle()).isCloseTo(10, within(1.5));
+        assertThat(spot().outerAngle()).isEqualTo(45);
+        drag("front", new Vec3(-3 - 2 * Math.tan(Math.toRadians(spot().innerAngle())), 2, 0), new Vec3(-7, 2, 0));
+        assertThat(spot().innerAngle()).as("never wider than the outer one").isEqualTo(45);
+        drag("front", new Vec3(-1, 2, 0), new Vec3(-2, 2, 0));
+        assertThat(spot().outerAngle()).isCloseTo(26.5, within(1.5));
+        assertThat(spot().innerAngle()).as("in proportion").isCloseTo(spot().outerAngle(), within(0.5));
+    }
+
+    @Test
+    void nothingJumpsWhereADotStandsApart() {
+        lit(SunLight.along(0, -4, 0));
+        ProjectionPane front = editor.projection("front");
+        Point2D dot = EditorGui.place(front, 0, 4, 0).add(-18, 0);
+        editor.gui.drag(front, dot.getX(), dot.getY(), dot.getX() - 4, dot.getY());
+        assertThat(((SunLight) light()).angle()).isBetween(0.5, 8.0);
+    }
+
+    @Test
+    void theNumberStandsBesideTheMouseAndEscapeGivesItUp() {
+        seenThrough(CAMERA.withLens(Lens.Perspective.DEFAULT.withAperture(0.15).withFocus(3)));
+        editor.gui.act(() -> editor.editor.theme().set(Theme.DARK));
+        ProjectionPane right = editor.projection("right");
+        Point2D from = EditorGui.place(right, 0, 4 * TAN_HALF, 0);
+        WritableImage before = Gui.on(() -> right.snapshot(null, null));
+        editor.gui.moveTo(right, from.getX(), from.getY());
+        editor.gui.press(MouseButton.PRIMARY);
+        editor.gui.moveTo(right, from.getX(), from.getY() - 10);
+        editor.gui.moveTo(right, from.getX(), from.getY() - 20);
+        assertThat(Screenshots.save(editor.gui, "grips-camera")).isNotEmptyFile();
+        WritableImage now = Gui.on(() -> right.snapshot(null, null));
+        assertThat(different(before, now, from.getX() + 16, from.getY() - 46, 90, 14)).as("letters beside the mouse").isGreaterThan(40);
+        assertThat(lens(Lens.Perspective.class).fovy()).isGreaterThan(45);
+        editor.gui.keys(KeyCode.ESCAPE);
+        editor.gui.release(MouseButton.PRIMARY);
+        assertThat(lens(Lens.Perspective.class).fovy()).isEqualTo(45);
+        lit(SpotLight.from(new Vec3(-3, 4, 0), new Vec3(-2, 1, 0)).withAngles(12, 30));
+        assertThat(Screenshots.save(editor.gui, "grips-spot")).isNotEmptyFile();
+    }
+
+    private static int different(WritableImage a, WritableImage b, double x, double y, int width, int height) {
+        int found = 0;
+        for (int i = 0; i < width; i++) {
+            for (int j = 0; j < height; j++) {
+                Color one = a.getPixelReader().getColor((int) x + i, (int) y + j);
+                found += one.equals(b.getPixelReader().getColor((int) x + i, (int) y + j)) ? 0 : 1;
+            }
+        }
+        return found;
+    }
+
+    private void seenThrough(Camera camera) {
+        change(SCENE.withCamera(camera), ScenePath.camera());
+    }
+
+    private void lit(Light light) {
+        change(SCENE.withLights(List.of(light)), ScenePath.light(0));
+    }
+
+    private void change(Scene scene, ScenePath selected) {
+        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.CHANGE), old -> scene));
+        editor.gui.act(() -> editor.model().select(selected));
+        for (String axes : new String[] {"front", "top", "right"}) {
+            editor.gui.act(() -> {
+                editor.projection(axes).fitAll();
+                editor.projection(axes).zoom(0.7);
+            });
+        }
+    }
+
+    private void drag(String axes, Vec3 from, Vec3 to) {
+        ProjectionPane pane = editor.projection(axes);
+        Point2D a = EditorGui.place(pane, from.x(), from.y(), from.z());
+        Point2D b = EditorGui.place(pane, to.x(), to.y(), to.z());
+        editor.gui.drag(pane, a.getX(), a.getY(), b.getX(), b.getY());
+    }
+
+    private <L extends Lens> L lens(Class<L> kind) {
+        return kind.cast(editor.model().scene().camera().lens());
+    }
+
+    private Light light() {
+        return editor.model().scene().lights().get(0);
+    }
+
+    private SpotLight spot() {
+        return (SpotLight) light();
+    }
+}
