@@ -39,8 +39,8 @@ class WorkTest {
                 tracer.trace(eye, x, y, 8, 8);
             }
         }
-        String found = tracer.reflected + ", " + tracer.work().shadows() + ", " + tracer.nodeVisits();
-        assertThat(tracer.reflected).as(found).isEqualTo(reflected);
+        String found = tracer.work().reflected() + ", " + tracer.work().shadows() + ", " + tracer.nodeVisits();
+        assertThat(tracer.work().reflected()).as(found).isEqualTo(reflected);
         assertThat(tracer.work().shadows()).as(found).isEqualTo(shadows);
         assertThat(tracer.nodeVisits()).as(found).isCloseTo(visits, within(visits / 100));
     }

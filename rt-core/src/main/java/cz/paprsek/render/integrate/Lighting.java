@@ -154,13 +154,11 @@ final class Lighting {
      * Adds the diffuse and specular part of all lights to the level's light.
      *
      * @param depth the level's number, from 0
-     * @param leaving whether its normal was turned round
-     * @param mirrorX the mirrored direction, of length 1
      */
-    void illuminate(int depth, Level level, Finish finish, boolean leaving, double mirrorX, double mirrorY, double mirrorZ) {
+    void illuminate(int depth, Level level, Finish finish) {
         isStrewing = finish.alpha > 0;
         if (isStrewing) {
-            lobe.at(level, finish, leaving);
+            lobe.at(level, finish);
         }
         for (int light = 0; light < lamps.length; light++) {
             Lamp lamp = lamps[light];
@@ -169,12 +167,12 @@ final class Lighting {
                     continue;
                 }
                 point.sample(level.hit, MIDDLE, MIDDLE, arrival);
-                add(look(depth, light, true, level, finish, leaving, mirrorX, mirrorY, mirrorZ), level);
+                add(look(depth, light, true, level, finish), level);
             } else if (lamp.samples() == 1) {
                 boolean shines = lamp.sample(level.hit, MIDDLE, MIDDLE, arrival);
-                add(look(depth, light, shines, level, finish, leaving, mirrorX, mirrorY, mirrorZ), level);
+                add(look(depth, light, shines, level, finish), level);
             } else {
-                average(depth, light, level, finish, leaving, mirrorX, mirrorY, mirrorZ);
+                average(depth, light, level, finish);
             }
         }
     }
@@ -186,7 +184,7 @@ final class Lighting {
     }
 
     /** Adds the mean of what several points of the light bring. */
-    private void average(int depth, int light, Level level, Finish finish, boolean leaving, double mirrorX, double mirrorY, double mirrorZ) {
+    private void average(int depth, int light, Level level, Finish finish) {
         int samples = lamps[light].samples();
         double sumRed = 0;
         double sumGreen = 0;
@@ -202,7 +200,7 @@ final class Lighting {
         for (int i = 0; i < samples; i++) {
             sampler.next();
             boolean shines = lamps[light].sample(level.hit, sampler.u, sampler.v, arrival);
-            if (look(depth, light, shines, level, finish, leaving, mirrorX, mirrorY, mirrorZ)) {
+            if (look(depth, light, shines, level, finish)) {
                 sumRed += red;
                 sumGreen += green;
                 sumBlue += blue;
@@ -214,35 +212,25 @@ final class Lighting {
     }
 
     /** Looks along one shadow ray, that of the arrival: whether it brings anything. */
-    private boolean look(int depth, int light, boolean shines, Level level, Finish finish, boolean leaving, double mirrorX, double mirrorY, double mirrorZ) {
+    private boolean look(int depth, int light, boolean shines, Level level, Finish finish) {
         Hit hit = level.hit;
-        double lx = arrival.x;
-        double ly = arrival.y;
-        double lz = arrival.z;
-        double facing = hit.sx * lx + hit.sy * ly + hit.sz * lz;
+        double facing = hit.sx * arrival.x + hit.sy * arrival.y + hit.sz * arrival.z;
         if (!shines) {
             arrival.light(0, 0, 0);
         }
         if (isStrewing) {
-            return lookRoughly(depth, light, shines, level, finish, leaving, facing, mirrorX * lx + mirrorY * ly + mirrorZ * lz);
+            return lookRoughly(depth, light, shines, level, finish, facing);
         }
         if (!shines || !(facing > 0)) {
             witness.sought(light, arrival, facing, 0);
             return false;
         }
-        double visibility = visibility(depth, light, level, leaving);
-        if (dims && visibility > 0) {
-            witness.dimmed(dimming.red, dimming.green, dimming.blue);
-        }
-        witness.sought(light, arrival, facing, visibility);
+        double visibility = reach(depth, light, level, facing);
         if (!(visibility > 0)) {
             return false;
         }
-        if (dims) {
-            arrival.light(arrival.red * dimming.red, arrival.green * dimming.green, arrival.blue * dimming.blue);
-        }
         double diffuse = finish.diffusion * facing;
-        double highlight = finish.highlight(mirrorX * lx + mirrorY * ly + mirrorZ * lz);
+        double highlight = finish.highlight(alignment(level));
         red = visibility * arrival.red * (diffuse * level.colorRed + highlight);
         green = visibility * arrival.green * (diffuse * level.colorGreen + highlight);
         blue = visibility * arrival.blue * (diffuse * level.colorBlue + highlight);
@@ -251,7 +239,7 @@ final class Lighting {
     }
 
     /** The same at a rough surface, which also sends on what comes from beyond it. */
-    private boolean lookRoughly(int depth, int light, boolean shines, Level level, Finish finish, boolean leaving, double facing, double alignment) {
+    private boolean lookRoughly(int depth, int light, boolean shines, Level level, Finish finish, double facing) {
         lobe.forget();
         boolean strews = shines && (!isSeen[light] || finish.looksForLamps) && lobe.look(level, finish, arrival, facing);
         boolean isBefore = facing > 0;
@@ -262,19 +250,12 @@ final class Lighting {
             witness.sought(light, arrival, facing, 0);
             return false;
         }
-        double visibility = isBefore ? visibility(depth, light, level, leaving) : visibilityBeyond(depth, light, level, leaving);
-        if (dims && visibility > 0) {
-            witness.dimmed(dimming.red, dimming.green, dimming.blue);
-        }
-        witness.sought(light, arrival, facing, visibility);
+        double visibility = reach(depth, light, level, facing);
         if (!(visibility > 0)) {
             return false;
         }
-        if (dims) {
-            arrival.light(arrival.red * dimming.red, arrival.green * dimming.green, arrival.blue * dimming.blue);
-        }
         double diffuse = isBefore ? finish.diffusion * facing : 0;
-        double highlight = isBefore ? finish.highlight(alignment) : 0;
+        double highlight = isBefore ? finish.highlight(alignment(level)) : 0;
         red = visibility * arrival.red * (diffuse * level.colorRed + highlight + lobe.valueRed);
         green = visibility * arrival.green * (diffuse * level.colorGreen + highlight + lobe.valueGreen);
         blue = visibility * arrival.blue * (diffuse * level.colorBlue + highlight + lobe.valueBlue);
@@ -285,13 +266,32 @@ final class Lighting {
         return true;
     }
 
+    /** R·L. */
+    private double alignment(Level level) {
+        return level.mirrorX * arrival.x + level.mirrorY * arrival.y + level.mirrorZ * arrival.z;
+    }
+
+    /** Looks what stands in the way of the arrival, which becomes what gets through the substances there; the share of it that surfaces let through. */
+    private double reach(int depth, int light, Level level, double facing) {
+        double visibility = facing > 0 ? visibility(depth, light, level) : visibilityBeyond(depth, light, level);
+        boolean isDimmed = dims && visibility > 0;
+        if (isDimmed) {
+            witness.dimmed(dimming.red, dimming.green, dimming.blue);
+        }
+        witness.sought(light, arrival, facing, visibility);
+        if (isDimmed) {
+            arrival.light(arrival.red * dimming.red, arrival.green * dimming.green, arrival.blue * dimming.blue);
+        }
+        return visibility;
+    }
+
     /** Of a light behind the surface, whose light comes through the body, or through a pane. */
-    private double visibilityBeyond(int depth, int light, Level level, boolean leaving) {
+    private double visibilityBeyond(int depth, int light, Level level) {
         rays++;
         Hit hit = level.hit;
         Ray ray = level.ray;
         shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, ray.part,
-                leaving == ray.face < 0);
+                level.leaving == ray.face < 0);
         around = lobe.beyond;
         isBeyond = true;
         double share = share(depth * lamps.length + light, anywhere);
@@ -299,7 +299,7 @@ final class Lighting {
         return share > 0 && glows.occluder(shadow, light) != Glows.NONE ? 0 : share;
     }
 
-    private double visibility(int depth, int light, Level level, boolean leaving) {
+    private double visibility(int depth, int light, Level level) {
         rays++;
         Entries among = depth == 0 ? between[light] : anywhere;
         if (bodies.isClear(among) && glows.areNone() && !dims) {
@@ -308,7 +308,7 @@ final class Lighting {
         Hit hit = level.hit;
         Ray ray = level.ray;
         shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, ray.part,
-                leaving != ray.face < 0);
+                level.leaving != ray.face < 0);
         backFrom(level, shadow);
         around = level.media;
         double share = share(depth * lamps.length + light, among);

@@ -39,12 +39,12 @@ final class Lobe extends Shares {
     }
 
     /** Makes ready for a hit. */
-    void at(Level level, Finish of, boolean leaving) {
+    void at(Level level, Finish of) {
         Ray ray = level.ray;
         Hit hit = level.hit;
         isPane = scene.isPane(level, of);
         from = level.media.refractiveIndex();
-        double inside = scene.enterBeyond(level, of, leaving, beyond);
+        double inside = scene.enterBeyond(level, of, beyond);
         to = isPane || !scene.isSolid(scene.parts().object(ray.part)) ? of.refractiveIndex : inside;
         facing = Math.min(1, -(ray.dx * hit.sx + ray.dy * hit.sy + ray.dz * hit.sz));
         seen = facing > 0 ? Ggx.seen(facing, of.alpha) : 0;

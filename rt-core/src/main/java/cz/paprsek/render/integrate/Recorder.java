@@ -89,24 +89,24 @@ public final class Recorder extends Whitted {
     }
 
     @Override
-    public void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
+    public void met(Level level) {
         Ray ray = level.ray;
         Hit hit = level.hit;
         map(level);
         InScene<BodyAt> surface = surface(ray.part);
         boolean flipped = ray.face < 0;
         Vec3 outwards = new Vec3(hit.nx, hit.ny, hit.nz);
-        Encounter.Place place = new Encounter.Place(surface, face(surface, scene.parts().part(ray.part).ownFace(flipped ? ~ray.face : ray.face)), flipped, leaving,
-                ray.max, new Vec3(hit.px, hit.py, hit.pz), leaving ? outwards.negated() : outwards, new Vec3(hit.sx, hit.sy, hit.sz),
-                hit.u, hit.v, cosine, new Vec3(mirrorX, mirrorY, mirrorZ));
+        Encounter.Place place = new Encounter.Place(surface, face(surface, scene.parts().part(ray.part).ownFace(flipped ? ~ray.face : ray.face)), flipped, level.leaving,
+                ray.max, new Vec3(hit.px, hit.py, hit.pz), level.leaving ? outwards.negated() : outwards, new Vec3(hit.sx, hit.sy, hit.sz),
+                hit.u, hit.v, level.cosine, new Vec3(level.mirrorX, level.mirrorY, level.mirrorZ));
         open.push(new Draft(begin(level), place, scene.parts().finish(ray.part).material,
                 new LinearRgb(level.colorRed, level.colorGreen, level.colorBlue), ambient,
-                new ShadowWalk.Start(place.point(), size, ray.part, leaving != flipped, level.media, ray.max <= ray.contact, false)));
+                new ShadowWalk.Start(place.point(), hit.size, ray.part, level.leaving != flipped, level.media, ray.max <= ray.contact, false)));
         Finish finish = scene.parts().finish(ray.part);
         if (finish.alpha > 0) {
             Media beyond = new Media();
-            scene.enterBeyond(level, finish, leaving, beyond);
-            open.element().startBeyond = new ShadowWalk.Start(place.point(), size, ray.part, leaving == flipped, beyond, false, true);
+            scene.enterBeyond(level, finish, beyond);
+            open.element().startBeyond = new ShadowWalk.Start(place.point(), hit.size, ray.part, level.leaving == flipped, beyond, false, true);
         }
     }
 

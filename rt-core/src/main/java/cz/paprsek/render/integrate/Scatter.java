@@ -32,19 +32,17 @@ final class Scatter extends Shares {
      * Decides where light goes from the level's hit.
      *
      * @param next a level whose media may be changed
-     * @param leaving whether the normal was turned round
-     * @param c cosine of the angle between the ray and the normal, 0–1
      */
-    void decide(Level level, Level next, Finish finish, boolean leaving, double c) {
+    void decide(Level level, Level next, Finish finish) {
         Ray ray = level.ray;
         Hit hit = level.hit;
         boolean isPane = scene.isPane(level, finish);
         double from = level.media.refractiveIndex();
-        double to = isPane || !scene.isSolid(scene.parts().object(ray.part)) ? finish.refractiveIndex : scene.enterBeyond(level, finish, leaving, next.media);
+        double to = isPane || !scene.isSolid(scene.parts().object(ray.part)) ? finish.refractiveIndex : scene.enterBeyond(level, finish, next.media);
         double mx = hit.sx;
         double my = hit.sy;
         double mz = hit.sz;
-        double cosine = c;
+        double cosine = level.cosine;
         boolean isRough = finish.alpha > 0;
         if (isRough) {
             sampler.facet(level.path);

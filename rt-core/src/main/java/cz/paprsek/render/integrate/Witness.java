@@ -23,14 +23,9 @@ public abstract class Witness {
     public void missed(Level level) {}
 
     /**
-     * The level's ray has hit something. The normal is turned towards the viewer, the level's light is its ambient term.
-     *
-     * @param leaving whether the normal was turned round: the ray comes from inside
-     * @param cosine of the angle between the ray and the normal, 0–1
-     * @param mirrorX the mirrored direction R, of length 1
-     * @param size what the rounding errors of rays that start here are relative to
+     * The level's ray has hit something. The normals are turned towards the viewer, the level's light is its ambient term.
      */
-    public void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {}
+    public void met(Level level) {}
 
     /**
      * The level's ray sees a light as it is: its body, or the disc of a sun, and brings its light. It ends there.

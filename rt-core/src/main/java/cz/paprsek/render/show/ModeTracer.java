@@ -43,7 +43,7 @@ public final class ModeTracer extends Whitted {
 
     @Override
     public void block(Eye eye, int x, int y, int width, int height, Film film) {
-        for (int i = 0; i < width * height && !cancelled; i++) {
+        for (int i = 0; i < width * height && !isCancelled(); i++) {
             Level shown = shown(eye, x + i % width, y + i / width);
             film.set(x + i % width, y + i / width, shown.red, shown.green, shown.blue);
         }
@@ -87,7 +87,7 @@ public final class ModeTracer extends Whitted {
     }
 
     @Override
-    public void met(Level level, boolean leaving, double cosine, double mirrorX, double mirrorY, double mirrorZ, double size) {
+    public void met(Level level) {
         shape(level, scene.parts().object(level.ray.part));
     }
 

@@ -25,6 +25,14 @@ public final class Level {
     public int path;
     /** Of a ray from the eye, whether the pixel's filter takes away what it brings. */
     public boolean isNegative;
+    /** Whether the hit's normals were turned round: the ray comes from inside. */
+    public boolean leaving;
+    /** Cosine of the angle between the ray and the normal that light is reckoned with, 0–1. */
+    public double cosine;
+    /** The mirrored direction, of length 1. */
+    public double mirrorX;
+    public double mirrorY;
+    public double mirrorZ;
     /** The colour of the surface at the hit, linear. */
     public double colorRed;
     public double colorGreen;

@@ -143,17 +143,16 @@ public final class World {
     /**
      * Sets the media beyond the surface that a ray has hit. A flat figure has no inside.
      *
-     * @param leaving whether the ray comes from the inside
      * @return their refractive index
      */
-    public double enterBeyond(Level level, Finish finish, boolean leaving, Media beyond) {
+    public double enterBeyond(Level level, Finish finish, Media beyond) {
         beyond.set(level.media);
         int object = parts.object(level.ray.part);
         if (level.ray.max > level.ray.contact || !level.beyond) {
             beyond.forgetPassed();
         }
         if (isSolid(object)) {
-            if (leaving) {
+            if (level.leaving) {
                 beyond.leave(object);
                 beyond.pass(object);
             } else {

@@ -100,7 +100,7 @@ class RoughTest {
             level.colorGreen = 1;
             level.colorBlue = 1;
             lobe = new Lobe(world);
-            lobe.at(level, finish, false);
+            lobe.at(level, finish);
         }
 
         double value(double x, double y, double z) {
