@@ -6,7 +6,6 @@ import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.PartTable;
 import cz.paprsek.render.surface.World;
-import cz.paprsek.shape.placed.Ray;
 
 /** Starts the rays that a hit gives rise to, and counts them. */
 final class Offspring {
