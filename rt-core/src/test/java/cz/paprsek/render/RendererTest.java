@@ -202,7 +202,7 @@ class RendererTest {
             }
             least = Math.min(least, threads.getThreadAllocatedBytes(id) - before);
         }
-        long rays = (tracer.rays()) / 5;
+        long rays = tracer.rays() / 5;
         // The measurement itself costs some tens of bytes; a single object of 16 bytes in a thousand rays would show.
         assertThat(least).as("bytes for %d rays", rays).isLessThan(200);
         assertThat(rays).isGreaterThan(10_000);
