@@ -68,8 +68,8 @@ class CameraOptionTest {
     @Test
     void allAreListed() {
         assertThat(Run.cli("info", file).out().replaceAll(" +", " ")).contains("cameras 3\n").contains("front position 0 0 5, target 0 0 0, up 0 1 0, fovy 45")
-                .contains("plan orthographic, position 0 5 0, direction 0 -1 0, up 0 0 -1, height 4").contains("- fisheye, position 0 0 5, target 0 0 0, up 0 1 0, angle 180");
-        assertThat(Run.cli("info", file, "--json").out()).contains("\"cameras\":[{\"name\":\"front\",\"projection\":\"perspective\"").contains("\"height\":4}");
+                .contains("plan position 0 5 0, direction 0 -1 0, up 0 0 -1, projection orthographic, height 4").contains("- position 0 0 5, target 0 0 0, up 0 1 0, projection fisheye, angle 180");
+        assertThat(Run.cli("info", file, "--json").out()).contains("\"cameras\":[{\"name\":\"front\",", "\"projection\":\"fisheye\"", "\"height\":4}");
     }
 
     @Test

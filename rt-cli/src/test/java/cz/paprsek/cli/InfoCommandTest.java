@@ -30,15 +30,14 @@ class InfoCommandTest {
         assertThat(run.out().lines().map(String::strip).map(line -> line.replaceAll(" +", " "))).containsExactly(
                 file.toString(),
                 "name ball",
-                "picture 16x8, max-depth 5, 1 ray a pixel",
-                "camera position 0 1 5, direction 0 0 -1, up 0 1 0, fovy 45",
                 "background 0 0 0",
                 "ambient 0 0 0",
+                "picture 16x8, max-depth 5, samples 1",
+                "camera position 0 1 5, direction 0 0 -1, up 0 1 0, fovy 45",
                 "lights 1",
                 "key point-light: position 2 3 4, color 255 255 255, intensity 0.5",
                 "materials 1",
-                "red color 255 0 0, diffusion 0.8, specular 0, shininess 30, reflection 0, transparency 0, refractive-index 1, "
-                        + "fresnel false, roughness 0, thin false, attenuation-color 255 255 255, attenuation-distance 1, emission 0 0 0, emission-strength 1",
+                "red color 255 0 0, diffusion 0.8",
                 "objects 3, with 2 operands",
                 "block 0 and 1 operand",
                 "difference 1",
@@ -70,10 +69,29 @@ class InfoCommandTest {
                 "sharp position 0 3 4, target 0 0 0, up 0 1 0, fovy 45, aperture 0.1, focus 5",
                 "narrow spot-light: position 1 1 1, target 0 0 0, color 255 255 255, intensity 1, inner-angle 20, outer-angle 20",
                 "wide spot-light: position 1 1 1, target 0 0 0, color 255 255 255, intensity 1, reference-distance 2, inner-angle 30, outer-angle 45");
-        assertThat(Run.cli("info", "--json", scene).out()).contains("\"up\":[0,0,-1],\"fovy\":45,\"aperture\":0}", "\"aperture\":0.1,\"focus\":5}",
+        assertThat(Run.cli("info", "--json", scene).out()).contains("\"up\":[0,0,-1],\"projection\":\"perspective\",\"fovy\":45,\"aperture\":0}",
                 "\"intensity\":1,\"inner-angle\":20,\"outer-angle\":20}");
+        assertThat(Run.cli("info", "--json", scene).out()).contains("\"name\":\"down\",\"position\":[0,5,0],\"direction\":[0,-1,0],\"up\"",
+                "\"target\":[0,0,0],\"up\":[0,1,0],\"projection\":\"perspective\",\"fovy\":45,\"aperture\":0.1,\"focus\":5,\"direction\":[0,-0.6,-0.8]}");
         assertThat(Run.cli("db", "show", "light", scene, "--csv").text()).contains("20,20").doesNotContain(",0,");
         assertThat(Run.cli("db", "list", scene, "--where", "not most-samples >= 0 and not error > 0 and exists(camera where focus = 5)").out()).contains("lit from above");
+    }
+
+    @Test
+    void ofMaterialsSkiesAndSettingsThatIsToldWhichMatters() throws IOException {
+        Path scene = folder.resolve("c.xml");
+        Files.writeString(scene, "<scene xmlns=\"urn:paprsek:scene:1\" name=\"glow\"><render samples=\"2..8\" filter=\"tent\"/><sky zenith=\"1 2 3\"/><camera position=\"0 5 0\" "
+                + "target=\"0 0 0\"/><material name=\"ruby\" transparency=\"1\" refractive-index=\"1.5\" attenuation-color=\"230 20 40\" attenuation-distance=\"2\" specular=\"0.5\"/>"
+                + "<material name=\"lamp\" emission=\"255 0 0\" attenuation-color=\"1 1 1\" refractive-index=\"2\"/></scene>");
+        assertThat(Run.cli("info", scene).out().lines().map(line -> line.strip().replaceAll(" +", " "))).contains(
+                "sky zenith 1 2 3, horizon 206 220 236, ground 112 104 96",
+                "picture 800x600, max-depth 5, samples 2..8, error 0.01, confidence 0.95, filter tent",
+                "ruby color 255 255 255, diffusion 0.8, specular 0.5, shininess 30, transparency 1, refractive-index 1.5, attenuation-color 230 20 40, attenuation-distance 2",
+                "lamp color 255 255 255, diffusion 0.8, emission 255 0 0, emission-strength 1");
+        assertThat(Run.cli("info", "--json", scene).out()).contains("\"sky\":{\"zenith\":[1,2,3],", "\"samples\":2,\"most-samples\":8,\"error\":0.01")
+                .contains("\"thin\":false,\"emission\":[255,0,0],\"emission-strength\":1}");
+        assertThat(Run.cli("db", "find", scene, "--where", "emission.red = 255 and not refractive-index > 0").out()).contains("lamp").doesNotContain("ruby");
+        assertThat(Run.cli("db", "list", scene, "--where", "sky = \"gradient\" and background = \"0 0 0\"").out()).contains("glow");
     }
 
     @Test

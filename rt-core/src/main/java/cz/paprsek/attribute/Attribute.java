@@ -30,9 +30,12 @@ public @interface Attribute {
     /** Its name, if that is not the component's. Two components in a row that have one name are one attribute of two numbers. */
     String name() default "";
 
+    /** Whether it stands in an element of its own, and not among the attributes of its record's: a colour as its {@code color}, a text as what is inside. */
+    boolean isElement() default false;
+
     /**
-     * The method of the element's record that says what counts, where the component may hold a number that stands for nothing given: what stands in
-     * for it, or an empty optional or an infinite number for nothing. Empty if the component itself says.
+     * The method of the element's record that says what counts, where the component may hold what stands for nothing given, or does not matter: what
+     * stands in for it, an empty optional or an infinite number for nothing, or whether the value itself counts. Empty if it always does.
      */
     String inForce() default "";
 }

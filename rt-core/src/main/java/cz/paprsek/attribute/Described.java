@@ -31,9 +31,12 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
             for (RecordComponent component : componentsOf(type)) {
                 Attribute says = component.getAnnotation(Attribute.class);
                 Described before = all.isEmpty() ? null : all.get(all.size() - 1);
-                if (says != null && before != null && before.name.equals(says.name())) {
+                if (says == null || says.isElement()) {
+                    continue;
+                }
+                if (before != null && before.name.equals(says.name())) {
                     all.set(all.size() - 1, new Described(before.name, List.of(), List.of(before.component(), component), before.says));
-                } else if (says != null) {
+                } else {
                     all.add(new Described(says.name().isEmpty() ? name(component) : says.name(), List.of(), List.of(component), says));
                 }
             }
@@ -63,17 +66,18 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
         return OWN.get(type);
     }
 
+    /** What stands in elements of its own, each with one value, in those of a record. */
+    public static List<Described> elements(Class<?> type) {
+        return Arrays.stream(componentsOf(type)).flatMap(component -> Optional.ofNullable(component.getAnnotation(Attribute.class)).filter(Attribute::isElement)
+                .map(says -> new Described(name(component), List.of(), List.of(component), says)).stream()).toList();
+    }
+
     /**
      * As {@link #of}, and in their places those of records that are components but no elements. Of these there may be several kinds, of which a
      * record has one: a camera has a direction or a target, without a word which, and the lens that the word of its own attribute says.
      */
     public static List<Described> inline(Class<?> type) {
         return INLINE.get(type);
-    }
-
-    /** Of those {@link #inline}, the ones of records of a kind that is a component. */
-    public static List<Described> inline(Class<?> type, Class<?> kind) {
-        return inline(type).stream().filter(one -> kind.isAssignableFrom(one.component().getDeclaringRecord())).toList();
     }
 
     private static RecordComponent[] componentsOf(Class<?> type) {
@@ -144,10 +148,17 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
                 : components.stream().mapToDouble(component -> ((Number) get(component, owner)).doubleValue()).toArray();
     }
 
-    /** What counts for a record, for people and programs who want to know how it is and not how it was written; empty if nothing does. */
+    /**
+     * What counts for a record, for people and programs who want to know how it is and not how it was written; empty if nothing does, or if the
+     * record is of another kind.
+     */
     public Optional<Object> inForce(Object record) {
+        if (!isOf(record)) {
+            return Optional.empty();
+        }
         Object value = says.inForce().isEmpty() ? value(record) : get(method(record), record);
-        return value instanceof OptionalDouble number ? (number.isPresent() ? Optional.of(number.getAsDouble()) : Optional.empty())
+        return value instanceof Boolean counts && type() != boolean.class ? (counts ? Optional.of(value(record)) : Optional.empty())
+                : value instanceof OptionalDouble number ? (number.isPresent() ? Optional.of(number.getAsDouble()) : Optional.empty())
                 : value instanceof OptionalInt number ? (number.isPresent() ? Optional.of(number.getAsInt()) : Optional.empty())
                 : value instanceof Double number && number.isInfinite() ? Optional.empty() : Optional.of(value);
     }

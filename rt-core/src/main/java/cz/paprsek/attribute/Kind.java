@@ -45,6 +45,7 @@ public enum Kind {
     /** Of a file, relative to the folder of the scene. */
     FILE(Form.TEXT, "file", "the name of a file beside the scene's, of 1 to 1000 characters", Range.from(1).to(1000)),
     NAME(Form.TEXT, "name", "a text of 1 to 200 characters", Range.from(1).to(200)),
+    FREE_TEXT(Form.TEXT, "text", "a text of at most 100000 characters", Range.from(0).to(100_000)),
     /** A list of them. */
     WORDS(Form.WORDS, "tags", "words separated by blanks", Range.ANY),
     FLAG(Form.FLAG, "flag", "true or false", Range.ANY),

@@ -33,17 +33,17 @@ public record Material(
         Pattern pattern,
         @Attribute(value = Kind.SHARE, means = "Share of diffusely reflected light", otherwise = "0.8") double diffusion,
         @Attribute(value = Kind.SHARE, means = "Strength of the highlight", otherwise = "0") double specular,
-        @Attribute(value = Kind.EXPONENT, means = "Exponent of the highlight", otherwise = "30") double shininess,
+        @Attribute(value = Kind.EXPONENT, inForce = "hasHighlight", means = "Exponent of the highlight", otherwise = "30") double shininess,
         @Attribute(value = Kind.SHARE, means = "Share of mirrored light", otherwise = "0") double reflection,
         @Attribute(value = Kind.SHARE, means = "Share of transmitted light", otherwise = "0") double transparency,
-        @Attribute(value = Kind.REFRACTIVE_INDEX, means = "Index of the medium inside", otherwise = "1") double refractiveIndex,
+        @Attribute(value = Kind.REFRACTIVE_INDEX, inForce = "hasIndex", means = "Index of the medium inside", otherwise = "1") double refractiveIndex,
         @Attribute(value = Kind.WORD, means = "How reflection depends on the angle: not, as that of glass or water, as that of metals", otherwise = "false") Fresnel fresnel,
         @Attribute(value = Kind.SHARE, means = "How far what is mirrored and let through is strewn", otherwise = "0") double roughness,
         @Attribute(value = Kind.FLAG, means = "A wall without thickness, around what is outside", otherwise = "false") boolean thin,
-        @Attribute(value = Kind.COLOR, means = "What the substance inside leaves of light, white being all", otherwise = "255 255 255") Rgb attenuationColor,
-        @Attribute(value = Kind.POSITIVE, means = "Depth that the attenuation-color is stated for", otherwise = "1") double attenuationDistance,
-        @Attribute(value = Kind.COLOR, means = "Light of its own", otherwise = "0 0 0") Rgb emission,
-        @Attribute(value = Kind.INTENSITY, means = "Factor of the emission", otherwise = "1") double emissionStrength)
+        @Attribute(value = Kind.COLOR, inForce = "absorbs", means = "What the substance inside leaves of light, white being all", otherwise = "255 255 255") Rgb attenuationColor,
+        @Attribute(value = Kind.POSITIVE, inForce = "absorbs", means = "Depth that the attenuation-color is stated for", otherwise = "1") double attenuationDistance,
+        @Attribute(value = Kind.COLOR, inForce = "shines", means = "Light of its own", otherwise = "0 0 0") Rgb emission,
+        @Attribute(value = Kind.INTENSITY, inForce = "shines", means = "Factor of the emission", otherwise = "1") double emissionStrength)
         implements MaterialSource {
 
     /** Matte white: what an object without a material is made of. */
@@ -89,6 +89,25 @@ public record Material(
     /** A material that neither glows nor absorbs, and whose reflection does not depend on the angle. */
     public Material(Pattern pattern, double diffusion, double specular, double shininess, double reflection, double transparency, double refractiveIndex) {
         this(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, Fresnel.FALSE, 0, false, Rgb.WHITE, 1, Rgb.BLACK, 1);
+    }
+
+    public boolean hasHighlight() {
+        return specular > 0;
+    }
+
+    /** Whether its refractive index matters: where light goes in, or is mirrored by the angle as of what does not conduct. */
+    public boolean hasIndex() {
+        return transparency > 0 || fresnel == Fresnel.TRUE;
+    }
+
+    /** Whether the substance inside weakens light. */
+    public boolean absorbs() {
+        return transparency > 0 && !thin && !attenuationColor.equals(Rgb.WHITE);
+    }
+
+    /** Whether it gives off light. */
+    public boolean shines() {
+        return emissionStrength > 0 && !emission.equals(Rgb.BLACK);
     }
 
     /** The names of the pictures it needs. */

@@ -1,8 +1,6 @@
 package cz.paprsek.query;
 
-import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.ElementTable;
-import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Scene;
@@ -10,18 +8,13 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
-import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.Method;
-import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
-/** The tables of objects: one of all, and one for each kind of shape, whose columns are the components of its record. */
+/** The tables of objects: one of all, and one for each kind of shape, whose columns are the attributes of its record. */
 final class KindTables {
     private KindTables() {}
 
@@ -43,8 +36,9 @@ final class KindTables {
     static List<Relation<Scene, InScene<BodyAt>>> kinds() {
         List<Relation<Scene, InScene<BodyAt>>> tables = new ArrayList<>();
         ElementTable.of(Shape.class).forEach(type -> {
-            List<Column<InScene<BodyAt>>> measures = Arrays.stream(type.getRecordComponents()).flatMap(component -> measure(component).stream()).toList();
+            List<Column<InScene<BodyAt>>> measures = MaterialColumns.attributes(type, row -> body(row).shape());
             if (type == Csg.class) {
+                measures = List.of(Column.number("operands", row -> ((Csg) body(row).shape()).operands().size()));
                 for (Csg.Operation operation : Csg.Operation.values()) {
                     tables.add(kind(operation.name(), measures, shape -> shape instanceof Csg csg && csg.operation() == operation));
                 }
@@ -74,26 +68,5 @@ final class KindTables {
                 Column.text("material", row -> row.part().materialName(row.scene()))));
         columns.addAll(MaterialColumns.of(row -> row.part().material(row.scene())));
         return columns;
-    }
-
-    /** The column of a measure; a list of things is counted. */
-    private static Optional<Column<InScene<BodyAt>>> measure(RecordComponent component) {
-        String name = Described.name(component);
-        Method getter = component.getAccessor();
-        Class<?> type = component.getType();
-        return Optional.ofNullable(
-                type == double.class || type == int.class ? Column.number(name, row -> ((Number) get(getter, row)).doubleValue())
-                : type == Vec3.class ? Column.vector(name, row -> (Vec3) get(getter, row))
-                : type == String.class ? Column.text(name, row -> (String) get(getter, row))
-                : List.class.isAssignableFrom(type) ? Column.number(name, row -> ((List<?>) get(getter, row)).size())
-                : null);
-    }
-
-    private static Object get(Method getter, InScene<BodyAt> row) {
-        try {
-            return getter.invoke(body(row).shape());
-        } catch (IllegalAccessException | InvocationTargetException e) {
-            throw new IllegalStateException("a record of a shape does not give out what it has: " + getter, e);
-        }
     }
 }

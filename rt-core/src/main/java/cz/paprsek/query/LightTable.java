@@ -1,7 +1,5 @@
 package cz.paprsek.query;
 
-import cz.paprsek.attribute.Described;
-import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.InScene;
@@ -23,17 +21,12 @@ final class LightTable {
         columns.put("scene", Column.text("scene", row -> row.scene().name()));
         columns.put("name", Column.text("name", row -> row.part().name()));
         columns.put("kind", Column.text("kind", row -> row.part().kind()));
-        ElementTable.of(Light.class).flatMap(kind -> Described.inline(kind).stream())
-                .forEach(one -> columns.computeIfAbsent(one.name(), name -> MaterialColumns.column(one, row -> value(row.part(), name))));
+        columns.putAll(MaterialColumns.inline(Light.class, InScene::part));
         columns.put("direction", Column.vectors("direction", row -> direction(row.part())));
         columns.remove("size");
         columns.put("width", Column.numbers("width", row -> number(size(row.part()).map(AreaLight.Size::width))));
         columns.put("height", Column.numbers("height", row -> number(size(row.part()).map(AreaLight.Size::height))));
         return new Table<>("light", new ArrayList<>(columns.values()), List.of());
-    }
-
-    private static Optional<Object> value(Light light, String name) {
-        return Described.inline(light.getClass()).stream().filter(one -> one.name().equals(name) && one.isOf(light)).findFirst().flatMap(one -> one.inForce(light));
     }
 
     private static OptionalDouble number(Optional<?> value) {
@@ -44,7 +37,7 @@ final class LightTable {
     private static Optional<Vec3> direction(Light light) {
         return light instanceof SpotLight spot ? Optional.of(spot.direction())
                 : light instanceof AreaLight area ? Optional.of(area.direction())
-                : value(light, "direction").map(Vec3.class::cast);
+                : MaterialColumns.inForce(light, "direction").map(Vec3.class::cast);
     }
 
     private static Optional<AreaLight.Size> size(Light light) {

@@ -7,7 +7,9 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
@@ -25,8 +27,21 @@ final class MaterialColumns {
     }
 
     /** A column for each attribute of a record, whatever its form; two for one of two numbers. */
-    static <R, T> List<Column<R>> attributes(Class<T> record, Function<R, T> of) {
+    static <R> List<Column<R>> attributes(Class<?> record, Function<R, ?> of) {
         return Described.of(record).stream().flatMap(one -> one.apart().stream()).<Column<R>>map(one -> column(one, row -> one.inForce(of.apply(row)))).toList();
+    }
+
+    /** A column for each attribute that records of one of the kinds have in their elements, by its name; empty for those of the others. */
+    static <R> Map<String, Column<R>> inline(Class<?> type, Function<R, Object> of) {
+        Map<String, Column<R>> columns = new LinkedHashMap<>();
+        ElementTable.of(type).flatMap(kind -> Described.inline(kind).stream())
+                .forEach(one -> columns.computeIfAbsent(one.name(), name -> column(one, row -> inForce(of.apply(row), name))));
+        return columns;
+    }
+
+    /** What counts of the attribute of that name, if a record has it. */
+    static Optional<Object> inForce(Object record, String name) {
+        return Described.inline(record.getClass()).stream().filter(one -> one.name().equals(name)).flatMap(one -> one.inForce(record).stream()).findFirst();
     }
 
     /** The column of an attribute of one value, of what counts. */

@@ -4,15 +4,14 @@ import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.InScene;
-import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.text.Similar;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Stream;
 
 /** The tables that scenes are seen as: scenes, cameras, lights, materials, all objects, and the objects of each kind. */
@@ -58,10 +57,8 @@ public final class SceneTables {
                 Column.number("objects", scene -> scene.objects().size()),
                 Column.number("operands", scene -> ScenePath.bodies(scene).filter(at -> at.depth() > 0).count())));
         columns.addAll(MaterialColumns.attributes(RenderSettings.class, Scene::settings));
-        columns.addAll(List.of(
-                Column.color("background", scene -> Optional.of(scene.background())),
-                Column.color("ambient", scene -> Optional.of(scene.ambient())),
-                Column.text("description", Scene::description)));
+        Described.elements(Scene.class).forEach(one -> columns.add(MaterialColumns.column(one, one::inForce)));
+        columns.add(Column.text("sky", scene -> scene.sky().equals(Scene.Sky.NONE) ? "" : Described.word(scene.sky())));
         return new Table<>("scene", columns, PARTS);
     }
 
@@ -76,16 +73,11 @@ public final class SceneTables {
     }
 
     private static Table<InScene<Camera>> camera() {
-        List<Column<InScene<Camera>>> columns = new ArrayList<>(List.of(
-                Column.text("scene", row -> row.scene().name()),
-                Column.text("name", row -> row.part().name()),
-                Column.text("projection", row -> row.part().lens().projection()),
-                Column.vector("position", row -> row.part().position()),
-                Column.vector("direction", row -> row.part().forward()),
-                Column.vectors("target", row -> row.part().aim() instanceof Camera.Target target ? Optional.of(target.point()) : Optional.empty()),
-                Column.vector("up", row -> row.part().upwards())));
-        Described.inline(Camera.class, Lens.class).forEach(one -> columns.add(MaterialColumns.column(one, row -> one.isOf(row.part()) ? one.inForce(row.part()) : Optional.empty())));
-        return new Table<>("camera", columns, List.of());
+        Map<String, Column<InScene<Camera>>> columns = new LinkedHashMap<>();
+        columns.put("scene", Column.text("scene", row -> row.scene().name()));
+        columns.putAll(MaterialColumns.inline(Camera.class, InScene::part));
+        columns.put("direction", Column.vector("direction", row -> row.part().forward()));
+        return new Table<>("camera", new ArrayList<>(columns.values()), List.of());
     }
 
     private static Table<InScene<Map.Entry<String, Material>>> material() {

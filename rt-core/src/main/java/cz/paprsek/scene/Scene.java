@@ -38,12 +38,12 @@ import java.util.function.UnaryOperator;
 @Element("A scene. Its elements may come in any order; at least one camera, at most one render, background or sky, ambient and description.")
 public record Scene(
         @Attribute(value = Kind.NAME, means = "What the scene is called; no control characters, as in all names", otherwise = Attribute.NOTHING) String name,
-        String description,
+        @Attribute(value = Kind.FREE_TEXT, isElement = true, means = "Free text", otherwise = Attribute.NOTHING) String description,
         @Attribute(value = Kind.WORDS, means = "Words to find it by", otherwise = Attribute.NOTHING) List<String> tags,
         RenderSettings settings,
-        Rgb background,
+        @Attribute(value = Kind.COLOR, isElement = true, means = "What a ray sees that hits nothing", otherwise = "0 0 0") Rgb background,
         Sky sky,
-        Rgb ambient,
+        @Attribute(value = Kind.COLOR, isElement = true, means = "Light that reaches every point", otherwise = "0 0 0") Rgb ambient,
         List<Camera> cameras,
         List<Light> lights,
         Map<String, Material> materials,

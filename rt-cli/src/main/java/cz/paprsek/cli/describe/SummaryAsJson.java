@@ -9,10 +9,10 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
-import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import java.util.stream.Stream;
 
 /** A summary for scripts; colours are sRGB 0–255, as in scene files. */
 public final class SummaryAsJson {
@@ -23,16 +23,15 @@ public final class SummaryAsJson {
         Json kinds = new Json();
         summary.kinds().forEach((kind, count) -> kinds.with(kind,
                 new Json().with("objects", count.objects()).with("operands", count.operands())));
-        Json json = new Json()
-                .with("file", file)
-                .with("name", scene.name())
-                .with("description", scene.description())
-                .withTexts("tags", scene.tags())
+        Json json = new Json().with("file", file).with("name", scene.name()).withTexts("tags", scene.tags());
+        inForce(json, Described.elements(Scene.class).stream(), scene);
+        if (scene.sky() instanceof Record sky && !scene.sky().equals(Scene.Sky.NONE)) {
+            json.with("sky", inForce(new Json(), Described.of(sky.getClass()).stream(), sky));
+        }
+        json
                 .with("render", of(scene.settings()))
                 .with("camera", of(scene.camera()))
                 .with("cameras", scene.cameras().stream().map(SummaryAsJson::of).toList())
-                .with("background", vector(scene.background()))
-                .with("ambient", vector(scene.ambient()))
                 .with("lights", scene.lights().stream().map(SummaryAsJson::of).toList())
                 .with("materials", scene.materials().entrySet().stream().map(entry -> of(entry.getKey(), entry.getValue())).toList())
                 .with("ready-materials", ReadyUses.of(scene).entrySet().stream().map(entry -> of(entry.getKey(), entry.getValue())).toList())
@@ -43,38 +42,23 @@ public final class SummaryAsJson {
     }
 
     private static Json of(RenderSettings settings) {
-        Json json = new Json().with("width", settings.width()).with("height", settings.height()).with("max-depth", settings.maxDepth())
-                .with("samples", settings.samples());
-        if (settings.isAdaptive()) {
-            json.with("most-samples", settings.mostSamples()).with("error", settings.error()).with("confidence", settings.confidence());
-        }
-        return json.with("filter", settings.filter().toString());
+        return inForce(new Json(), Described.of(RenderSettings.class).stream().flatMap(one -> one.apart().stream()), settings);
     }
 
     private static Json of(Camera camera) {
-        Json json = new Json().with("name", camera.name()).with("projection", camera.lens().projection()).with("position", camera.position()).with("direction", camera.forward());
-        if (camera.aim() instanceof Camera.Target target) {
-            json.with("target", target.point());
-        }
-        json.with("up", camera.upwards());
-        Described.inline(Camera.class, Lens.class).stream().filter(one -> one.isOf(camera))
-                .forEach(one -> one.inForce(camera).ifPresent(value -> json.withValue(one.name(), value)));
-        return json;
+        Json json = inForce(new Json(), Described.inline(Camera.class).stream(), camera);
+        return camera.aim() instanceof Camera.Direction ? json : json.with("direction", camera.forward());
     }
 
     private static Json of(Light light) {
         Json json = new Json().with("name", light.name()).with("kind", light.kind());
-        Described.inline(light.getClass()).stream().filter(one -> one.isOf(light) && one.says().value() != Kind.NAME)
-                .forEach(one -> one.inForce(light).ifPresent(value -> with(json, one.name(), value)));
-        return json;
+        return inForce(json, Described.inline(light.getClass()).stream().filter(one -> one.says().value() != Kind.NAME), light);
     }
 
-    private static void with(Json json, String name, Object value) {
-        if (value instanceof Rgb color) {
-            json.with(name, vector(color));
-        } else {
-            json.withValue(name, value);
-        }
+    /** What counts of attributes. */
+    private static Json inForce(Json json, Stream<Described> attributes, Object record) {
+        attributes.forEach(one -> one.inForce(record).ifPresent(value -> json.withValue(one.name(), value instanceof Rgb color ? vector(color) : one.says().value() == Kind.WORD ? Described.word(value) : value)));
+        return json;
     }
 
     private static Json of(String name, Material material) {
@@ -84,8 +68,7 @@ public final class SummaryAsJson {
         } else {
             json.with("pattern", material.pattern().kind());
         }
-        Described.of(Material.class).forEach(one -> one.inForce(material).ifPresent(value -> json.withValue(one.name(), value)));
-        return json;
+        return inForce(json, Described.of(Material.class).stream(), material);
     }
 
     private static Json of(Bounds box) {

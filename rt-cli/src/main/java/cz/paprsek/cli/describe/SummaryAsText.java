@@ -8,14 +8,13 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
-import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
-import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.text.Numbers;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -35,42 +34,46 @@ public final class SummaryAsText {
     private void scene(Scene scene) {
         RenderSettings settings = scene.settings();
         optional("name", scene.name());
-        optional("description", scene.description().strip().replaceAll("\\s+", " "));
         optional("tags", String.join(" ", scene.tags()));
-        line("picture", settings.width() + "x" + settings.height() + ", max-depth " + settings.maxDepth() + ", "
-                + rays(settings));
+        Described.elements(Scene.class).forEach(one -> optional(one.name(), text(one, one.value(scene)).strip().replaceAll("\\s+", " ")));
+        if (scene.sky() instanceof Record sky) {
+            optional("sky", text(Described.of(sky.getClass()).stream(), sky));
+        }
+        line("picture", settings.width() + "x" + settings.height() + ", "
+                + text(Described.of(RenderSettings.class).stream().filter(one -> one.says().value() != Kind.PIXELS), settings));
         if (scene.cameras().size() == 1 && scene.camera().name().isEmpty()) {
             line("camera", text(scene.camera()));
         } else {
             line("cameras", Integer.toString(scene.cameras().size()));
             scene.cameras().forEach(camera -> item(camera.name(), text(camera)));
         }
-        line("background", text(scene.background()));
-        line("ambient", text(scene.ambient()));
         line("lights", Integer.toString(scene.lights().size()));
         for (Light light : scene.lights()) {
-            item(light.name(), light.kind() + ": " + text(light));
+            item(light.name(), light.kind() + ": " + text(Described.inline(light.getClass()).stream(), light));
         }
         line("materials", Integer.toString(scene.materials().size()));
         scene.materials().forEach((name, material) -> item(name, text(material)));
         ReadyUses.of(scene).forEach((name, material) -> item(name, text(material) + " (ready)"));
     }
 
-    private static String text(Light light) {
-        return text(Described.inline(light.getClass()).stream().filter(one -> one.isOf(light) && one.says().value() != Kind.NAME), light);
-    }
-
-    /** What counts of attributes, each with its name. */
+    /** What counts of attributes, each with its name; a share of nothing, a usual word and a pinhole are not worth one. */
     private static String text(Stream<Described> attributes, Object record) {
-        return attributes.flatMap(one -> one.inForce(record).map(value -> one.name() + " " + text(value)).stream()).collect(Collectors.joining(", "));
+        return attributes.filter(one -> one.says().value() != Kind.NAME)
+                .flatMap(one -> one.inForce(record).map(value -> text(one, value)).filter(value -> !isNothing(one, value)).map(value -> one.name() + " " + value).stream())
+                .collect(Collectors.joining(", "));
     }
 
-    private static String text(Object value) {
-        return value instanceof Rgb color ? text(color)
+    private static boolean isNothing(Described one, String value) {
+        return value.equals(one.says().otherwise()) && (one.says().value() == Kind.WORD || Set.of("0", "false").contains(value));
+    }
+
+    private static String text(Described one, Object value) {
+        return one.says().value() == Kind.WORD ? Described.word(value)
+                : value instanceof double[] samples && one.says().value() == Kind.SAMPLES ? Numbers.text(samples[0]) + (samples[1] > 0 ? ".." + Numbers.text(samples[1]) : "")
+                : value instanceof Rgb color ? text(color)
                 : value instanceof Vec3 vector ? Numbers.text(vector)
                 : value instanceof double[] pair ? Numbers.text(pair[0]) + " " + Numbers.text(pair[1])
                 : value instanceof Number number ? Numbers.text(number.doubleValue())
-                : value instanceof Enum<?> word ? Described.word(word)
                 : value.toString();
     }
 
@@ -101,30 +104,7 @@ public final class SummaryAsText {
     }
 
     private static String text(Camera camera) {
-        Lens lens = camera.lens();
-        return (lens instanceof Lens.Perspective ? "" : lens.projection() + ", ") + "position " + Numbers.text(camera.position()) + ", " + aim(camera)
-                + ", up " + Numbers.text(camera.upwards()) + lens(camera);
-    }
-
-    /** A pinhole is not worth a word. */
-    private static String lens(Camera camera) {
-        String text = text(Described.inline(Camera.class, Lens.class).stream()
-                .filter(one -> one.isOf(camera) && !(one.name().equals("aperture") && one.number(camera) == 0)), camera);
-        return text.isEmpty() ? "" : ", " + text;
-    }
-
-    private static String rays(RenderSettings settings) {
-        String rays = settings.isAdaptive()
-                ? settings.samples() + "x" + settings.samples() + " to " + settings.mostSamples() + "x" + settings.mostSamples() + " rays a pixel, error "
-                        + Numbers.text(settings.error()) + " at confidence " + Numbers.text(settings.confidence())
-                : settings.samples() == 1 ? "1 ray a pixel" : settings.samples() + "x" + settings.samples() + " rays a pixel";
-        return settings.filter() == PixelFilter.BOX ? rays : rays + ", filter " + settings.filter();
-    }
-
-    private static String aim(Camera camera) {
-        return camera.aim() instanceof Camera.Target target
-                ? "target " + Numbers.text(target.point())
-                : "direction " + Numbers.text(camera.forward());
+        return text(Described.inline(Camera.class).stream(), camera);
     }
 
     static String text(Rgb color) {

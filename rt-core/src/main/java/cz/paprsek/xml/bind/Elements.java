@@ -1,6 +1,6 @@
 package cz.paprsek.xml.bind;
 
-import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.scene.Scene;
@@ -8,13 +8,14 @@ import cz.paprsek.xml.format.SceneFormat;
 import cz.paprsek.xml.mistake.Complaints;
 import cz.paprsek.xml.mistake.Malformed;
 import cz.paprsek.xml.mistake.Problems;
+import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
@@ -33,9 +34,8 @@ final class Elements extends DefaultHandler2 implements Locator {
     private static final int LONGEST_VALUE = 100_000;
     /** The longest text that is handed on; far longer than any that may be kept. */
     private static final int LONGEST_TEXT = 1_000_000;
-    private static final Set<String> AT_MOST_ONCE = Arrays.stream(Scene.class.getRecordComponents())
-            .filter(part -> !part.isAnnotationPresent(Attribute.class) && part.getType() != List.class && part.getType() != Map.class)
-            .map(part -> part.getType().isAnnotationPresent(Element.class) ? ElementTable.name(part.getType()) : part.getName())
+    private static final Set<String> AT_MOST_ONCE = Stream.concat(Described.elements(Scene.class).stream().map(Described::name),
+            Arrays.stream(Scene.class.getRecordComponents()).map(RecordComponent::getType).filter(type -> type.isAnnotationPresent(Element.class)).map(ElementTable::name))
             .collect(Collectors.toUnmodifiableSet());
     private static final Attributes NO_ATTRIBUTES = new AttributesImpl();
 

@@ -1,5 +1,7 @@
 package cz.paprsek.xml.format;
 
+import cz.paprsek.attribute.Kind;
+
 /** The limits of scene files, and their schema. */
 public final class SceneFormat {
     public static final String NAMESPACE = "urn:paprsek:scene:1";
@@ -11,7 +13,7 @@ public final class SceneFormat {
     public static final int DEEPEST = 250;
 
     /** In characters, as in the schema. */
-    public static final int LONGEST_DESCRIPTION = 100_000;
+    public static final int LONGEST_DESCRIPTION = (int) Kind.FREE_TEXT.most();
 
     private SceneFormat() {}
 

@@ -39,7 +39,7 @@ final class Schema {
     }
 
     /** What is an element, but no record. */
-    @Element("A colour of light: the background that a ray sees which hits nothing, or the ambient light that reaches every point. Black if not given.")
+    @Element("A colour of light.")
     private record Colored(@Attribute(value = Kind.COLOR, means = "sRGB, 0-255") Rgb color) {}
 
     @Element("A material that objects refer to by name.")
@@ -103,9 +103,12 @@ final class Schema {
     private void scene() {
         text.open("complexType", "name", "Scene").documentation(ElementTable.means(Scene.class));
         text.open("choice", "minOccurs", "0", "maxOccurs", "unbounded");
-        text.open("element", "name", "description", "type", "s:text").documentation("Free text.").close("element");
+        for (Described one : Described.elements(Scene.class)) {
+            text.open("element", "name", one.name(), "type", "s:" + (one.says().value() == Kind.COLOR ? "Colored" : SimpleTypes.name(one)));
+            text.documentation(one.says().means() + (one.isOptional() ? "." : "; " + standard(one) + " if not given.")).close("element");
+        }
         element(RenderSettings.class);
-        text.leaf("element", "name", "background", "type", "s:Colored").leaf("element", "name", "sky", "type", "s:Sky").leaf("element", "name", "ambient", "type", "s:Colored");
+        text.leaf("element", "name", "sky", "type", "s:Sky");
         element(Camera.class);
         ElementTable.of(Light.class).forEach(this::element);
         text.leaf("element", "name", "material", "type", "s:NamedMaterial");

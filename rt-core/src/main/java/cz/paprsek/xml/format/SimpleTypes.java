@@ -41,8 +41,6 @@ final class SimpleTypes {
             }
         }
         enumerations.forEach(this::words);
-        type("text", "a text of at most " + SceneFormat.LONGEST_DESCRIPTION + " characters",
-                () -> length("xs:string", "maxLength", SceneFormat.LONGEST_DESCRIPTION));
     }
 
     private void write(Kind kind) {
@@ -149,9 +147,6 @@ final class SimpleTypes {
         text.leaf("maxLength", "value", String.valueOf(most)).close("restriction");
     }
 
-    private void length(String base, String facet, int value) {
-        text.open("restriction", "base", base).leaf(facet, "value", String.valueOf(value)).close("restriction");
-    }
 
     private void type(Kind kind, Runnable content) {
         type(kind.type(), kind.words(), content);
