@@ -103,6 +103,15 @@ public record Described(String name, List<RecordComponent> within, List<RecordCo
         return ElementTable.hyphenated(component.getName());
     }
 
+    /** The values of a record's components, by their names as files have them. */
+    public static Map<String, Object> values(Record record) {
+        Map<String, Object> values = new LinkedHashMap<>();
+        for (RecordComponent component : componentsOf(record.getClass())) {
+            values.put(name(component), get(component, record));
+        }
+        return values;
+    }
+
     /** A constant of an enumeration, or the kind of a record, as files have it. */
     public static String word(Object value) {
         return value instanceof Enum<?> constant ? constant.name().toLowerCase(Locale.ROOT).replace('_', '-')

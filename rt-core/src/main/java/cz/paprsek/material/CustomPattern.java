@@ -2,6 +2,7 @@ package cz.paprsek.material;
 
 import cz.paprsek.ray.Hit;
 import cz.paprsek.text.MadeInCode;
+import java.util.List;
 
 /**
  * A pattern that is made in code rather than read from a file. Must be immutable; any number of workers ask it at once. Scene files and POV-Ray
@@ -13,6 +14,11 @@ public non-sealed interface CustomPattern extends Pattern {
     @Override
     default String kind() {
         return MadeInCode.kind(this);
+    }
+
+    @Override
+    default List<Rgb> palette() {
+        return List.of();
     }
 
     /**

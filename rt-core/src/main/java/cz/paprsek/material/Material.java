@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 
 /**
  * How a surface answers light.
@@ -27,8 +28,10 @@ import java.util.function.Consumer;
  * @param attenuationDistance D, above 0, scene units
  * @param emission colour of the light that the surface gives off to both sides, the same in all directions
  * @param emissionStrength what that is multiplied by, at least 0
+ * @param shares those of the shares that differ from point to point: of these, the number above is the greatest there is
+ * @param relief bumps and dents that light sees, though the surface is smooth
  */
-@Element("How a surface answers light. A pattern inside takes the place of the colour.")
+@Element("How a surface answers light. A pattern inside takes the place of the colour, and one in an element of the name of a share that of this share.")
 public record Material(
         Pattern pattern,
         @Attribute(value = Kind.SHARE, means = "Share of diffusely reflected light", otherwise = "0.8") double diffusion,
@@ -43,7 +46,9 @@ public record Material(
         @Attribute(value = Kind.COLOR, inForce = "absorbs", means = "What the substance inside leaves of light, white being all", otherwise = "255 255 255") Rgb attenuationColor,
         @Attribute(value = Kind.POSITIVE, inForce = "absorbs", means = "Depth that the attenuation-color is stated for", otherwise = "1") double attenuationDistance,
         @Attribute(value = Kind.COLOR, inForce = "shines", means = "Light of its own", otherwise = "0 0 0") Rgb emission,
-        @Attribute(value = Kind.INTENSITY, inForce = "shines", means = "Factor of the emission", otherwise = "1") double emissionStrength)
+        @Attribute(value = Kind.INTENSITY, inForce = "shines", means = "Factor of the emission", otherwise = "1") double emissionStrength,
+        Shares shares,
+        Relief relief)
         implements MaterialSource {
 
     /** Matte white: what an object without a material is made of. */
@@ -84,11 +89,18 @@ public record Material(
         Require.size("attenuation-distance", attenuationDistance);
         Objects.requireNonNull(emission, "emission");
         Require.within("emission-strength", emissionStrength, 0, Kind.INTENSITY.most());
+        Objects.requireNonNull(shares, "shares");
+        diffusion = shares.diffusion().most(diffusion);
+        specular = shares.specular().most(specular);
+        reflection = shares.reflection().most(reflection);
+        transparency = shares.transparency().most(transparency);
+        roughness = shares.roughness().most(roughness);
+        Objects.requireNonNull(relief, "relief");
     }
 
     /** A material that neither glows nor absorbs, and whose reflection does not depend on the angle. */
     public Material(Pattern pattern, double diffusion, double specular, double shininess, double reflection, double transparency, double refractiveIndex) {
-        this(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, Fresnel.FALSE, 0, false, Rgb.WHITE, 1, Rgb.BLACK, 1);
+        this(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, Fresnel.FALSE, 0, false, Rgb.WHITE, 1, Rgb.BLACK, 1, Shares.EVEN, Relief.FLAT);
     }
 
     public boolean hasHighlight() {
@@ -112,7 +124,150 @@ public record Material(
 
     /** The names of the pictures it needs. */
     public List<String> files() {
-        return pattern instanceof Pattern.Picture picture ? List.of(picture.file()) : List.of();
+        Stream<String> own = relief instanceof NormalMap map ? Stream.of(map.file()) : Stream.of();
+        return Stream.concat(patterns().filter(Pattern.Picture.class::isInstance).map(one -> ((Pattern.Picture) one).file()), own).distinct().toList();
+    }
+
+    /** All patterns that it has: that of the colour first. */
+    public Stream<Pattern> patterns() {
+        return Stream.of(Stream.of(pattern), shares.all().flatMap(share -> share instanceof ByPattern by ? Stream.of(by.pattern()) : Stream.of()),
+                relief instanceof Bump bump ? Stream.of(bump.pattern()) : Stream.<Pattern>of()).flatMap(some -> some);
+    }
+
+    /** How a share depends on the point. */
+    public sealed interface Share permits Even, ByPattern {
+        /** The greatest share there is, where {@code even} is the share if it is the same everywhere. */
+        double most(double even);
+    }
+
+    /** The same everywhere. */
+    public record Even() implements Share {
+        @Override
+        public double most(double even) {
+            return even;
+        }
+    }
+
+    /**
+     * By what a pattern has at each point. Its colours and pictures are numbers there, not light: 128 of 255 is about one half.
+     *
+     * @param channel what of a colour is the share
+     * @param pattern not of one colour
+     */
+    public record ByPattern(
+            @Attribute(value = Kind.WORD, means = "What of a colour is the share: luminance, 0.2126 of red, 0.7152 of green and 0.0722 of blue, or one of them",
+                    otherwise = "luminance") ColorChannel channel,
+            Pattern pattern) implements Share {
+        /** @throws IllegalArgumentException if the pattern has one colour only */
+        public ByPattern {
+            Objects.requireNonNull(channel, "channel");
+            varied(pattern);
+        }
+
+        /** By luminance. */
+        public ByPattern(Pattern pattern) {
+            this(ColorChannel.LUMINANCE, pattern);
+        }
+
+        /** That of the pattern's colours; 1 if nobody knows which there are, as in a picture. */
+        @Override
+        public double most(double even) {
+            return pattern.palette().stream().mapToDouble(color -> channel.of(color.red() / 255, color.green() / 255, color.blue() / 255)).max().orElse(1);
+        }
+    }
+
+    /** What of a colour is a number. */
+    public enum ColorChannel {
+        LUMINANCE, RED, GREEN, BLUE;
+
+        /** A number, 0–1, of three, 0–1. */
+        public double of(double red, double green, double blue) {
+            return switch (this) {
+                case LUMINANCE -> Math.min(1, 0.2126 * red + 0.7152 * green + 0.0722 * blue);
+                case RED -> red;
+                case GREEN -> green;
+                case BLUE -> blue;
+            };
+        }
+    }
+
+    /** How shares depend on the point, by the name of the share. */
+    public record Shares(Share diffusion, Share specular, Share reflection, Share transparency, Share roughness) {
+        /** All the same everywhere. */
+        public static final Shares EVEN = new Shares(new Even(), new Even(), new Even(), new Even(), new Even());
+
+        public Shares {
+            Objects.requireNonNull(diffusion, "diffusion");
+            Objects.requireNonNull(specular, "specular");
+            Objects.requireNonNull(reflection, "reflection");
+            Objects.requireNonNull(transparency, "transparency");
+            Objects.requireNonNull(roughness, "roughness");
+        }
+
+        /** In the order of the components. */
+        public Stream<Share> all() {
+            return Stream.of(diffusion, specular, reflection, transparency, roughness);
+        }
+    }
+
+    /** Bumps and dents that light sees, though the surface is smooth: they bend the normal that light is reckoned with, and nothing else. */
+    public sealed interface Relief permits Flat, Bump, NormalMap {
+        /** None. */
+        Relief FLAT = new Flat();
+    }
+
+    /** No bumps. */
+    public record Flat() implements Relief {}
+
+    /**
+     * As high as a pattern is bright: its luminance h, of numbers and not of light, is the height. The normal N becomes N − s·∇h, of the part of ∇h along the surface.
+     *
+     * @param strength s, how high white is above black, scene units, in the space of the object that declares the material, before its placement; dents if it is negative
+     * @param pattern not of one colour
+     * @source Blinn, Simulation of Wrinkled Surfaces, SIGGRAPH 1978
+     */
+    @Element("Bumps, as high as the pattern inside is bright.")
+    public record Bump(
+            @Attribute(value = Kind.NUMBER, means = "How high white is above black, before the placement of the object", otherwise = "0.02") double strength,
+            Pattern pattern) implements Relief {
+        /** @throws IllegalArgumentException if the pattern has one colour only, or the strength is out of all proportion */
+        public Bump {
+            Require.that(Math.abs(strength) <= Require.LARGEST, "bump strength must be a finite number, at most " + Require.LARGEST + ", but is " + strength);
+            varied(pattern);
+        }
+    }
+
+    /**
+     * Normals as the points of a picture say, red, green and blue being (1 + x)/2, (1 + y)/2 and (1 + z)/2: x along u, y along v, which is up (as OpenGL has it), z out of the
+     * surface.
+     *
+     * @param file as of {@link Pattern.Picture}, and so are the others
+     * @param strength what x and y are multiplied by
+     */
+    @Element("Normals by the points of a picture, whose red, green and blue are x along u, y along v, which is up (as OpenGL has it), and z out of the surface.")
+    public record NormalMap(
+            @Attribute(value = Kind.FILE, means = "Its file, beside the scene's") String file,
+            @Attribute(value = Kind.NUMBER, means = "What x and y are multiplied by", otherwise = "1") double strength,
+            @Attribute(value = Kind.WORD, means = "Its nearest point, mixed of four, or the mean over what the pixel covers", otherwise = "smooth") Pattern.Filter filter,
+            @Attribute(value = Kind.WORD, means = "How it lies on the surface: as the shape says, or through space", otherwise = "uv") Pattern.Mapping mapping,
+            Pattern.Lay lay) implements Relief {
+        public NormalMap {
+            Require.that(!file.isBlank(), "normal-map file must not be blank");
+            Require.that(Math.abs(strength) <= Require.LARGEST, "normal-map strength must be a finite number, at most " + Require.LARGEST + ", but is " + strength);
+            Objects.requireNonNull(filter, "filter");
+            Objects.requireNonNull(mapping, "mapping");
+            Objects.requireNonNull(lay, "lay");
+        }
+
+        /** As large as the shape says. */
+        public static NormalMap of(String file) {
+            return new NormalMap(file, 1, Pattern.Filter.SMOOTH, Pattern.Mapping.UV, Pattern.Lay.NONE);
+        }
+    }
+
+    private static void varied(Pattern pattern) {
+        Objects.requireNonNull(pattern, "pattern");
+        Require.that(!(pattern instanceof Pattern.Plain), "bumps and shares need a pattern of several colours, but here is one colour");
     }
 
     /**
@@ -137,27 +292,37 @@ public record Material(
         return with(it -> it.pattern = value);
     }
 
+    /** With the given share of diffusely reflected light everywhere. */
     public Material withDiffusion(double value) {
-        return with(it -> it.diffusion = value);
+        return with(it -> {
+            it.diffusion = value;
+            it.shares = new Shares(new Even(), it.shares.specular(), it.shares.reflection(), it.shares.transparency(), it.shares.roughness());
+        });
     }
 
-    /** With a highlight of the given strength and exponent. */
+    /** With a highlight of the given strength, everywhere, and exponent. */
     public Material withHighlight(double strength, double exponent) {
         return with(it -> {
             it.specular = strength;
             it.shininess = exponent;
+            it.shares = new Shares(it.shares.diffusion(), new Even(), it.shares.reflection(), it.shares.transparency(), it.shares.roughness());
         });
     }
 
+    /** Mirroring the given share of light everywhere. */
     public Material withReflection(double value) {
-        return with(it -> it.reflection = value);
+        return with(it -> {
+            it.reflection = value;
+            it.shares = new Shares(it.shares.diffusion(), it.shares.specular(), new Even(), it.shares.transparency(), it.shares.roughness());
+        });
     }
 
-    /** Letting the given share of light through, bent by the given refractive index. */
+    /** Letting the given share of light through everywhere, bent by the given refractive index. */
     public Material withTransparency(double share, double index) {
         return with(it -> {
             it.transparency = share;
             it.refractiveIndex = index;
+            it.shares = new Shares(it.shares.diffusion(), it.shares.specular(), it.shares.reflection(), new Even(), it.shares.roughness());
         });
     }
 
@@ -165,9 +330,22 @@ public record Material(
         return with(it -> it.fresnel = value);
     }
 
-    /** Strewing what it mirrors and lets through. */
+    /** Strewing what it mirrors and lets through, alike everywhere. */
     public Material withRoughness(double value) {
-        return with(it -> it.roughness = value);
+        return with(it -> {
+            it.roughness = value;
+            it.shares = new Shares(it.shares.diffusion(), it.shares.specular(), it.shares.reflection(), it.shares.transparency(), new Even());
+        });
+    }
+
+    /** With shares that depend on the point; those that do not stay as they are. */
+    public Material withShares(Shares value) {
+        return with(it -> it.shares = value);
+    }
+
+    /** With bumps. */
+    public Material withRelief(Relief value) {
+        return with(it -> it.relief = value);
     }
 
     public Material withThin(boolean value) {
@@ -212,6 +390,8 @@ public record Material(
         private double attenuationDistance;
         private Rgb emission;
         private double emissionStrength;
+        private Shares shares;
+        private Relief relief;
 
         Parts(Material of) {
             pattern = of.pattern;
@@ -228,11 +408,13 @@ public record Material(
             attenuationDistance = of.attenuationDistance;
             emission = of.emission;
             emissionStrength = of.emissionStrength;
+            shares = of.shares;
+            relief = of.relief;
         }
 
         Material together() {
             return new Material(pattern, diffusion, specular, shininess, reflection, transparency, refractiveIndex, fresnel,
-                    roughness, thin, attenuationColor, attenuationDistance, emission, emissionStrength);
+                    roughness, thin, attenuationColor, attenuationDistance, emission, emissionStrength, shares, relief);
         }
     }
 }

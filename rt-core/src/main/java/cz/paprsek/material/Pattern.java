@@ -29,6 +29,11 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
         return Colors.DEFAULT;
     }
 
+    /** Its colours, or those that all others are mixed of, the first first; empty if it does not say which it has. */
+    default List<Rgb> palette() {
+        return colors().stops().stream().map(Stop::color).toList();
+    }
+
     /** Whether it goes by the place in a picture that covers the surface, u and v, rather than by the place in space. */
     default boolean isMapped() {
         return false;
@@ -39,6 +44,11 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             @Attribute(value = Kind.COLOR, means = "sRGB, 0-255; not together with a pattern", otherwise = "255 255 255") Rgb color) implements Pattern {
         public Plain {
             Objects.requireNonNull(color, "color");
+        }
+
+        @Override
+        public List<Rgb> palette() {
+            return List.of(color);
         }
     }
 
@@ -59,6 +69,11 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             Objects.requireNonNull(odd, "odd");
             Require.within("checkerboard columns", columns, 1, MOST);
             Require.within("checkerboard rows", rows, 1, MOST);
+        }
+
+        @Override
+        public List<Rgb> palette() {
+            return List.of(even, odd);
         }
 
         @Override
@@ -92,6 +107,11 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
         public Checker(double size, Vec3 origin, Rgb even, Rgb odd) {
             this(new Vec3(size, size, size), origin, even, odd, Lay.NONE);
         }
+
+        @Override
+        public List<Rgb> palette() {
+            return List.of(even, odd);
+        }
     }
 
     /** From one colour to another between y = 0 and y = 1 of the pattern's own space, one colour below and above: its value is y, from 0 to 1. */
@@ -120,6 +140,11 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             Objects.requireNonNull(lay, "lay");
             Require.size("stripes size", size);
         }
+
+        @Override
+        public List<Rgb> palette() {
+            return List.of(even, odd);
+        }
     }
 
     /**
@@ -142,6 +167,11 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             Objects.requireNonNull(lay, "lay");
             Require.sizes("brick size", size);
             Require.sizeOrZero("brick mortar", mortar);
+        }
+
+        @Override
+        public List<Rgb> palette() {
+            return List.of(even, odd);
         }
     }
 
@@ -245,6 +275,11 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
         @Override
         public String kind() {
             return "image";
+        }
+
+        @Override
+        public List<Rgb> palette() {
+            return List.of();
         }
     }
 

@@ -99,7 +99,7 @@ public final class SceneRules {
     /** Whether what has been checked with some materials may have others. */
     static boolean allow(Map<String, Material> before, Map<String, Material> materials) {
         return materials.keySet().containsAll(before.keySet()) && materials.entrySet().stream().noneMatch(material ->
-                material.getValue().pattern() instanceof Pattern.Checkerboard && !material.getValue().equals(before.get(material.getKey())));
+                hasBoard(material.getValue()) && !material.getValue().equals(before.get(material.getKey())));
     }
 
     private static void checkMade(SceneObject object, Map<String, Material> materials, Report report) {
@@ -173,6 +173,10 @@ public final class SceneRules {
         }
     }
 
+    private static boolean hasBoard(Material material) {
+        return material.patterns().anyMatch(Pattern.Checkerboard.class::isInstance);
+    }
+
     /** All names of materials that there are. */
     private static Set<String> known(Map<String, Material> own) {
         Set<String> names = new LinkedHashSet<>(own.keySet());
@@ -189,7 +193,7 @@ public final class SceneRules {
         Material material = source instanceof MaterialName reference
                 ? reference.in(materials)
                 : source == Inherited.INHERITED ? Material.DEFAULT : (Material) source;
-        if (material.pattern() instanceof Pattern.Checkerboard && !(shape instanceof Rectangle || shape instanceof Disc)) {
+        if (hasBoard(material) && !(shape instanceof Rectangle || shape instanceof Disc)) {
             report.broken(owner, source instanceof MaterialName ? "material" : "", "a checkerboard lies on a rectangle or a disc only; give this shape a checker");
         }
     }

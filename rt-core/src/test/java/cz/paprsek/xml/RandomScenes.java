@@ -135,7 +135,20 @@ public final class RandomScenes {
         return new Material(random.nextBoolean() ? new Pattern.Plain(color()) : pattern(), random.nextDouble(), random.nextDouble(), number(), random.nextDouble(), random.nextDouble(),
                 1 + random.nextDouble()).withFresnel(pick(Material.Fresnel.values()))
                 .withAttenuation(color(), number()).withEmission(color(), number())
-                .withRoughness(random.nextDouble()).withThin(random.nextBoolean());
+                .withRoughness(random.nextDouble()).withThin(random.nextBoolean())
+                .withShares(new Material.Shares(share(), share(), share(), share(), share())).withRelief(relief());
+    }
+
+    private Material.Share share() {
+        return random.nextInt(3) > 0 ? new Material.Even() : new Material.ByPattern(pick(Material.ColorChannel.values()), pattern());
+    }
+
+    private Material.Relief relief() {
+        return switch (random.nextInt(4)) {
+            case 0 -> new Material.Bump(random.nextBoolean() ? 0.02 : number(), pattern());
+            case 1 -> new Material.NormalMap("a normal map.png", number(), pick(Pattern.Filter.values()), pick(Pattern.Mapping.values()), lay());
+            default -> Material.Relief.FLAT;
+        };
     }
 
     private Pattern pattern() {

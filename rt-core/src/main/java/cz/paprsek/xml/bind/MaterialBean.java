@@ -2,7 +2,11 @@ package cz.paprsek.xml.bind;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.Even;
 import cz.paprsek.material.Material.Fresnel;
+import cz.paprsek.material.Material.Relief;
+import cz.paprsek.material.Material.Share;
+import cz.paprsek.material.Material.Shares;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
@@ -23,14 +27,14 @@ import org.jspecify.annotations.Nullable;
 final class MaterialBean extends Located {
     @XmlAttribute String name = "";
     @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) @Nullable Rgb color;
-    @XmlAttribute double diffusion = Material.DEFAULT.diffusion();
-    @XmlAttribute double specular = Material.DEFAULT.specular();
+    @XmlAttribute @Nullable Double diffusion;
+    @XmlAttribute @Nullable Double specular;
     @XmlAttribute double shininess = Material.DEFAULT.shininess();
-    @XmlAttribute double reflection = Material.DEFAULT.reflection();
-    @XmlAttribute double transparency = Material.DEFAULT.transparency();
+    @XmlAttribute @Nullable Double reflection;
+    @XmlAttribute @Nullable Double transparency;
     @XmlAttribute(name = "refractive-index") double refractiveIndex = Material.DEFAULT.refractiveIndex();
     @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String fresnel = Described.word(Material.DEFAULT.fresnel());
-    @XmlAttribute double roughness = Material.DEFAULT.roughness();
+    @XmlAttribute @Nullable Double roughness;
     @XmlAttribute boolean thin = Material.DEFAULT.thin();
     @XmlAttribute(name = "attenuation-color") @XmlJavaTypeAdapter(Adapters.Color.class) Rgb attenuationColor = Material.DEFAULT.attenuationColor();
     @XmlAttribute(name = "attenuation-distance") double attenuationDistance = Material.DEFAULT.attenuationDistance();
@@ -48,10 +52,34 @@ final class MaterialBean extends Located {
         @XmlElement(name = "noise", type = PatternBeans.NoiseBean.class),
         @XmlElement(name = "image", type = PatternBeans.ImageBean.class)})
     List<PatternBeans.PatternBean> patterns = new ArrayList<>();
+    @XmlElement(name = "diffusion") List<ReliefBeans.ShareBean> diffusions = new ArrayList<>();
+    @XmlElement(name = "specular") List<ReliefBeans.ShareBean> speculars = new ArrayList<>();
+    @XmlElement(name = "reflection") List<ReliefBeans.ShareBean> reflections = new ArrayList<>();
+    @XmlElement(name = "transparency") List<ReliefBeans.ShareBean> transparencies = new ArrayList<>();
+    @XmlElement(name = "roughness") List<ReliefBeans.ShareBean> roughnesses = new ArrayList<>();
+    @XmlElements({
+        @XmlElement(name = "bump", type = ReliefBeans.BumpBean.class),
+        @XmlElement(name = "normal-map", type = ReliefBeans.NormalMapBean.class)})
+    List<ReliefBeans.PartBean> reliefs = new ArrayList<>();
 
     Material toMaterial() {
-        return new Material(pattern(), diffusion, specular, shininess, reflection, transparency, refractiveIndex,
-                Fresnel.valueOf(fresnel.toUpperCase(Locale.ROOT)), roughness, thin, attenuationColor, attenuationDistance, emission, emissionStrength);
+        Material standard = Material.DEFAULT;
+        Shares shares = new Shares(share("diffusion", diffusion, diffusions), share("specular", specular, speculars), share("reflection", reflection, reflections),
+                share("transparency", transparency, transparencies), share("roughness", roughness, roughnesses));
+        Require.that(reliefs.size() <= 1, "a material has one <bump> or <normal-map> at most; remove one of them");
+        return new Material(pattern(), or(diffusion, standard.diffusion()), or(specular, standard.specular()), shininess, or(reflection, standard.reflection()),
+                or(transparency, standard.transparency()), refractiveIndex, Fresnel.valueOf(fresnel.toUpperCase(Locale.ROOT)), or(roughness, standard.roughness()), thin,
+                attenuationColor, attenuationDistance, emission, emissionStrength, shares, reliefs.isEmpty() ? Relief.FLAT : ((ReliefBeans.Bending) reliefs.get(0)).toRelief());
+    }
+
+    private static double or(@Nullable Double given, double otherwise) {
+        return given == null ? otherwise : given;
+    }
+
+    private static Share share(String name, @Nullable Double given, List<ReliefBeans.ShareBean> patterns) {
+        Require.that(patterns.size() <= 1, "a material has one <" + name + "> at most; remove one of them");
+        Require.that(given == null || patterns.isEmpty(), "a material has the attribute " + name + " or the element <" + name + ">, not both; remove one of them");
+        return patterns.isEmpty() ? new Even() : patterns.get(0).toShare();
     }
 
     private Pattern pattern() {

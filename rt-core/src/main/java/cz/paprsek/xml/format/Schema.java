@@ -74,7 +74,7 @@ final class Schema {
 
     /** All enumerations of words that attributes have. */
     private static Stream<Class<?>> enumerations() {
-        Stream<Class<?>> records = Stream.of(Stream.of(RenderSettings.class, Camera.class, Material.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
+        Stream<Class<?>> records = Stream.of(Stream.of(RenderSettings.class, Camera.class, Material.class, Material.ByPattern.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
                 ElementTable.of(Shape.class)).flatMap(some -> some);
         return records.flatMap(record -> Described.of(record).stream()).filter(one -> one.says().value() == Kind.WORD).<Class<?>>map(Described::type).distinct();
     }
@@ -119,14 +119,29 @@ final class Schema {
     }
 
     private void materials() {
-        text.open("complexType", "name", "Material").documentation(ElementTable.means(Material.class)).open("choice", "minOccurs", "0");
+        text.open("group", "name", "pattern").open("choice");
         ElementTable.of(Pattern.class).forEach(this::element);
+        text.close("choice").close("group");
+        text.open("complexType", "name", "Material").documentation(ElementTable.means(Material.class)).open("choice", "minOccurs", "0", "maxOccurs", "unbounded");
+        text.leaf("group", "ref", "s:pattern");
+        Stream.of(Material.Shares.class.getRecordComponents()).forEach(share -> text.leaf("element", "name", Described.name(share), "type", "s:Share"));
+        ElementTable.of(Material.Relief.class).forEach(this::element);
         text.close("choice");
         attributes(Material.class);
         text.close("complexType");
         extension("NamedMaterial", NamedMaterial.class, "Material", () -> {});
+        around("Share", "A share of light, or the roughness, by a pattern: what that has at each point, in place of the attribute of the same name.", Material.ByPattern.class);
+        around(type(Material.Bump.class), ElementTable.means(Material.Bump.class), Material.Bump.class);
+        leaf(Material.NormalMap.class);
         ElementTable.of(Pattern.class).forEach(this::pattern);
         leaf(Pattern.Stop.class);
+    }
+
+    /** The type of an element with one pattern inside. */
+    private void around(String type, String means, Class<? extends Record> record) {
+        text.open("complexType", "name", type).documentation(means).open("sequence").leaf("group", "ref", "s:pattern").close("sequence");
+        Described.of(record).forEach(one -> attribute(one, one.isRequired()));
+        text.close("complexType");
     }
 
     private void pattern(Class<? extends Record> record) {

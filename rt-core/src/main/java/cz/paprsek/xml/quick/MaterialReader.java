@@ -1,11 +1,20 @@
 package cz.paprsek.xml.quick;
 
+import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.Bump;
+import cz.paprsek.material.Material.Even;
+import cz.paprsek.material.Material.NormalMap;
+import cz.paprsek.material.Material.Relief;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /** Reads {@code <material>}, which stands in a scene with a name, and without one in an object. */
@@ -16,6 +25,21 @@ final class MaterialReader {
     private static final List<Slot> OWN = List.of(Slot.optional("name", ValueForm.TEXT, Slot.NONE), Slot.optional("color", ValueForm.COLOR, Slot.NONE));
     private static final TagForm TAG = new TagForm(OWN, MATERIAL.slots());
 
+    /** The shares that may have a pattern, and which of the material's attributes they are. */
+    private static final List<Name> SHARES = shares(Name::new);
+    private static final List<Integer> PLACES = shares(Described.of(Material.class).stream().map(Described::name).toList()::indexOf);
+    private static final RecordForm<Material.Shares> SHARES_FORM = new RecordForm<>(Material.Shares.class);
+    private static final Object[] NOTHING = {};
+    private static final RecordForm<Material.ByPattern> BY_PATTERN = new RecordForm<>(Material.ByPattern.class);
+    private static final TagForm BY_PATTERN_TAG = new TagForm(BY_PATTERN.slots(), List.of());
+    private static final Name BUMP = new Name(ElementTable.name(Bump.class));
+    private static final RecordForm<Bump> BUMPS = new RecordForm<>(Bump.class);
+    private static final TagForm BUMP_TAG = new TagForm(BUMPS.slots(), List.of());
+    private static final Name NORMAL_MAP = new Name(ElementTable.name(NormalMap.class));
+    private static final RecordForm<NormalMap> NORMAL_MAPS = new RecordForm<>(NormalMap.class);
+    private static final RecordForm<Pattern.Lay> LAY = new RecordForm<>(Pattern.Lay.class);
+    private static final TagForm NORMAL_MAP_TAG = new TagForm(NORMAL_MAPS.slots(), LAY.slots());
+
     private final Markup markup;
     private final double[] room;
 
@@ -25,6 +49,10 @@ final class MaterialReader {
         this.room = room;
     }
 
+    private static <T> List<T> shares(Function<String, T> each) {
+        return Arrays.stream(Material.Shares.class.getRecordComponents()).map(Described::name).map(each).toList();
+    }
+
     /** A material with its name, which is empty if it has none. */
     record Named(String name, Material material) {}
 
@@ -32,19 +60,59 @@ final class MaterialReader {
     Named read(int depth) throws IOException {
         Object[] values = TAG.read(markup, room);
         Pattern pattern = null;
+        Object[] shares = Collections.nCopies(SHARES.size(), new Even()).toArray();
+        Relief relief = Relief.FLAT;
         if (markup.hasContent(depth)) {
             while (markup.nextTag()) {
-                Unusual.unless(pattern == null);
-                pattern = pattern(depth + 1);
+                int share = share();
+                if (share >= 0) {
+                    Unusual.unless(shares[share] instanceof Even && MATERIAL.isUntouched(values, OWN.size(), PLACES.get(share)));
+                    shares[share] = around(SHARES.get(share), BY_PATTERN, BY_PATTERN_TAG, depth + 1);
+                } else if (BUMP.isAtHand(markup) || NORMAL_MAP.isAtHand(markup)) {
+                    Unusual.unless(relief == Relief.FLAT);
+                    relief = BUMP.isAtHand(markup) ? around(BUMP, BUMPS, BUMP_TAG, depth + 1) : normalMap(depth + 1);
+                } else {
+                    Unusual.unless(pattern == null);
+                    pattern = pattern(depth + 1);
+                }
             }
             markup.endTag(ELEMENT);
         }
-        return new Named((String) values[0], MATERIAL.make(values, OWN.size(), pattern(values[1], pattern)));
+        return new Named((String) values[0], MATERIAL.make(values, OWN.size(), pattern(values[1], pattern), SHARES_FORM.make(NOTHING, 0, shares), relief));
     }
 
     private static Pattern pattern(Object color, @Nullable Pattern inside) {
         Unusual.unless(inside == null || color == Slot.NONE);
         return inside != null ? inside : color instanceof Rgb plain ? new Pattern.Plain(plain) : Material.DEFAULT.pattern();
+    }
+
+    /** Which of the shares the element at hand is; −1 if it is none. */
+    private int share() {
+        for (int i = 0; i < SHARES.size(); i++) {
+            if (SHARES.get(i).isAtHand(markup)) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    /** An element with one pattern inside. */
+    private <R extends Record> R around(Name name, RecordForm<R> form, TagForm tag, int depth) throws IOException {
+        Object[] values = tag.read(markup, room);
+        Unusual.unless(markup.hasContent(depth) && markup.nextTag());
+        Pattern inside = pattern(depth + 1);
+        Unusual.unless(!markup.nextTag());
+        name.end(markup);
+        return form.make(values, 0, inside);
+    }
+
+    private Relief normalMap(int depth) throws IOException {
+        Object[] values = NORMAL_MAP_TAG.read(markup, room);
+        if (markup.hasContent(depth)) {
+            Unusual.unless(!markup.nextTag());
+            NORMAL_MAP.end(markup);
+        }
+        return NORMAL_MAPS.make(values, 0, LAY.make(values, NORMAL_MAPS.slots().size()));
     }
 
     private Pattern pattern(int depth) throws IOException {

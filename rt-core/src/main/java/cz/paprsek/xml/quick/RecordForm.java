@@ -88,11 +88,16 @@ final class RecordForm<R extends Record> {
     /** Whether no value is given. */
     boolean isUntouched(Object[] values, int from) {
         for (int i = 0; i < slots.size(); i++) {
-            if (values[from + i] != slots.get(i).otherwise()) {
+            if (!isUntouched(values, from, i)) {
                 return false;
             }
         }
         return true;
+    }
+
+    /** Whether the value of one of the attributes is not given. */
+    boolean isUntouched(Object[] values, int from, int slot) {
+        return values[from + slot] == slots.get(slot).otherwise();
     }
 
     /** Whether all values are what they are if they are not given. */

@@ -12,11 +12,13 @@ import org.jspecify.annotations.Nullable;
 
 /** An element in the form that is written when there is no text yet; worked out when it is looked into. Equal if it stands for equal things. */
 public final class Form {
-    /** The elements that are neither bodies nor lights. All bodies are one group, whose order matters, and so are all lights. */
+    /** What is neither body nor light, each an element or a choice of some. All bodies are one group, whose order matters, and so are all lights. */
     static final List<String> GROUPS = List.of("description", "render", "background", "sky", "ambient", "camera", "light", "material",
-            "checkerboard", "checker", "scene", "body");
+            "pattern", "diffusion", "specular", "reflection", "transparency", "roughness", "relief", "scene", "body");
     private static final String LIGHT = "-light";
     private static final Set<String> NAMES = Set.copyOf(GROUPS);
+    private static final Set<String> PATTERNS = Set.of("checkerboard", "checker", "gradient", "stripes", "brick", "marble", "wood", "granite", "noise", "image");
+    private static final Set<String> RELIEFS = Set.of("bump", "normal-map");
 
     private final String group;
     private final Object value;
@@ -84,7 +86,7 @@ public final class Form {
     }
 
     static String group(String element) {
-        return NAMES.contains(element) ? element : element.endsWith(LIGHT) ? "light" : "body";
+        return NAMES.contains(element) ? element : element.endsWith(LIGHT) ? "light" : PATTERNS.contains(element) ? "pattern" : RELIEFS.contains(element) ? "relief" : "body";
     }
 
     String group() {

@@ -4,6 +4,9 @@ import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.material.CustomPattern;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.Bump;
+import cz.paprsek.material.Material.ByPattern;
+import cz.paprsek.material.Material.Even;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
@@ -28,6 +31,8 @@ import cz.paprsek.xml.format.SceneFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /** Writes scenes in a fixed order and form: one element a line, attributes equal to their default left out. */
@@ -115,8 +120,12 @@ public final class SceneWriter {
 
     /** In the order of the components. */
     private XmlText attributes(Record record) {
+        return attributes(record, one -> true);
+    }
+
+    private XmlText attributes(Record record, Predicate<Described> which) {
         for (Described one : Described.inline(record.getClass())) {
-            if (one.isOf(record)) {
+            if (one.isOf(record) && which.test(one)) {
                 String text = text(one, one.value(record));
                 if (one.isOptional() || !text.equals(one.says().otherwise())) {
                     xml.attribute(one.name(), text);
@@ -162,15 +171,41 @@ public final class SceneWriter {
     private void material(String name, Material material) {
         String element = ElementTable.name(Material.class);
         xml.open(element).attribute("name", name);
-        attributes(material);
-        if (material.pattern() instanceof CustomPattern) {
-            throw MadeInCode.refusedBy(HERE, material.pattern().kind(), "pattern");
-        }
+        Set<String> byPattern = varied(material);
+        attributes(material, one -> !byPattern.contains(one.name()));
         ElementTable.of(material.pattern().getClass()).forEach(pattern -> pattern(material.pattern()));
+        if (material.pattern() instanceof CustomPattern) {
+            pattern(material.pattern());
+        }
+        Described.values(material.shares()).forEach((share, value) -> around(share, value));
+        ElementTable.of(material.relief().getClass()).forEach(kind -> around(ElementTable.name(kind), material.relief()));
+        xml.close(element);
+    }
+
+    /** The shares that a pattern says: no attributes. */
+    private static Set<String> varied(Material material) {
+        return Described.values(material.shares()).entrySet().stream().filter(share -> share.getValue() instanceof ByPattern).map(Map.Entry::getKey).collect(Collectors.toSet());
+    }
+
+    /** An element with a pattern inside, if there is one. */
+    private void around(String element, Object value) {
+        if (value instanceof Even) {
+            return;
+        }
+        xml.open(element);
+        attributes((Record) value, one -> one.within().isEmpty() || !(one.within().get(0).getType() == Pattern.class));
+        if (value instanceof ByPattern by) {
+            pattern(by.pattern());
+        } else if (value instanceof Bump bump) {
+            pattern(bump.pattern());
+        }
         xml.close(element);
     }
 
     private void pattern(Pattern pattern) {
+        if (pattern instanceof CustomPattern) {
+            throw MadeInCode.refusedBy(HERE, pattern.kind(), "pattern");
+        }
         String element = ElementTable.name(pattern.getClass());
         xml.open(element);
         attributes((Record) pattern);

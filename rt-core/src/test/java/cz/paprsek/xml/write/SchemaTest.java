@@ -153,6 +153,8 @@ class SchemaTest {
                     : component == Pattern.Colors.class ? Pattern.Colors.DEFAULT
                     : component == Pattern.class ? Material.DEFAULT.pattern()
                     : component == Camera.Aim.class ? new Camera.Direction(Vec3.X)
+                    : component == Material.Shares.class ? Material.Shares.EVEN
+                    : component == Material.Relief.class ? Material.Relief.FLAT
                     : component == Lens.class ? Lens.Perspective.DEFAULT
                     : Rgb.WHITE;
         }

@@ -1,5 +1,13 @@
 package cz.paprsek.fx.model.property;
 
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.Bump;
+import cz.paprsek.material.Material.ByPattern;
+import cz.paprsek.material.Material.Even;
+import cz.paprsek.material.Material.Flat;
+import cz.paprsek.material.Material.NormalMap;
+import cz.paprsek.material.Material.Relief;
+import cz.paprsek.material.Material.Share;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Pattern.Checker;
 import cz.paprsek.material.Pattern.Checkerboard;
@@ -47,6 +55,13 @@ public final class Alternatives {
                     new Alternative(Sky.None.class, (owner, old) -> Sky.NONE),
                     new Alternative(Sky.Gradient.class, (owner, old) -> Sky.Gradient.DEFAULT),
                     new Alternative(Sky.Picture.class, (owner, old) -> new Sky.Picture("sky.hdr", 0, 1))),
+            Share.class, List.of(
+                    new Alternative(Even.class, (owner, old) -> new Even()),
+                    new Alternative(ByPattern.class, (owner, old) -> new ByPattern(new Checker(0.25, Vec3.ZERO, Rgb.WHITE, Rgb.BLACK)))),
+            Relief.class, List.of(
+                    new Alternative(Flat.class, (owner, old) -> Relief.FLAT),
+                    new Alternative(Bump.class, (owner, old) -> new Bump(0.02, height(((Material) owner).pattern()))),
+                    new Alternative(NormalMap.class, (owner, old) -> NormalMap.of("normals.png"))),
             Pattern.Colors.class, List.of(
                     new Alternative(Pattern.TwoColors.class, (owner, old) -> new Pattern.TwoColors(color(owner), contrast(owner))),
                     new Alternative(Pattern.Stops.class, (owner, old) -> new Pattern.Stops(((Pattern.Colors) old).stops()))),
@@ -85,20 +100,19 @@ public final class Alternatives {
     }
 
     private static Rgb color(Object pattern) {
-        return pattern instanceof Plain plain ? plain.color()
-                : pattern instanceof Checkerboard board ? board.even() : pattern instanceof Checker checker ? checker.even()
-                : pattern instanceof Pattern.Stripes stripes ? stripes.even() : pattern instanceof Pattern.Brick brick ? brick.even()
-                : ((Pattern) pattern).colors().stops().get(0).color();
+        List<Rgb> palette = ((Pattern) pattern).palette();
+        return palette.isEmpty() ? Rgb.WHITE : palette.get(0);
     }
 
     private static Rgb contrast(Object pattern) {
-        if (pattern instanceof Plain) {
-            return CONTRAST;
-        }
-        List<Pattern.Stop> stops = ((Pattern) pattern).colors().stops();
-        return pattern instanceof Checkerboard board ? board.odd() : pattern instanceof Checker checker ? checker.odd()
-                : pattern instanceof Pattern.Stripes stripes ? stripes.odd() : pattern instanceof Pattern.Brick brick ? brick.odd()
-                : stops.get(stops.size() - 1).color();
+        List<Rgb> palette = ((Pattern) pattern).palette();
+        return pattern instanceof Plain ? CONTRAST : palette.isEmpty() ? Rgb.BLACK : palette.get(palette.size() - 1);
+    }
+
+    /** Bumps where a pattern has its colours: bricks are higher than mortar. */
+    private static Pattern height(Pattern pattern) {
+        return pattern instanceof Pattern.Brick brick ? new Pattern.Brick(brick.size(), brick.mortar(), Rgb.WHITE, Rgb.BLACK, brick.lay())
+                : pattern instanceof Plain ? new Pattern.Noise(4, 0, Pattern.Colors.DEFAULT, Lay.scaled(0.25)) : pattern;
     }
 
     /** The stops there are, or the two colours. */

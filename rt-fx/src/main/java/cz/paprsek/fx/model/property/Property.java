@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model.property;
 
 import cz.paprsek.attribute.Described;
+import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
@@ -23,9 +24,14 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
         path = List.copyOf(path);
     }
 
-    /** The component's name, which has a label in every language. */
+    /** The component's name. */
     public String name() {
         return path.get(path.size() - 1);
+    }
+
+    /** The key of its label: the component's name, unless there is another of that name beside it. */
+    public String label() {
+        return (type == Material.Share.class ? "field.shares." : "field.") + name();
     }
 
     /** A component of its value that is a number. */

@@ -8,6 +8,7 @@ import cz.paprsek.fx.model.property.Targets.LightsAt;
 import cz.paprsek.fx.model.property.Targets.MaterialsOf;
 import cz.paprsek.fx.model.property.Targets.NamedMaterials;
 import cz.paprsek.fx.model.property.Targets.Whole;
+import cz.paprsek.material.Material;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -52,7 +53,16 @@ public final class Sections {
     /** The section for a named material. */
     public static Section material(Scene scene, String name) {
         Target target = new NamedMaterials(Set.of(name));
-        return new Section("section.material", within(target, List.of(), target.read(scene)));
+        return new Section("section.material", made(target, target.read(scene)));
+    }
+
+    /** Not the number of a share that a pattern says. */
+    private static List<Property> made(Target target, List<? extends Record> materials) {
+        List<Property> properties = within(target, List.of(), materials);
+        properties.removeIf(number -> number.path().size() == 1 && number.trait().kind() == Trait.Kind.SHARE
+                && materials.stream().anyMatch(material -> !(Records.get(((Material) material).shares(),
+                        Records.component(Material.Shares.class, number.name()).orElseThrow()) instanceof Material.Even)));
+        return properties;
     }
 
     private static void addBodies(Scene scene, List<BodyAt> places, List<Section> sections) {
@@ -68,7 +78,7 @@ public final class Sections {
         List<Property> material = new ArrayList<>();
         Records.component(Body.class, "material").ifPresent(component -> property(target, List.of(), component).ifPresent(material::add));
         Target made = new MaterialsOf(places);
-        material.addAll(within(made, List.of(), made.read(scene)));
+        material.addAll(made(made, made.read(scene)));
         sections.add(new Section("section.material", material));
         sections.removeIf(section -> section.properties().isEmpty());
     }
@@ -94,7 +104,7 @@ public final class Sections {
                 }
             });
             // What belongs together, as where a pattern lies.
-            if (!path.isEmpty() && component.getType().isRecord() && Traits.of(component).isEmpty()) {
+            if ((!path.isEmpty() || component.getType() == Material.Shares.class) && component.getType().isRecord() && Traits.of(component).isEmpty()) {
                 found.addAll(within(target, longer(path, component), values(records, component)));
             }
         }

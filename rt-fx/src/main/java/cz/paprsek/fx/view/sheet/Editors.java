@@ -33,7 +33,7 @@ final class Editors {
     record Entry(Node row, PropertyEditor editor) {}
 
     Entry entry(Property property) {
-        String text = texts.of("field." + property.name());
+        String text = texts.of(property.label());
         SheetRow row = new SheetRow(text);
         PropertyEdit edit = new PropertyEdit(model, text, refusal -> row.show(refusal.map(texts::sentence)));
         String mixed = texts.of("sheet.mixed");

@@ -55,7 +55,8 @@ class SectionsTest {
     void componentsOfASelectedThingArePropertiesInOrder() {
         assertThat(titles(Set.of(ScenePath.body(0)))).containsExactly("section.object", "kind.sphere", "section.placement", "section.material");
         assertThat(names(Set.of(ScenePath.body(0)))).containsExactly("name", "radius", "position", "rotation", "scale", "material", "pattern", "color",
-                "diffusion", "specular", "shininess", "reflection", "transparency", "refractiveIndex", "fresnel", "roughness", "thin", "attenuationColor", "attenuationDistance", "emission", "emissionStrength");
+                "diffusion", "specular", "shininess", "reflection", "transparency", "refractiveIndex", "fresnel", "roughness", "thin", "attenuationColor", "attenuationDistance", "emission", "emissionStrength",
+                "diffusion", "specular", "reflection", "transparency", "roughness", "relief");
         assertThat(names(Set.of(ScenePath.light(0)))).containsExactly("name", "position", "color", "intensity", "referenceDistance");
         assertThat(names(Set.of(ScenePath.camera()))).containsExactly("name", "position", "aim", "vector", "up", "lens", "fovy", "aperture", "focus");
     }
@@ -150,7 +151,7 @@ class SectionsTest {
         selections.flatMap(items -> Sections.of(EditorState.of(all).withSelection(items)).stream()).forEach(section -> {
             assertThat(texts.of(section.title())).isNotBlank();
             section.properties().forEach(property -> {
-                assertThat(texts.of("field." + property.name())).isNotBlank();
+                assertThat(texts.of(property.label())).isNotBlank();
                 property.trait().presets().forEach(preset -> assertThat(texts.of(preset.name())).isNotBlank());
             });
         });
