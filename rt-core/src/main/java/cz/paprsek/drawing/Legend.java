@@ -2,7 +2,7 @@ package cz.paprsek.drawing;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Rgb;
-import cz.paprsek.render.mode.HeatScale;
+import cz.paprsek.render.mode.RenderMode.HeatScale;
 
 /** The scale of a heat map, as a strip below the picture: the colours, and what counts they stand for, a factor of 4 from mark to mark. */
 public final class Legend {

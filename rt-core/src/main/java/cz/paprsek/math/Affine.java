@@ -160,6 +160,11 @@ public record Affine(
         return !(xx > 0 && yy > 0 && zz > 0 && xy == 0 && xz == 0 && yx == 0 && yz == 0 && zx == 0 && zy == 0);
     }
 
+    /** Whether left becomes right: what runs counter-clockwise as seen from outside runs clockwise after the map. */
+    public boolean mirrors() {
+        return determinant() < 0;
+    }
+
     /**
      * The factor by which every length is multiplied, or 0 if lengths in different directions change differently.
      * A map counts as a similarity if its columns agree in length, and are perpendicular, to within 1e-14.

@@ -6,7 +6,7 @@ import cz.paprsek.drawing.Legend;
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.mode.HeatScale;
+import cz.paprsek.render.mode.RenderMode.HeatScale;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.show.ObjectColors;
 import cz.paprsek.scene.Light;

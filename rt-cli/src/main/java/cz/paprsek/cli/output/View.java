@@ -7,7 +7,7 @@ import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
 import cz.paprsek.render.RenderOptions;
-import cz.paprsek.render.mode.HeatScale;
+import cz.paprsek.render.mode.RenderMode.HeatScale;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;

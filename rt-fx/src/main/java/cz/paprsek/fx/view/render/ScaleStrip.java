@@ -4,7 +4,7 @@ import cz.paprsek.drawing.Legend;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.image.Image;
 import cz.paprsek.render.Tile;
-import cz.paprsek.render.mode.HeatScale;
+import cz.paprsek.render.mode.RenderMode.HeatScale;
 import javafx.geometry.Pos;
 import javafx.scene.image.ImageView;
 import javafx.scene.layout.StackPane;

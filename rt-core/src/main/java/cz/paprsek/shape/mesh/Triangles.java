@@ -1,0 +1,447 @@
+package cz.paprsek.shape.mesh;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Triangles that share their corners, in flat arrays: what readers of files make and a mesh is made of. Immutable.
+ *
+ * <p>Vertices and triangles have numbers from 0 on. A vertex has a place (scene units, the space of the file), and may have a normal and a
+ * place u, v in a picture. Where normals or pictures break off at an edge, several vertices lie in one place; what is said of edges
+ * ({@link #openEdges}, {@link #oriented}) goes by places. Corners run counter-clockwise as seen from outside. Triangles
+ * may belong to parts with names, in any order: each part may get a material of its own.
+ */
+public final class Triangles {
+    private final double[] places;
+    private final int[] corners;
+    /** Three for each vertex, or none at all. */
+    private final float[] normals;
+    /** Two for each vertex, or none at all. */
+    private final float[] map;
+    private final List<String> partNames;
+    /** For each triangle; or empty, and all belong to the first. */
+    private final int[] partNumbers;
+    private final Bounds bounds;
+    /** What is known of its edges; looked for when it is first asked for, and always the same. */
+    private volatile @Nullable Shells shells;
+
+    /** Takes over arrays that nobody else knows. */
+    Triangles(double[] places, int[] corners, float[] normals, float[] map, List<String> partNames, int[] partNumbers) {
+        this.places = places;
+        this.corners = corners;
+        this.normals = normals;
+        this.map = map;
+        this.partNames = List.copyOf(partNames);
+        this.partNumbers = partNumbers;
+        this.bounds = TriangleCheck.check(places, corners, normals, map, this.partNames, partNumbers);
+    }
+
+    /**
+     * Triangles without normals, pictures and parts. The arrays are copied.
+     *
+     * @param places x y z of each vertex
+     * @param corners the numbers of the three vertices of each triangle
+     * @throws IllegalArgumentException if there is no triangle, a place is no {@linkplain cz.paprsek.math.Require#coordinate coordinate}, or a corner is no vertex
+     */
+    public static Triangles of(double[] places, int[] corners) {
+        return new Triangles(places.clone(), corners.clone(), new float[0], new float[0], List.of(""), new int[0]);
+    }
+
+    /** To be made vertex by vertex, without copying what has been made: for readers of files. */
+    public static Builder builder() {
+        return new Builder();
+    }
+
+    /**
+     * The same with other normals.
+     *
+     * @param perVertex x y z for each vertex, of any length; 0 0 0 where none is known, and that of the triangle stands for it. Empty for none at all. Copied
+     */
+    public Triangles withNormals(float[] perVertex) {
+        return new Triangles(places, corners, perVertex.clone(), map, partNames, partNumbers).knowing(shells);
+    }
+
+    /**
+     * The same with another map.
+     *
+     * @param perVertex u v for each vertex, 0 0 being the lower left corner of the picture; empty for none. Copied
+     */
+    public Triangles withMap(float[] perVertex) {
+        return new Triangles(places, corners, normals, perVertex.clone(), partNames, partNumbers).knowing(shells);
+    }
+
+    /**
+     * The same in other parts.
+     *
+     * @param names of the parts, each of its own; a mesh without parts has one, of which the name is empty
+     * @param perTriangle the number of its part for each triangle; empty if all belong to the first. Copied
+     */
+    public Triangles withParts(List<String> names, int[] perTriangle) {
+        return new Triangles(places, corners, normals, map, names, perTriangle.clone()).knowing(shells);
+    }
+
+    /** The same without normals and map that nobody needs: of a mesh that is seen flat and in one colour. */
+    public Triangles bare() {
+        return new Triangles(places, corners, new float[0], new float[0], partNames, partNumbers).knowing(shells);
+    }
+
+    private Triangles knowing(@Nullable Shells known) {
+        shells = known != null && known.isOriented() ? known : null;
+        return this;
+    }
+
+    /** How many vertices there are. */
+    public int vertexCount() {
+        return places.length / 3;
+    }
+
+    /** How many triangles there are, at least one. */
+    public int count() {
+        return corners.length / 3;
+    }
+
+    /** The number of the vertex at a corner of a triangle: 0, 1 or 2. */
+    public int corner(int triangle, int k) {
+        return corners[3 * triangle + k];
+    }
+
+    public double x(int vertex) {
+        return places[3 * vertex];
+    }
+
+    public double y(int vertex) {
+        return places[3 * vertex + 1];
+    }
+
+    public double z(int vertex) {
+        return places[3 * vertex + 2];
+    }
+
+    /** The place of a vertex. */
+    public Vec3 place(int vertex) {
+        return new Vec3(x(vertex), y(vertex), z(vertex));
+    }
+
+    public boolean hasNormals() {
+        return normals.length > 0;
+    }
+
+    /** The normal of a vertex as it was given, of any length; {@link Vec3#ZERO} if none is known. */
+    public Vec3 normal(int vertex) {
+        return hasNormals() ? new Vec3(normals[3 * vertex], normals[3 * vertex + 1], normals[3 * vertex + 2]) : Vec3.ZERO;
+    }
+
+    public boolean hasMap() {
+        return map.length > 0;
+    }
+
+    /** How far to the right in its picture a vertex lies; 0 if there is no map. */
+    public float u(int vertex) {
+        return hasMap() ? map[2 * vertex] : 0;
+    }
+
+    /** How far up in its picture a vertex lies; 0 if there is no map. */
+    public float v(int vertex) {
+        return hasMap() ? map[2 * vertex + 1] : 0;
+    }
+
+    /** The names of the parts, at least one; empty is the name of what has none. */
+    public List<String> parts() {
+        return partNames;
+    }
+
+    /** The number of the part that a triangle belongs to. */
+    public int part(int triangle) {
+        return partNumbers.length == 0 ? 0 : partNumbers[triangle];
+    }
+
+    /** The box around all vertices that triangles have. */
+    public Bounds bounds() {
+        return bounds;
+    }
+
+    /** How large all triangles are together, in square scene units. */
+    public double area() {
+        double sum = 0;
+        for (int i = 0; i < corners.length; i += 3) {
+            sum += Math.sqrt(squaredLengthOfProduct(i));
+        }
+        return sum / 2;
+    }
+
+    /**
+     * The space within, in cubic scene units, if it is {@linkplain #isClosed closed}: below 0 if it is inside out, and what is wound around
+     * twice counts twice. By the divergence theorem, a sixth of the sum of a·(b × c).
+     */
+    public double volume() {
+        return Shells.sixfoldVolume(places, corners, bounds) / 6;
+    }
+
+    /**
+     * How many edges are open: those which, with all triangles turned as they best fit, are not passed in one direction as often as in the other. A
+     * mesh without any has an inside.
+     */
+    public int openEdges() {
+        return shells().openEdges();
+    }
+
+    /** Whether it has an inside: no {@linkplain #openEdges edge is open}. */
+    public boolean isClosed() {
+        return openEdges() == 0;
+    }
+
+    /**
+     * The same with all triangles turned so that neighbours fit, and the inside is inside: a shell that was turned inside out in a file is put right,
+     * unless it lies within another one, which it then makes hollow. Itself if there is nothing to do.
+     */
+    public Triangles oriented() {
+        Shells known = shells();
+        return known.isOriented() ? this : turned(known.turned()).knowing(new Shells(known.openEdges(), new BitSet()));
+    }
+
+    /** Only the triangles of one part, with all vertices they need. */
+    public Triangles onlyPart(int part) {
+        Objects.checkIndex(part, partNames.size());
+        return Parted.only(this, part);
+    }
+
+    /** The same in another space: places and normals moved, turned and stretched; corners turned round if the map mirrors. */
+    public Triangles transformed(Affine toOther) {
+        Affine toThis = toOther.inverse();
+        double[] moved = new double[places.length];
+        float[] turned = new float[normals.length];
+        for (int i = 0; i < moved.length; i += 3) {
+            moved[i] = toOther.pointX(places[i], places[i + 1], places[i + 2]);
+            moved[i + 1] = toOther.pointY(places[i], places[i + 1], places[i + 2]);
+            moved[i + 2] = toOther.pointZ(places[i], places[i + 1], places[i + 2]);
+        }
+        for (int i = 0; i < turned.length; i += 3) {
+            double x = toThis.xx() * normals[i] + toThis.yx() * normals[i + 1] + toThis.zx() * normals[i + 2];
+            double y = toThis.xy() * normals[i] + toThis.yy() * normals[i + 1] + toThis.zy() * normals[i + 2];
+            double z = toThis.xz() * normals[i] + toThis.yz() * normals[i + 1] + toThis.zz() * normals[i + 2];
+            double length = Math.sqrt(x * x + y * y + z * z);
+            double k = length > 0 ? 1 / length : 0;
+            turned[i] = (float) (x * k);
+            turned[i + 1] = (float) (y * k);
+            turned[i + 2] = (float) (z * k);
+        }
+        Triangles other = new Triangles(moved, corners, turned, map, partNames, partNumbers);
+        if (!toOther.mirrors()) {
+            return other;
+        }
+        BitSet all = new BitSet();
+        all.set(0, count());
+        return other.turned(all);
+    }
+
+    /** Turns triangles round. Their normals stay: of a vertex they are right for its neighbours, or wrong for all. */
+    private Triangles turned(BitSet those) {
+        int[] round = corners.clone();
+        for (int t = those.nextSetBit(0); t >= 0; t = those.nextSetBit(t + 1)) {
+            round[3 * t + 1] = corners[3 * t + 2];
+            round[3 * t + 2] = corners[3 * t + 1];
+        }
+        return new Triangles(places, round, normals, map, partNames, partNumbers);
+    }
+
+    private Shells shells() {
+        Shells known = shells;
+        if (known == null) {
+            known = Shells.of(places, corners, bounds);
+            shells = known;
+        }
+        return known;
+    }
+
+    /** The square of twice the area of the triangle of which the corners begin at i. */
+    private double squaredLengthOfProduct(int i) {
+        int a = 3 * corners[i];
+        int b = 3 * corners[i + 1];
+        int c = 3 * corners[i + 2];
+        double ux = places[b] - places[a];
+        double uy = places[b + 1] - places[a + 1];
+        double uz = places[b + 2] - places[a + 2];
+        double vx = places[c] - places[a];
+        double vy = places[c + 1] - places[a + 1];
+        double vz = places[c + 2] - places[a + 2];
+        double x = uy * vz - uz * vy;
+        double y = uz * vx - ux * vz;
+        double z = ux * vy - uy * vx;
+        return x * x + y * y + z * z;
+    }
+
+    /** The raw numbers, for who meets rays with them; not to be changed. */
+    double[] places() {
+        return places;
+    }
+
+    int[] corners() {
+        return corners;
+    }
+
+    float[] normals() {
+        return normals;
+    }
+
+    float[] map() {
+        return map;
+    }
+
+    int[] partNumbers() {
+        return partNumbers;
+    }
+
+    /** Whether it has the same vertices and triangles, in the same order. */
+    @Override
+    public boolean equals(@Nullable Object other) {
+        return this == other || (other instanceof Triangles o && Arrays.equals(corners, o.corners) && Arrays.equals(places, o.places)
+                && Arrays.equals(normals, o.normals) && Arrays.equals(map, o.map) && partNames.equals(o.partNames) && Arrays.equals(partNumbers, o.partNumbers));
+    }
+
+    /** By counts and size alone: there may be millions of vertices. */
+    @Override
+    public int hashCode() {
+        return Objects.hash(places.length, corners.length, normals.length, map.length, bounds);
+    }
+
+    @Override
+    public String toString() {
+        return count() + " triangles";
+    }
+
+    /**
+     * Makes {@link Triangles} vertex by vertex, in growing arrays that are handed over in the end. For one thread, and to be used once.
+     * Numbers are checked by {@link #build}; who reads a file and wants to say where in it they are wrong checks them before.
+     */
+    public static final class Builder {
+        /** As many numbers as an array can hold, in threes. */
+        private static final int MOST = Integer.MAX_VALUE - 15;
+
+        private double[] places = new double[3 * 64];
+        private int vertices;
+        private int[] corners = new int[3 * 64];
+        private int triangles;
+        private float[] normals = {};
+        private float[] map = {};
+        private final List<String> names = new ArrayList<>();
+        private final Map<String, Integer> numbers = new HashMap<>();
+        private int part;
+        private int[] parts = {};
+
+        Builder() {}
+
+        /** Makes room for so many, if it is known: no array then grows. */
+        public Builder expect(int vertexCount, int triangleCount) {
+            places = Arrays.copyOf(places, Math.max(places.length, length(vertexCount)));
+            corners = Arrays.copyOf(corners, Math.max(corners.length, length(triangleCount)));
+            return this;
+        }
+
+        private static int length(int count) {
+            Require.that(count <= MOST / 3, "a mesh has at most " + MOST / 3 + " vertices and as many triangles, but here are " + count);
+            return 3 * Math.max(0, count);
+        }
+
+        /** Adds a vertex and returns its number. */
+        public int vertex(double x, double y, double z) {
+            if (3 * vertices == places.length) {
+                places = Arrays.copyOf(places, grown(places.length));
+            }
+            places[3 * vertices] = x;
+            places[3 * vertices + 1] = y;
+            places[3 * vertices + 2] = z;
+            return vertices++;
+        }
+
+        /** Sets the normal of a vertex that has been added, of any length. Vertices without one take that of their triangle. */
+        public Builder normal(int vertex, double x, double y, double z) {
+            if (normals.length < 3 * vertices) {
+                normals = Arrays.copyOf(normals, places.length);
+            }
+            normals[3 * vertex] = (float) x;
+            normals[3 * vertex + 1] = (float) y;
+            normals[3 * vertex + 2] = (float) z;
+            return this;
+        }
+
+        /** Sets the place in a picture of a vertex that has been added. */
+        public Builder map(int vertex, double u, double v) {
+            if (map.length < 2 * vertices) {
+                map = Arrays.copyOf(map, places.length / 3 * 2);
+            }
+            map[2 * vertex] = (float) u;
+            map[2 * vertex + 1] = (float) v;
+            return this;
+        }
+
+        /** Says to which part the triangles belong that come from now on: a new one, or one that was named before. */
+        public Builder part(String name) {
+            part = numbers.computeIfAbsent(name, key -> {
+                names.add(key);
+                return names.size() - 1;
+            });
+            if (part > 0 && parts.length == 0) {
+                parts = new int[corners.length / 3];
+            }
+            return this;
+        }
+
+        /** Adds a triangle by the numbers of three vertices, counter-clockwise as seen from outside, and returns its number. */
+        public int triangle(int a, int b, int c) {
+            if (names.isEmpty()) {
+                part("");
+            }
+            if (3 * triangles == corners.length) {
+                corners = Arrays.copyOf(corners, grown(corners.length));
+            }
+            if (parts.length > 0) {
+                if (triangles >= parts.length) {
+                    parts = Arrays.copyOf(parts, corners.length / 3);
+                }
+                parts[triangles] = part;
+            }
+            corners[3 * triangles] = a;
+            corners[3 * triangles + 1] = b;
+            corners[3 * triangles + 2] = c;
+            return triangles++;
+        }
+
+        public int vertexCount() {
+            return vertices;
+        }
+
+        public int triangleCount() {
+            return triangles;
+        }
+
+        private static int grown(int length) {
+            Require.that(length < MOST / 3 * 3, "a mesh has at most " + MOST / 3 + " vertices and as many triangles");
+            return (int) Math.min(2L * length, MOST / 3 * 3);
+        }
+
+        /**
+         * The triangles.
+         *
+         * @throws IllegalArgumentException if there is none, or a number cannot be; in a sentence that says of which vertex or triangle
+         */
+        public Triangles build() {
+            return new Triangles(cut(places, 3 * vertices), corners.length == 3 * triangles ? corners : Arrays.copyOf(corners, 3 * triangles),
+                    normals.length == 0 ? normals : Arrays.copyOf(normals, 3 * vertices), map.length == 0 ? map : Arrays.copyOf(map, 2 * vertices),
+                    names.isEmpty() ? List.of("") : names, parts.length == 0 ? parts : Arrays.copyOf(parts, triangles));
+        }
+
+        private static double[] cut(double[] values, int length) {
+            return values.length == length ? values : Arrays.copyOf(values, length);
+        }
+    }
+}
