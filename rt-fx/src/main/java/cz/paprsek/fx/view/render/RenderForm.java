@@ -20,7 +20,7 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
 
-/** What to render and how: size, samples, depth, threads, what the picture shows, which lights are lit, and whose picture it is. */
+/** What to render and how: size, rays, depth, threads, what the picture shows, which lights are lit, and whose picture it is. */
 final class RenderForm extends FlowPane {
     private record Preset(int width, int height, String name) {}
 
@@ -37,8 +37,7 @@ final class RenderForm extends FlowPane {
 
     private final WholeNumberField width;
     private final WholeNumberField height;
-    private final WholeNumberField samples;
-    private final WholeNumberField mostSamples;
+    private final RaysForm rays;
     private final WholeNumberField depth;
     private final WholeNumberField threads;
     private final ModeBox mode;
@@ -51,8 +50,7 @@ final class RenderForm extends FlowPane {
     RenderForm(Texts texts) {
         width = new WholeNumberField("render-width", texts.of("render.width"), 1, RenderSettings.LARGEST_SIDE, 4);
         height = new WholeNumberField("render-height", texts.of("render.height"), 1, RenderSettings.LARGEST_SIDE, 4);
-        samples = new WholeNumberField("render-samples", texts.of("render.samples.hint"), 1, RenderSettings.MOST_SAMPLES, 2);
-        mostSamples = new WholeNumberField("render-most-samples", texts.of("render.most-samples.hint"), 0, RenderSettings.MOST_SAMPLES, 2);
+        rays = new RaysForm(texts);
         depth = new WholeNumberField("render-depth", texts.of("render.depth.hint"), 1, RenderSettings.DEEPEST, 3);
         threads = new WholeNumberField("render-threads", texts.of("render.threads.hint"), 1, 1024, 3);
         threads.set(Runtime.getRuntime().availableProcessors());
@@ -63,15 +61,15 @@ final class RenderForm extends FlowPane {
         MenuButton presets = new MenuButton(texts.of("render.size"));
         presets.setId("render-presets");
         PRESETS.forEach(preset -> presets.getItems().add(item(preset)));
-        valid = Bindings.createBooleanBinding(() -> fields().allMatch(field -> field.validProperty().get()) && isFromLessToMore(),
-                Stream.concat(fields().map(WholeNumberField::validProperty), Stream.of(samples.textProperty(), mostSamples.textProperty()))
-                        .toArray(Observable[]::new));
+        valid = Bindings.createBooleanBinding(() -> rays.valid().get() && fields().allMatch(field -> field.validProperty().get()),
+                Stream.concat(fields().map(WholeNumberField::validProperty), Stream.of(rays.valid())).toArray(Observable[]::new));
         setHgap(12);
         setVgap(6);
         setAlignment(Pos.CENTER_LEFT);
-        getChildren().addAll(group(presets, width, new Label("×"), height), group(new Label(texts.of("render.samples")), samples, new Label("–"), mostSamples),
-                group(new Label(texts.of("render.depth")), depth), group(new Label(texts.of("render.threads")), threads),
+        getChildren().addAll(group(presets, width, new Label("×"), height), group(new Label(texts.of("render.depth")), depth),
+                group(new Label(texts.of("render.threads")), threads),
                 group(new Label(texts.of("render.mode")), mode), group(new Label(texts.of("render.lights")), lights), cameraGroup);
+        getChildren().addAll(1, rays.groups());
     }
 
     /** Fills in what a scene asks for, and the camera that is looked through. */
@@ -80,8 +78,7 @@ final class RenderForm extends FlowPane {
         settings = scene.settings();
         width.set(settings.width());
         height.set(settings.height());
-        samples.set(settings.samples());
-        mostSamples.set(settings.mostSamples());
+        rays.set(settings);
         depth.set(settings.maxDepth());
         mode.reset();
         lights.offer(scene);
@@ -102,8 +99,8 @@ final class RenderForm extends FlowPane {
 
     /** What the fields say; only if they are valid. */
     RenderOptions options() {
-        RenderSettings wished = settings.withSize(width.get(), height.get()).withMaxDepth(depth.get()).withSamples(samples.get(), mostSamples.get());
-        return RenderOptions.of(wished).withThreads(threads.get()).withMode(mode.mode());
+        RenderSettings wished = rays.applyTo(settings.withSize(width.get(), height.get()).withMaxDepth(depth.get()));
+        return rays.applyTo(RenderOptions.of(wished).withThreads(threads.get()).withMode(mode.mode()));
     }
 
     /** The scene as the chosen camera sees it, with those of its lights that are to be lit. */
@@ -118,11 +115,7 @@ final class RenderForm extends FlowPane {
     }
 
     private Stream<WholeNumberField> fields() {
-        return Stream.of(width, height, samples, mostSamples, depth, threads);
-    }
-
-    private boolean isFromLessToMore() {
-        return mostSamples.get() == 0 || mostSamples.get() >= samples.get();
+        return Stream.of(width, height, depth, threads);
     }
 
     private MenuItem item(Preset preset) {
@@ -134,7 +127,7 @@ final class RenderForm extends FlowPane {
         return item;
     }
 
-    private static HBox group(Node... nodes) {
+    static HBox group(Node... nodes) {
         HBox group = new HBox(6, nodes);
         group.setAlignment(Pos.CENTER_LEFT);
         return group;

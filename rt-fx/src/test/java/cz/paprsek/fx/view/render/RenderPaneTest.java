@@ -22,6 +22,7 @@ import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Sphere;
@@ -103,6 +104,36 @@ class RenderPaneTest {
         assertThat(gui.node("#render-start").isDisabled()).isTrue();
         gui.keys(KeyCode.DOWN);
         assertThat(text("#render-samples")).isEqualTo("1");
+        assertThat(gui.node("#render-start").isDisabled()).isFalse();
+    }
+
+    @Test
+    @SuppressWarnings("unchecked")
+    void raysAreChosenAsOnTheCommandLine() {
+        Scene asks = SCENE.withSettings(SCENE.settings().withSamples(2, 4).withError(0.02).withConfidence(0.9).withFilter(PixelFilter.TENT));
+        gui.act(() -> model.edit(CHANGE, scene -> asks));
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        assertThat(shown().task().options()).isEqualTo(RenderOptions.of(asks));
+        assertThat(text("#render-error") + " " + text("#render-confidence")).isEqualTo("0.02 0.9");
+        enter("#render-error", "1/255");
+        enter("#render-confidence", "0.99");
+        gui.act(() -> ((ChoiceBox<Object>) gui.node("#render-filter")).getSelectionModel().select(3));
+        gui.act(() -> ((ChoiceBox<Object>) gui.node("#render-sampler")).getSelectionModel().select(1));
+        gui.click("#render-start");
+        untilDone();
+        RenderSettings wished = asks.settings().withError(1 / 255.0).withConfidence(0.99).withFilter(PixelFilter.MITCHELL);
+        assertThat(shown().task().options()).isEqualTo(RenderOptions.of(wished).withFixedSampler());
+        Image expected = Renderer.render(RenderScene.of(asks), RenderOptions.of(wished).withFixedSampler(), RenderMonitor.NONE).image();
+        assertThat(shown().task().image().orElseThrow().red(60, 40)).isEqualTo(expected.red(60, 40));
+        enter("#render-confidence", "1");
+        assertThat(gui.node("#render-start").isDisabled()).as("certain is nothing").isTrue();
+        enter("#render-confidence", "0.5");
+        enter("#render-error", "1/");
+        assertThat(gui.node("#render-start").isDisabled()).isTrue();
+        enter("#render-error", "0.5");
+        enter("#render-most-samples", "0");
+        assertThat(gui.node("#render-error").isDisabled()).as("a grid is not judged").isTrue();
         assertThat(gui.node("#render-start").isDisabled()).isFalse();
     }
 

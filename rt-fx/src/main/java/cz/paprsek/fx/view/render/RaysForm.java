@@ -1,0 +1,86 @@
+package cz.paprsek.fx.view.render;
+
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
+import java.util.List;
+import java.util.stream.Stream;
+import javafx.beans.Observable;
+import javafx.beans.binding.Bindings;
+import javafx.beans.binding.BooleanBinding;
+import javafx.beans.value.ObservableBooleanValue;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.HBox;
+
+/** How many rays a pixel takes, where they go through, and what is random about them; as {@code render} has it in its options. */
+final class RaysForm {
+    private final WholeNumberField samples;
+    private final WholeNumberField mostSamples;
+    private final RealField error;
+    private final RealField confidence;
+    private final ChoiceBox<Named<PixelFilter>> filter = new ChoiceBox<>();
+    private final ChoiceBox<Named<Boolean>> sampler = new ChoiceBox<>();
+    private final BooleanBinding valid;
+    private final List<HBox> groups;
+
+    RaysForm(Texts texts) {
+        samples = new WholeNumberField("render-samples", texts.of("render.samples.hint"), 1, RenderSettings.MOST_SAMPLES, 2);
+        mostSamples = new WholeNumberField("render-most-samples", texts.of("render.most-samples.hint"), 0, RenderSettings.MOST_SAMPLES, 2);
+        error = new RealField("render-error", texts.of("render.error.hint"), texts, value -> value > 0, RenderSettings.DEFAULT.error());
+        confidence = new RealField("render-confidence", texts.of("render.confidence.hint"), texts, value -> value > 0 && value < 1, RenderSettings.DEFAULT.confidence());
+        for (PixelFilter kind : PixelFilter.values()) {
+            filter.getItems().add(new Named<>(kind, texts.of("kind." + kind)));
+        }
+        filter.setId("render-filter");
+        filter.setTooltip(new Tooltip(texts.of("render.filter.hint")));
+        filter.getSelectionModel().selectFirst();
+        sampler.getItems().addAll(new Named<>(false, texts.of("render.sampler.scrambled")), new Named<>(true, texts.of("render.sampler.fixed")));
+        sampler.setId("render-sampler");
+        sampler.setTooltip(new Tooltip(texts.of("render.sampler.hint")));
+        sampler.getSelectionModel().selectFirst();
+        BooleanBinding isGrid = Bindings.createBooleanBinding(() -> mostSamples.validProperty().get() && mostSamples.get() == 0, mostSamples.textProperty());
+        error.disableProperty().bind(isGrid);
+        confidence.disableProperty().bind(isGrid);
+        ObservableBooleanValue[] each = {samples.validProperty(), mostSamples.validProperty(), error.validProperty(), confidence.validProperty()};
+        valid = Bindings.createBooleanBinding(() -> Stream.of(each).allMatch(ObservableBooleanValue::get) && isFromLessToMore(),
+                Stream.concat(Stream.of(each), Stream.of(samples.textProperty(), mostSamples.textProperty())).toArray(Observable[]::new));
+        groups = List.of(RenderForm.group(new Label(texts.of("render.samples")), samples, new Label("–"), mostSamples),
+                RenderForm.group(new Label(texts.of("field.error")), error), RenderForm.group(new Label(texts.of("field.confidence")), confidence),
+                RenderForm.group(new Label(texts.of("field.filter")), filter), RenderForm.group(new Label(texts.of("render.sampler")), sampler));
+    }
+
+    /** The fields with their names. */
+    List<HBox> groups() {
+        return groups;
+    }
+
+    /** Fills in what a scene asks for; how random numbers are chosen is no matter of scenes, and stays. */
+    void set(RenderSettings settings) {
+        samples.set(settings.samples());
+        mostSamples.set(settings.mostSamples());
+        error.set(settings.error());
+        confidence.set(settings.confidence());
+        filter.getSelectionModel().select(settings.filter().ordinal());
+    }
+
+    /** Whether all fields hold numbers within their ranges. */
+    BooleanBinding valid() {
+        return valid;
+    }
+
+    /** Settings with what the fields say; only if they are valid. */
+    RenderSettings applyTo(RenderSettings settings) {
+        return settings.withSamples(samples.get(), mostSamples.get()).withError(error.get()).withConfidence(confidence.get()).withFilter(filter.getValue().value());
+    }
+
+    RenderOptions applyTo(RenderOptions options) {
+        return sampler.getValue().value() ? options.withFixedSampler() : options;
+    }
+
+    private boolean isFromLessToMore() {
+        return mostSamples.get() == 0 || mostSamples.get() >= samples.get();
+    }
+}
