@@ -88,7 +88,7 @@ class SamplingOptionsTest {
     void aPixelOfManyRaysListsThemAndTellsOfOneInFull() {
         Run run = Run.cli("explain", scene, "8,4", "--samples", "2..3");
         assertThat(run.code()).isZero();
-        assertThat(run.out()).containsPattern("(?m)^ray \\d of 9, whose light is nearest to the pixel's").containsPattern("(?m)^ray 4 of 9 +\\(.*\\) · 0\\.1111  from the eye, hits sphere #1$")
+        assertThat(run.out()).containsPattern("(?m)^ray \\d of 9, whose light is nearest to the pixel's").containsPattern("(?m)^ray 4 of 9 +\\(.*, .*\\) +\\(.*\\) · 0\\.1111  from the eye, hits sphere #1$")
                 .contains("the average of 9 rays").containsOnlyOnce("medium  ");
         assertThat(run.err()).contains("--all tells of each of the 9 rays in full");
         assertThat(Run.cli("explain", scene, "8,4", "--samples", "2..3", "--all").out().split("  medium  ", -1)).hasSize(10);

@@ -1,6 +1,7 @@
 package cz.paprsek.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.material.Material;
@@ -191,6 +192,20 @@ class TreeTextTest {
                 .contains("\"refraction\":{\"n1\":1,\"n2\":1.5,\"angle-degrees\":0,\"angle-beyond-degrees\":0,"
                         + "\"critical-angle-degrees\":null,\"total\":false}");
         assertThat(List.of(json.split("\"kind\":", -1))).hasSize(1 + rays(pixel.rays()));
+    }
+
+    @Test
+    void everySampleSaysWhereInThePixelItGoes() {
+        Scene scene = Scenes.empty().withCamera(Camera.looking(new Vec3(0, 0, 5), Vec3.Z.negated()).withFovy(90)).withSettings(new RenderSettings(8, 4, 3, 2));
+        assertThat(TreeJson.of(RenderScene.of(scene).explain(5, 1)).toString()).contains("\"in-pixel\":[0.25,0.25]", "\"in-pixel\":[0.75,0.25]", "\"in-pixel\":[0.25,0.75]");
+        Pixel pixel = RenderScene.of(scene).explain(scene.settings().withSamples(3, 3).withFilter(RenderSettings.PixelFilter.MITCHELL), 5, 1);
+        assertThat(TreeText.sample(pixel, 0, Words.ENGLISH)).matches("ray 1 of 9  \\(.*, .*\\)  \\(0, 0, 0\\) · .*");
+        for (int i = 0; i < pixel.rays().size(); i++) {
+            // At distance 1 the picture is 4 wide and 2 high.
+            Vec3 way = new Vec3((5 + pixel.places().get(i).x()) / 2 - 2, 1 - (1 + pixel.places().get(i).y()) / 2, -1).normalized();
+            assertThat(pixel.rays().get(i).direction().minus(way).length()).as("ray %d", i).isCloseTo(0, within(1e-12));
+        }
+        assertThat(pixel.places()).as("wide filters reach beyond").anyMatch(place -> place.x() < 0 || place.x() > 1);
     }
 
     @Test

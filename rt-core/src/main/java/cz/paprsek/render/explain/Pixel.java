@@ -11,13 +11,24 @@ import java.util.stream.IntStream;
  * @param column from 0 at the left
  * @param row from 0 at the top
  * @param rays the rays from the eye; one, a regular grid row by row, or random ones
+ * @param places where each ray goes through the pixel
  * @param weights of each ray: all the same, or one for those that the pixel's filter adds and one for those that it takes away
  */
-public record Pixel(int column, int row, List<TracedRay> rays, List<Double> weights) {
+public record Pixel(int column, int row, List<TracedRay> rays, List<Place> places, List<Double> weights) {
+    /**
+     * A point of the picture, in pixels from the top left corner of one: wide filters reach beyond it.
+     *
+     * @param x to the right
+     * @param y downwards
+     */
+    public record Place(double x, double y) {}
+
     public Pixel {
         rays = List.copyOf(rays);
+        places = List.copyOf(places);
         weights = List.copyOf(weights);
         Require.that(!rays.isEmpty(), "a pixel needs at least one ray");
+        Require.that(places.size() == rays.size(), "a pixel's rays need a place each");
         Require.that(weights.size() == rays.size() && weights.stream().distinct().count() <= 2, "a pixel's rays need a weight each, of two at most");
     }
 

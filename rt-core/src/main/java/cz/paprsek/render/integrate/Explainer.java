@@ -6,6 +6,8 @@ import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.sample.PixelSums;
+import cz.paprsek.render.sample.Place;
+import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.RenderSettings;
@@ -20,11 +22,21 @@ public final class Explainer {
         Require.that(column >= 0 && column < settings.width() && row >= 0 && row < settings.height(),
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
         Eye eye = eye(scene, settings);
-        Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.of(settings, fixed));
+        Sampling sampling = Sampling.of(settings, fixed);
+        Recorder recorder = new Recorder(scene, settings.maxDepth(), sampling);
         recorder.lookThrough(eye);
         PixelSums sums = recorder.pixel(eye, column, row);
         List<Double> weights = IntStream.range(0, sums.count()).mapToObj(i -> sums.isNegative(i) ? sums.negativeWeight : sums.weight).toList();
-        return new Pixel(column, row, recorder.trees(), weights);
+        return new Pixel(column, row, recorder.trees(), places(sampling, column, row, sums.count()), weights);
+    }
+
+    private static List<Pixel.Place> places(Sampling sampling, int column, int row, int count) {
+        Sampler sampler = sampling.newSampler();
+        Place place = new Place();
+        return IntStream.range(0, count).mapToObj(i -> {
+            sampling.place(sampler, column, row, i, place);
+            return new Pixel.Place(place.x, place.y);
+        }).toList();
     }
 
     public static TracedRay point(World scene, RenderSettings settings, double x, double y) {

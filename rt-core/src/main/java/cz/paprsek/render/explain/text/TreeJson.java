@@ -20,6 +20,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.Locale;
+import java.util.stream.IntStream;
 
 /** A pixel's tree as a JSON object, every number in full; colours are linear. */
 public final class TreeJson {
@@ -29,7 +30,7 @@ public final class TreeJson {
     public static Json of(Pixel pixel) {
         return color(new Json().with("column", pixel.column()).with("row", pixel.row()), "light", pixel.light())
                 .withNumbers("weights", pixel.weights().stream().mapToDouble(Double::doubleValue).toArray())
-                .with("rays", pixel.rays().stream().map(TreeJson::of).toList());
+                .with("rays", IntStream.range(0, pixel.rays().size()).mapToObj(i -> of(pixel.rays().get(i)).withNumbers("in-pixel", pixel.places().get(i).x(), pixel.places().get(i).y())).toList());
     }
 
     /** A ray and all that it gives rise to. */

@@ -110,9 +110,13 @@ public final class TreeText {
                 + words.of("srgb", srgb(light.shown().red()) + " " + srgb(light.shown().green()) + " " + srgb(light.shown().blue()));
     }
 
-    /** What one of a pixel's rays, counted from 0, brings, in one line: its light and how much of it the pixel gets. */
+    /** What one of a pixel's rays, counted from 0, brings, in one line: where it goes through the pixel, its light and how much of it the pixel gets. */
     public static String sample(Pixel pixel, int ray, Words words) {
-        return words.of("ray-of", ray + 1, pixel.rays().size()) + "  " + weighed(pixel, ray);
+        return words.of("ray-of", ray + 1, pixel.rays().size()) + "  " + place(pixel, ray) + "  " + weighed(pixel, ray);
+    }
+
+    private static String place(Pixel pixel, int ray) {
+        return Figures.pair(pixel.places().get(ray).x(), pixel.places().get(ray).y());
     }
 
     private static String weighed(Pixel pixel, int ray) {
@@ -129,12 +133,13 @@ public final class TreeText {
         lines.add(words.of("pixel", pixel.column(), pixel.row()) + ": " + sum(pixel, words) + (patch.isEmpty() ? "" : "  " + patch));
     }
 
-    /** The light of each ray, how much of it the pixel gets, and what the ray meets, a line each. */
+    /** Where each ray goes through the pixel, its light, how much of it the pixel gets, and what the ray meets, a line each. */
     private void samples(Pixel pixel, List<Outline> outlines) {
-        int width = IntStream.range(0, outlines.size()).map(i -> length(weighed(pixel, i))).max().orElse(0);
+        int placeWidth = IntStream.range(0, outlines.size()).map(i -> length(place(pixel, i))).max().orElse(0);
+        int lightWidth = IntStream.range(0, outlines.size()).map(i -> length(weighed(pixel, i))).max().orElse(0);
         for (int i = 0; i < outlines.size(); i++) {
             String patch = decoration.patch(outlines.get(i).ray().light());
-            lines.add(padded(words.of("ray-of", i + 1, outlines.size()), nameWidth) + " " + padded(weighed(pixel, i), width) + "  "
+            lines.add(padded(words.of("ray-of", i + 1, outlines.size()), nameWidth) + " " + padded(place(pixel, i), placeWidth) + "  " + padded(weighed(pixel, i), lightWidth) + "  "
                     + outlines.get(i).headline(words) + (patch.isEmpty() ? "" : "  " + patch));
         }
     }

@@ -63,7 +63,7 @@ final class RaysForm {
         mostSamples.set(settings.mostSamples());
         error.set(settings.error());
         confidence.set(settings.confidence());
-        filter.getSelectionModel().select(settings.filter().ordinal());
+        filter.getItems().stream().filter(kind -> kind.value() == settings.filter()).findFirst().ifPresent(filter::setValue);
     }
 
     /** Whether all fields hold numbers within their ranges. */
