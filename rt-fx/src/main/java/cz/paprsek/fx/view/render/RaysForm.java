@@ -37,7 +37,7 @@ final class RaysForm {
         filter.setId("render-filter");
         filter.setTooltip(new Tooltip(texts.of("render.filter.hint")));
         filter.getSelectionModel().selectFirst();
-        sampler.getItems().addAll(new Named<>(false, texts.of("render.sampler.scrambled")), new Named<>(true, texts.of("render.sampler.fixed")));
+        sampler.getItems().setAll(List.of(new Named<>(false, texts.of("render.sampler.scrambled")), new Named<>(true, texts.of("render.sampler.fixed"))));
         sampler.setId("render-sampler");
         sampler.setTooltip(new Tooltip(texts.of("render.sampler.hint")));
         sampler.getSelectionModel().selectFirst();
