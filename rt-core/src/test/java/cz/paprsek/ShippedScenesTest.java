@@ -48,6 +48,7 @@ class ShippedScenesTest {
         }
         assertThat(scene.tags()).isNotEmpty();
         assertThat(scene.description()).isNotEmpty();
+        assertThat(scene.settings().isAdaptive()).as("as many rays as it needs").isTrue();
         assertThat(Arrays.stream(image.toArgb()).distinct().count()).as("different colours").isGreaterThan(200);
     }
 

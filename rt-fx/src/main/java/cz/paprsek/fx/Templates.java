@@ -14,7 +14,8 @@ final class Templates {
     static final List<String> NEW = List.of("plain", "studio", "test");
     /** To look at: scenes of the project. */
     static final List<String> EXAMPLES = List.of(
-            "showcase", "primitives", "csg", "glass", "lens", "mirrors", "checkers", "lights", "placement", "dice", "tumbler", "chess");
+            "showcase", "primitives", "csg", "placement", "lights", "stage", "soft-shadows", "lanterns", "evening-sun", "focus", "orthographic", "fisheye",
+            "panorama", "mirrors", "glass", "lens", "tumbler", "dice", "fresnel", "absorption", "rough", "neon", "materials", "checkers", "patterns", "threads", "chess");
 
     private Templates() {}
 

@@ -128,6 +128,10 @@ class CamerasInEditorTest {
         assertThat(editor.model().scene().camera().name()).isEqualTo("left");
         editor.gui.keys(KeyCode.CONTROL, KeyCode.D);
         assertThat(editor.model().scene().cameras()).extracting(Camera::name).containsExactly("left", "left 2");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.C);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.V);
+        assertThat(editor.model().scene().cameras()).extracting(Camera::name).containsExactly("left", "left 2", "left 3");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
         editor.menu("object-look");
         assertThat(editor.model().state().eye()).isEqualTo(1);
         editor.gui.keys(KeyCode.DELETE);

@@ -234,6 +234,7 @@ class FilesTest {
         for (String name : Templates.NEW) {
             editor.menu("template-" + name);
             assertThat(editor.model().unsavedProperty().get()).isFalse();
+            assertThat(editor.model().scene().settings().isAdaptive()).as("as many rays as it needs").isTrue();
         }
         for (String name : Templates.EXAMPLES) {
             editor.menu("example-" + name);

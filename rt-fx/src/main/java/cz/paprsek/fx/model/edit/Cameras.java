@@ -63,16 +63,26 @@ public final class Cameras {
 
     /** Adds copies of cameras, with free names, and selects them too. */
     static EditorState withCopies(EditorState state, Collection<CameraAt> originals) {
+        return withOthers(state, originals.stream().map(at -> state.scene().cameras().get(at.index())).toList());
+    }
+
+    /** Adds cameras, with free names, and selects them too. */
+    static EditorState withOthers(EditorState state, List<Camera> others) {
         Set<String> taken = names(state);
         Set<ScenePath> selection = new LinkedHashSet<>(state.selection());
         List<Camera> cameras = new ArrayList<>(state.scene().cameras());
-        for (CameraAt at : originals) {
-            Camera copy = cameras.get(at.index()).named(Names.free(cameras.get(at.index()).name(), taken));
-            taken.add(copy.name());
+        for (Camera other : others) {
+            Camera added = other.named(Names.free(other.name(), taken));
+            taken.add(added.name());
             selection.add(ScenePath.camera(cameras.size()));
-            cameras.add(copy);
+            cameras.add(added);
         }
-        return originals.isEmpty() ? state : state.withScene(state.scene().withCameras(cameras)).withSelection(selection);
+        return others.isEmpty() ? state : state.withScene(state.scene().withCameras(cameras)).withSelection(selection);
+    }
+
+    /** A camera with a name: its own, or what it is. */
+    static Camera named(Camera camera) {
+        return camera.name().isEmpty() ? camera.named("camera") : camera;
     }
 
     /** Takes cameras away. Of all of them, the one that is looked through stays: a picture needs one. */

@@ -6,11 +6,13 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.scene.Body;
+import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.CameraAt;
 import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -27,15 +29,17 @@ public final class Clipboard {
     private Clipboard() {}
 
     /**
-     * Objects, operands and lights as a scene file, with the named materials they refer to. Operands become objects of their own.
+     * Objects, operands, lights and cameras as a scene file, with the named materials they refer to. Operands become objects of their own. Cameras get
+     * a name if they have none: one without is that of a file which needs one.
      *
      * @throws IllegalArgumentException if nothing of the kind is selected, or an operand is sheared
      */
     public static String copy(EditorState state, Collection<? extends ScenePath> items) {
         List<BodyAt> places = Places.outermost(items);
         List<LightAt> lightPlaces = Places.lights(items);
-        if (places.isEmpty() && lightPlaces.isEmpty()) {
-            throw new IllegalArgumentException("select objects or lights to copy");
+        List<CameraAt> cameraPlaces = Places.cameras(items);
+        if (places.isEmpty() && lightPlaces.isEmpty() && cameraPlaces.isEmpty()) {
+            throw new IllegalArgumentException("select what is to be copied");
         }
         Scene scene = state.scene();
         Set<String> names = new LinkedHashSet<>();
@@ -55,16 +59,21 @@ public final class Clipboard {
         Set<String> used = new LinkedHashSet<>();
         objects.forEach(object -> Materials.collectNames(Body.of(object), used));
         materials.keySet().retainAll(used);
-        return SceneFiles.format(Scene.EMPTY.withMaterials(materials).withLights(lights).withObjects(objects));
+        Scene copied = Scene.EMPTY.withMaterials(materials).withLights(lights).withObjects(objects);
+        List<Camera> cameras = cameraPlaces.stream().map(at -> Cameras.named(scene.cameras().get(at.index()))).toList();
+        return SceneFiles.format(cameras.isEmpty() ? copied : copied.withCameras(cameras));
     }
 
     /**
-     * As {@link #insert}, from a scene file.
+     * As {@link #insert}, from a scene file; and its cameras that have names.
      *
      * @throws SceneFileException if the text is not a scene
      */
     public static EditorState paste(EditorState state, String xml) throws SceneFileException {
-        return insert(state, SceneFiles.parse(xml));
+        Scene pasted = SceneFiles.parse(xml);
+        List<Camera> cameras = pasted.cameras().stream().filter(camera -> !camera.name().isEmpty()).toList();
+        return cameras.isEmpty() ? insert(state, pasted)
+                : Cameras.withOthers(isEmpty(pasted) ? state.withSelection(Set.of()) : insert(state, pasted), cameras);
     }
 
     /**
@@ -74,8 +83,8 @@ public final class Clipboard {
      * @throws IllegalArgumentException if there is nothing in it
      */
     public static EditorState insert(EditorState state, Scene pasted) {
-        if (pasted.objects().isEmpty() && pasted.lights().isEmpty() && pasted.materials().isEmpty()) {
-            throw new IllegalArgumentException("there are no objects or lights in the clipboard");
+        if (isEmpty(pasted)) {
+            throw new IllegalArgumentException("there is nothing in the clipboard that a scene could take in");
         }
         Map<String, Material> materials = new LinkedHashMap<>(state.scene().materials());
         Map<String, String> renamed = new LinkedHashMap<>();
@@ -91,6 +100,10 @@ public final class Clipboard {
         return Structure.add(withMaterials,
                 pasted.objects().stream().map(object -> Materials.mapped(Body.of(object), source -> renamed(source, renamed)).toObject()).toList(),
                 pasted.lights());
+    }
+
+    private static boolean isEmpty(Scene pasted) {
+        return pasted.objects().isEmpty() && pasted.lights().isEmpty() && pasted.materials().isEmpty();
     }
 
     private static MaterialSource renamed(MaterialSource source, Map<String, String> names) {

@@ -10,8 +10,15 @@ import cz.paprsek.fx.model.TestScenes;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.AreaLight;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Lens;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.SphereLight;
+import cz.paprsek.scene.SpotLight;
+import cz.paprsek.scene.SunLight;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.util.List;
@@ -55,7 +62,30 @@ class ClipboardTest {
     @Test
     void whatIsNoSceneIsRefused() {
         assertThatThrownBy(() -> Clipboard.paste(kitchen, "shopping list")).isInstanceOf(SceneFileException.class);
-        assertThatThrownBy(() -> Clipboard.paste(kitchen, SceneFiles.format(Scene.EMPTY))).hasMessageContaining("no objects or lights");
-        assertThatThrownBy(() -> Clipboard.copy(kitchen, Set.of(ScenePath.camera()))).hasMessageContaining("select objects");
+        assertThatThrownBy(() -> Clipboard.paste(kitchen, SceneFiles.format(Scene.EMPTY))).hasMessageContaining("nothing in the clipboard");
+        assertThatThrownBy(() -> Clipboard.copy(kitchen, Set.of())).hasMessageContaining("select what is to be copied");
+    }
+
+    @Test
+    void camerasAreCopiedAndPastedWithTheirLenses() throws SceneFileException {
+        Camera wide = kitchen.scene().camera().withLens(Lens.Perspective.DEFAULT.withFovy(80).withAperture(0.1).withFocus(2));
+        EditorState state = kitchen.withScene(kitchen.scene().withCameras(List.of(kitchen.scene().camera(), wide.named("wide"))));
+        EditorState after = Clipboard.paste(state, Clipboard.copy(state, List.of(ScenePath.camera(1), ScenePath.camera(), ScenePath.light(0))));
+        assertThat(after.scene().cameras()).containsExactly(kitchen.scene().camera(), wide.named("wide"), wide.named("wide 2"), kitchen.scene().camera().named("camera"));
+        assertThat(after.selection()).containsExactly(ScenePath.light(2), ScenePath.camera(2), ScenePath.camera(3));
+        assertThat(after.eye()).as("what is looked through stays").isEqualTo(state.eye());
+        EditorState alone = Clipboard.paste(kitchen, Clipboard.copy(state, List.of(ScenePath.camera(1))));
+        assertThat(alone.scene().cameras()).containsExactly(kitchen.scene().camera(), wide.named("wide"));
+        assertThat(alone.selection()).containsExactly(ScenePath.camera(1));
+        assertThat(Clipboard.paste(kitchen, Clipboard.copy(kitchen, List.of(body(0)))).scene().cameras()).as("the camera that any file needs stays there").hasSize(1);
+    }
+
+    @Test
+    void lightsOfEveryKindAreCopiedAndPasted() throws SceneFileException {
+        List<Light> lights = List.of(Light.at(1, 2, 3).withReferenceDistance(4), SpotLight.from(Vec3.Y, Vec3.X).withAngles(5, 20), SunLight.along(1, -2, 3).withDisc(2, true),
+                AreaLight.disc(Vec3.Y, 0.5).shiningAt(Vec3.X), SphereLight.of(Vec3.Z, 0.25).withSamples(9));
+        EditorState state = EditorState.of(Scene.EMPTY.withLights(lights));
+        EditorState after = Clipboard.paste(state, Clipboard.copy(state, List.of(ScenePath.light(0), ScenePath.light(1), ScenePath.light(2), ScenePath.light(3), ScenePath.light(4))));
+        assertThat(after.scene().lights().subList(5, 10)).isEqualTo(lights);
     }
 }
