@@ -27,6 +27,8 @@ module cz.paprsek.core {
 
     exports cz.paprsek.attribute to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.drawing to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.format to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.format.model to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.io to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.pov to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.query.text to cz.paprsek.cli, cz.paprsek.fx;

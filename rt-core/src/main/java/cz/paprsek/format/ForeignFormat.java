@@ -1,0 +1,71 @@
+package cz.paprsek.format;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+
+/** The formats of other programs that are read. */
+public enum ForeignFormat {
+    STL("STL", "stl"),
+    OBJ("Wavefront OBJ", "obj"),
+    PLY("PLY", "ply"),
+    GLTF("glTF 2.0", "gltf glb"),
+    NFF("NFF", "nff"),
+    OPENSCAD("OpenSCAD CSG", "csg");
+
+    /** How many bytes of a file tell what it is. */
+    public static final int HEAD = 1024;
+
+    private final String label;
+    /** With a blank between them. */
+    private final String endings;
+
+    ForeignFormat(String label, String endings) {
+        this.label = label;
+        this.endings = endings;
+    }
+
+    /** What people call it. */
+    public String label() {
+        return label;
+    }
+
+    /** The endings of its files, in lower case; the usual one first. */
+    public List<String> endings() {
+        return List.of(endings.split(" "));
+    }
+
+    /** Whether its files hold triangles, and not bodies of other kinds. */
+    public boolean isMesh() {
+        return this != NFF && this != OPENSCAD;
+    }
+
+    /** By the ending of a file's name. */
+    public static Optional<ForeignFormat> ofName(String fileName) {
+        String ending = fileName.substring(fileName.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+        return Arrays.stream(values()).filter(format -> format.endings().contains(ending)).findFirst();
+    }
+
+    /**
+     * By what a file begins with, if that tells, else by its name: whoever calls a PLY file {@code part.stl} meets with no surprise.
+     *
+     * @param head the first {@value #HEAD} bytes, or all there are
+     */
+    public static Optional<ForeignFormat> of(String fileName, byte[] head) {
+        Objects.requireNonNull(fileName, "fileName");
+        String text = new String(head, StandardCharsets.ISO_8859_1);
+        if (text.startsWith("glTF")) {
+            return Optional.of(GLTF);
+        }
+        if (text.matches("(?s)ply[\r\n].*")) {
+            return Optional.of(PLY);
+        }
+        Optional<ForeignFormat> named = ofName(fileName);
+        boolean isJson = text.replaceFirst("^\u00EF\u00BB\u00BF", "").stripLeading().startsWith("{");
+        boolean isOther = named.isPresent() && (named.get() == PLY || (named.get() == GLTF && !isJson));
+        return isOther && text.regionMatches(true, 0, "solid", 0, 5) ? Optional.of(STL) : named;
+    }
+}
