@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Incoming;
+import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.PixelPlace;
 import cz.paprsek.cli.input.RayWishes;
@@ -78,6 +79,9 @@ final class ExplainCommand implements Callable<Integer> {
     @Mixin
     private RayWishes rays;
 
+    @Mixin
+    private LightWishes light;
+
     @Option(names = "--max-depth", paramLabel = "N", description = "Levels of reflected and refracted rays, 1-250. Default: the scene's.")
     private Optional<Integer> maxDepth;
 
@@ -110,7 +114,7 @@ final class ExplainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Wishes wishes = new Wishes(size, maxDepth, rays, Optional.empty(), Optional.empty());
+        Wishes wishes = new Wishes(size, maxDepth, rays, light, Optional.empty(), Optional.empty());
         try {
             Scene scene = seen(scene());
             Pixel pixel = pixel(scene, wishes);

@@ -4,13 +4,14 @@ import cz.paprsek.cli.db.DbAction;
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.Formats;
+import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.Modes;
 import cz.paprsek.cli.input.Pictures;
+import cz.paprsek.cli.input.PixelWishes;
 import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneSource;
 import cz.paprsek.cli.input.Size;
-import cz.paprsek.cli.input.Tones;
 import cz.paprsek.cli.input.Wishes;
 import cz.paprsek.cli.input.Words;
 import cz.paprsek.cli.output.Progress;
@@ -24,7 +25,6 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
-import cz.paprsek.image.ImageOptions.Tone;
 import cz.paprsek.query.Filter;
 import cz.paprsek.query.SceneTables;
 import cz.paprsek.render.Tile;
@@ -124,13 +124,14 @@ final class RenderCommand implements Callable<Integer> {
             "Bits per channel: 8 or 16 of png, 16 or 32 of exr. Default: the smaller number.")
     private Optional<Integer> bits;
 
-    @Option(names = "--exposure", paramLabel = "STOPS", description = "Brightens the picture as it is written; each stop doubles the light. Default: 0.")
-    private Optional<Double> exposure;
+    @Option(names = "--uncompressed", description = "Writes exr as large as it is, for programs that cannot unpack it.")
+    private boolean uncompressed;
 
-    @Option(names = "--tone", paramLabel = "TONE", completionCandidates = Tones.class, description = {
-        "How light is fitted to a screen: ${COMPLETION-CANDIDATES}. Default: none, what is brighter than white is white.",
-        "filmic bends highlights towards white as film does, and darkens shadows a little."})
-    private Optional<Tone> tone;
+    @Mixin
+    private LightWishes shown;
+
+    @Mixin
+    private PixelWishes pixels;
 
     @Option(names = "--resume", description = {
         "Keeps every finished tile in FILE.resume beside the picture, and goes on from there if an earlier render was interrupted or killed. "
@@ -156,15 +157,22 @@ final class RenderCommand implements Callable<Integer> {
         if (resume && output.equals(Optional.of("-"))) {
             throw new WrongUsage("--resume needs a file for the picture, to keep the tiles beside it");
         }
+        if (mode != RenderMode.SHADED && shown.areSaid()) {
+            throw new WrongUsage("--exposure and --tone are for light, which --mode " + mode + " does not show");
+        }
+        if (mode != RenderMode.SHADED && (pixels.isTransparent() || pixels.haveLayers())) {
+            throw new WrongUsage("--transparent and --aov are for pictures of light, which --mode " + mode + " is not");
+        }
         if (json) {
             stop.oweLastWords();
         }
-        Wishes wishes = new Wishes(size, maxDepth, rays, region, threads);
+        Wishes wishes = new Wishes(size, maxDepth, rays, shown, region, threads);
         List<Target> targets = new Targets(output, format, raw).of(sources());
-        Writing writing = new Writing(bits, exposure, tone);
+        Writing writing = new Writing(bits, uncompressed);
         writing.check(targets);
+        View view = new View(mode, camera, light, !noLegend, pixels);
+        view.check(targets);
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
-        View view = new View(mode, camera, light, !noLegend);
         return new RenderBatch(terminal, stop, wishes, view, writing, resume, pictures, progress, Report.of(terminal, json, quiet)).run(targets);
     }
 

@@ -99,4 +99,67 @@ class PictureOptionsTest {
         assertThat(Run.cli("render", scene, "-o", picture, "--quiet").code()).isZero();
         assertThat(Files.readString(picture, StandardCharsets.ISO_8859_1)).contains("scene sha256 " + digest).doesNotContain("--camera");
     }
+
+    /** What the file wishes is what the option does, and the option has the last word. */
+    @Test
+    void aSceneMayAskForItsExposureAndTone() throws Exception {
+        Path wishing = folder.resolve("wishing.xml");
+        Files.writeString(wishing, Files.readString(scene).replace("height=\"8\"", "height=\"8\" exposure=\"-1.5\" tone=\"filmic\""));
+        Run.cli("render", wishing, "-o", folder.resolve("a.pfm"));
+        Run.cli("render", scene, "-o", folder.resolve("b.pfm"), "--exposure", "-1.5", "--tone", "filmic");
+        assertThat(folder.resolve("a.pfm")).hasSameBinaryContentAs(folder.resolve("b.pfm"));
+        Run.cli("render", wishing, "-o", folder.resolve("c.pfm"), "--exposure", "0", "--tone", "none");
+        Run.cli("render", scene, "-o", folder.resolve("d.pfm"));
+        assertThat(folder.resolve("c.pfm")).hasSameBinaryContentAs(folder.resolve("d.pfm"));
+        Run.cli("render", wishing, "-o", folder.resolve("e.pfm"), "--mode", "normals");
+        Run.cli("render", scene, "-o", folder.resolve("f.pfm"), "--mode", "normals");
+        assertThat(folder.resolve("e.pfm")).as("normals are no light").hasSameBinaryContentAs(folder.resolve("f.pfm"));
+        Run.cli("render", wishing, "-o", folder.resolve("a.png"));
+        assertThat(Files.readString(folder.resolve("a.png"), StandardCharsets.ISO_8859_1)).contains(" --exposure -1.5 --tone filmic");
+        assertThat(Run.cli("info", wishing).out()).contains(", exposure -1.5, tone filmic");
+        assertThat(Run.cli("info", wishing, "--json").out()).contains("\"exposure\":-1.5,\"tone\":\"filmic\"");
+        assertThat(Run.cli("explain", wishing, "8,4").out()).contains(", with an exposure of -1.5 and tone filmic = ");
+        assertThat(Run.cli("explain", scene, "8,4", "--exposure", "1", "--json").out()).contains("\"exposure\":1,\"tone\":\"none\",\"shown\":");
+        assertThat(Run.cli("convert", wishing, folder.resolve("a.pov")).err()).contains("POV-Ray knows neither exposure nor tone");
+        assertThat(Run.cli("render", scene, "--mode", "depth", "--exposure", "1")).matches(run -> run.code() == 2 && run.err().contains("--mode depth does not show"));
+    }
+
+    @Test
+    void aFileThatAsksWronglyIsToldWhereAndWhat() throws Exception {
+        Path wrong = Files.writeString(folder.resolve("wrong.xml"), Files.readString(scene).replace("height=\"8\"", "height=\"8\" exposure=\"bright\" tone=\"filmik\""));
+        Run run = Run.cli("validate", wrong);
+        assertThat(run.code()).isEqualTo(3);
+        assertThat(run.err()).contains("exposure", "a number of stops from -100 to 100", "tone must be none or filmic, but is \"filmik\"");
+    }
+
+    @Test
+    void aTransparentPictureHasNothingWhereNothingIsHit() throws Exception {
+        Path bright = Files.writeString(folder.resolve("bright.xml"), Files.readString(scene).replace("<camera", "<background color=\"white\"/><camera"));
+        assertThat(Run.cli("render", bright, "-o", folder.resolve("a.png"), "--transparent", "--samples", "4", "--bits", "16").code()).isZero();
+        java.awt.image.BufferedImage png = javax.imageio.ImageIO.read(folder.resolve("a.png").toFile());
+        assertThat(png.getRGB(0, 0)).isZero();
+        assertThat(png.getRGB(8, 4) >>> 24).isEqualTo(255);
+        assertThat(Files.readString(folder.resolve("a.png"), StandardCharsets.ISO_8859_1)).contains(" --transparent");
+        assertThat(Run.cli("render", bright, "-o", folder.resolve("a.exr"), "--transparent").code()).isZero();
+        assertThat(ImageFiles.readLayers(folder.resolve("a.exr")).at("A", 0, 0)).isZero();
+        assertThat(Run.cli("render", bright, "-o", folder.resolve("a.jpg"), "--transparent"))
+                .matches(run -> run.code() == 2 && run.err().contains("jpg has no opacity; --transparent needs a picture in png or exr"));
+    }
+
+    @Test
+    void layersAreInOneFileWithTheirPicture() throws Exception {
+        Path file = folder.resolve("a.exr");
+        assertThat(Run.cli("render", scene, "-o", file, "--aov", "normal,depth", "--aov", "object", "--uncompressed").code()).isZero();
+        assertThat(ImageFiles.readLayers(file).names()).containsExactly("B", "G", "R", "depth.Z", "normal.X", "normal.Y", "normal.Z", "object.ID");
+        assertThat(ImageFiles.readLayers(file).at("depth.Z", 8, 4)).isBetween(4f, 4.1f);
+        assertThat(Run.cli("render", scene, "-o", folder.resolve("plain.exr")).code()).isZero();
+        assertThat(Run.cli("compare", file, folder.resolve("plain.exr"), "--tolerance", "0").code()).isZero();
+        Run piped = Run.cli("render", scene, "--format", "exr", "--aov", "normal,depth", "--aov", "object", "--uncompressed", "-o", "-", "--quiet");
+        assertThat(piped.bytes()).isEqualTo(Files.readAllBytes(file));
+        assertThat(Run.cli("render", scene, "-o", folder.resolve("a.png"), "--aov", "depth")).matches(run -> run.code() == 2 && run.err().contains("png has no layers; --aov needs a picture in exr"));
+        assertThat(Run.cli("render", scene, "-o", file, "--aov", "normals")).matches(run -> run.code() == 2 && run.err().contains("did you mean \"normal\""));
+        assertThat(Run.cli("render", scene, "-o", file, "--aov", "depth,depth")).matches(run -> run.code() == 2 && run.err().contains("once"));
+        assertThat(Run.cli("render", scene, "-o", file, "--aov", "depth", "--mode", "depth")).matches(run -> run.code() == 2 && run.err().contains("pictures of light"));
+        assertThat(Run.cli("render", scene, "-o", folder.resolve("a.png"), "--uncompressed")).matches(run -> run.code() == 2 && run.err().contains("--uncompressed is for exr"));
+    }
 }

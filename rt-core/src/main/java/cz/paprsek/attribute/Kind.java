@@ -40,6 +40,8 @@ public enum Kind {
     /** One whole number, or two with two dots between, which two components of the same name have: the second 0 if there is one. */
     SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, or two such as 2..8", Range.from(1).to(16)),
     MOST_SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, or two such as 2..8", Range.from(0).to(16)),
+    /** Doublings of light. */
+    STOPS(Form.NUMBER, "stops", "a number of stops from -100 to 100", Range.from(-100).to(100)),
     CONFIDENCE(Form.NUMBER, "confidence", "a number above 0 and below 1", Range.above(0).below(1)),
     LIGHT_SAMPLES(Form.WHOLE, "lightSamples", "a whole number from 1 to 4096", Range.from(1).to(4096)),
     /** Of a file, relative to the folder of the scene. */

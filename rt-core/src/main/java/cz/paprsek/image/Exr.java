@@ -8,12 +8,14 @@ import cz.paprsek.image.exr.ExrType;
 import cz.paprsek.image.exr.ExrWriter;
 import cz.paprsek.io.BinaryInput;
 import cz.paprsek.io.PlainText;
+import cz.paprsek.math.Require;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Pictures and layers as OpenEXR: linear light, unclamped. */
 final class Exr {
@@ -21,27 +23,56 @@ final class Exr {
 
     private Exr() {}
 
-    /** @param bits 16 or 32 per channel */
-    static void write(Image image, int bits, Origin origin, OutputStream out) throws IOException {
-        write(image.width(), image.height(), List.of("R", "G", "B"), bits, origin, (channel, y, row) -> {
-            for (int x = 0; x < row.length; x++) {
-                row[x] = switch (channel) {
-                    case "R" -> image.red(x, y);
-                    case "G" -> image.green(x, y);
-                    default -> image.blue(x, y);
-                };
+    static void write(Image image, ImageOptions options, OutputStream out) throws IOException {
+        write(image, Layers.ofSize(image.width(), image.height()), options, out);
+    }
+
+    static void write(Image image, Layers further, ImageOptions options, OutputStream out) throws IOException {
+        List<String> names = Stream.concat(own(image).stream(), further.names().stream()).toList();
+        write(image.width(), image.height(), names, options, (channel, y, row) -> {
+            if (channel.length() > 1) {
+                further.copy(channel, y, row);
+            } else {
+                copy(image, channel, y, row);
             }
         }, out);
     }
 
-    /** @param bits 16 or 32 per channel */
-    static void write(Layers layers, int bits, Origin origin, OutputStream out) throws IOException {
-        write(layers.width(), layers.height(), layers.names(), bits, origin, layers::copy, out);
+    private static void copy(Image image, String channel, int y, float[] row) {
+        for (int x = 0; x < row.length; x++) {
+            row[x] = switch (channel) {
+                case "R" -> image.red(x, y);
+                case "G" -> image.green(x, y);
+                case "B" -> image.blue(x, y);
+                default -> image.alpha(x, y);
+            };
+        }
     }
 
-    private static void write(int width, int height, List<String> names, int bits, Origin origin, ExrWriter.Rows rows, OutputStream out) throws IOException {
-        List<ExrChannel> channels = names.stream().map(name -> new ExrChannel(name, bits == 16 ? ExrType.HALF : ExrType.FLOAT)).toList();
-        ExrWriter.write(width, height, channels, true, texts(origin), rows, out);
+    private static List<String> own(Image image) {
+        return image.isTransparent() ? List.of("R", "G", "B", "A") : List.of("R", "G", "B");
+    }
+
+    /** @throws IllegalArgumentException if layers cannot stand beside a picture */
+    static void check(Image image, Layers further) {
+        Require.that(image.width() == further.width() && image.height() == further.height(), "layers of " + further.width() + " × " + further.height()
+                + " pixels do not fit a picture of " + image.width() + " × " + image.height());
+        Require.that(further.names().stream().allMatch(name -> name.length() > 1), "layers beside a picture have names of more than a letter, not " + further.names());
+    }
+
+    static void write(Layers layers, ImageOptions options, OutputStream out) throws IOException {
+        write(layers.width(), layers.height(), layers.names(), options, layers::copy, out);
+    }
+
+    private static void write(int width, int height, List<String> names, ImageOptions options, ExrWriter.Rows rows, OutputStream out) throws IOException {
+        int bits = options.bitsOf(ImageFormat.EXR);
+        List<ExrChannel> channels = names.stream().map(name -> new ExrChannel(name, bits == 16 && isLight(name) ? ExrType.HALF : ExrType.FLOAT)).toList();
+        ExrWriter.write(width, height, channels, !options.uncompressed(), texts(options.origin()), rows, out);
+    }
+
+    /** A distance or a number of an object has more digits than a half. */
+    private static boolean isLight(String name) {
+        return name.equals("Y") || List.of("R", "G", "B", "A").contains(name.substring(name.lastIndexOf('.') + 1));
     }
 
     private static Map<String, String> texts(Origin origin) {

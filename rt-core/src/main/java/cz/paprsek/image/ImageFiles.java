@@ -1,12 +1,12 @@
 package cz.paprsek.image;
 
 import cz.paprsek.image.ImageOptions.Origin;
-import cz.paprsek.image.ImageOptions.Tone;
 import cz.paprsek.image.exr.ExrReader;
 import cz.paprsek.image.png.PngReader;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.BinaryInput;
 import cz.paprsek.io.Failures;
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Require;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -27,11 +27,20 @@ public final class ImageFiles {
      * @throws IllegalArgumentException if it has an ending that no format here has
      */
     public static void write(Image image, Path file) throws IOException {
+        write(image, file, ImageOptions.DEFAULT);
+    }
+
+    /**
+     * As above, with wishes how.
+     *
+     * @throws IllegalArgumentException also if the format cannot have as many bits per channel, or no opacity that the picture has
+     */
+    public static void write(Image image, Path file, ImageOptions options) throws IOException {
         String name = String.valueOf(file.getFileName());
         int dot = name.lastIndexOf('.');
         Optional<ImageFormat> format = dot > 0 ? ImageFormat.ofFile(name) : Optional.of(ImageFormat.PNG);
         write(image, file, format.orElseThrow(() -> new IllegalArgumentException(file + ": there is no picture format \"" + name.substring(dot + 1)
-                + "\" here; the ending should be one of " + ImageFormat.all())));
+                + "\" here; the ending should be one of " + ImageFormat.all())), options);
     }
 
     /**
@@ -61,10 +70,30 @@ public final class ImageFiles {
      * @throws IllegalArgumentException if there are no planes, or the options ask for other than 16 or 32 bits, or for a change of exposure or tone
      */
     public static void write(Layers layers, Path file, ImageOptions options) throws IOException {
-        int bits = options.bitsOf(ImageFormat.EXR);
+        options.bitsOf(ImageFormat.EXR);
         Require.that(!layers.names().isEmpty(), "these layers have no planes, of which a picture has one at least");
         Require.that(options.exposure() == 0 && options.tone() == Tone.NONE, "layers are written as they are: no exposure, no tone");
-        AtomicFile.write(file, out -> Exr.write(layers, bits, options.origin(), out));
+        AtomicFile.write(file, out -> Exr.write(layers, options, out));
+    }
+
+    /**
+     * Writes a picture and, beside it, layers of what else is known of its pixels to an OpenEXR file, which appears as a whole. Exposure and tone are those of
+     * the picture; what is no light is written in 32 bits whatever the options say.
+     *
+     * @throws IllegalArgumentException if sizes differ, a plane is called as one of the picture's, or the options ask for other than 16 or 32 bits
+     */
+    public static void write(Image image, Layers further, Path file, ImageOptions options) throws IOException {
+        Objects.requireNonNull(image, "image");
+        options.bitsOf(ImageFormat.EXR);
+        Exr.check(image, further);
+        AtomicFile.write(file, out -> write(image, further, out, options));
+    }
+
+    /** As above, to a stream, which is not closed. */
+    public static void write(Image image, Layers further, OutputStream out, ImageOptions options) throws IOException {
+        Exr.check(image, further);
+        Exr.write(options.develop(image), further, options, out);
+        out.flush();
     }
 
     /** Writes a picture to a stream, which is not closed. */
@@ -77,6 +106,7 @@ public final class ImageFiles {
         Objects.requireNonNull(image, "image");
         Objects.requireNonNull(out, "out");
         int bits = options.bitsOf(format);
+        Require.that(format.isTransparent() || !image.isTransparent(), format.extension() + " has no opacity, which this picture has; png and exr have");
         Image developed = options.develop(image);
         Origin origin = options.origin();
         switch (format) {
@@ -89,7 +119,7 @@ public final class ImageFiles {
             case TXT -> Brightness.encoded(developed, out);
             case RAW -> Brightness.linear(developed, out);
             case HDR -> Radiance.write(developed, origin, out);
-            case EXR -> Exr.write(developed, bits, origin, out);
+            case EXR -> Exr.write(developed, options, out);
         }
         out.flush();
     }

@@ -65,6 +65,11 @@ public enum ImageFormat {
         };
     }
 
+    /** Whether it can hold how much of each pixel is covered. */
+    public boolean isTransparent() {
+        return this == PNG || this == EXR;
+    }
+
     String depthsAsText() {
         return depths().stream().map(String::valueOf).collect(Collectors.joining(" or "));
     }

@@ -1,5 +1,6 @@
 package cz.paprsek.image;
 
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Require;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -7,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalInt;
+import java.util.function.IntBinaryOperator;
 
 /**
  * How a picture is written.
@@ -15,32 +17,50 @@ import java.util.OptionalInt;
  * @param exposure in stops: each doubles the light
  * @param tone how light is fitted to a screen
  * @param origin what the file tells of where the picture comes from, if its format holds text
+ * @param uncompressed whether OpenEXR is not to be compressed, which loses nothing
  */
-public record ImageOptions(OptionalInt bits, double exposure, Tone tone, Origin origin) {
+public record ImageOptions(OptionalInt bits, double exposure, Tone tone, Origin origin, boolean uncompressed) {
     /** As the picture is, with nothing told of it. */
-    public static final ImageOptions DEFAULT = new ImageOptions(OptionalInt.empty(), 0, Tone.NONE, Origin.UNTOLD);
+    public static final ImageOptions DEFAULT = new ImageOptions(OptionalInt.empty(), 0, Tone.NONE, Origin.UNTOLD, false);
 
     private static final double MOST_STOPS = 100;
 
     /** @throws IllegalArgumentException if the exposure is outside ±100 stops */
     public ImageOptions {
+        Objects.requireNonNull(bits, "bits");
         Require.within("exposure", exposure, -MOST_STOPS, MOST_STOPS);
+        Objects.requireNonNull(tone, "tone");
+        Objects.requireNonNull(origin, "origin");
+    }
+
+    /**
+     * With this exposure and tone.
+     *
+     * @param stops each doubles the light
+     */
+    public static ImageOptions shown(double stops, Tone curve) {
+        return DEFAULT.withExposure(stops).withTone(curve);
     }
 
     public ImageOptions withBits(int count) {
-        return new ImageOptions(OptionalInt.of(count), exposure, tone, origin);
+        return new ImageOptions(OptionalInt.of(count), exposure, tone, origin, uncompressed);
     }
 
     public ImageOptions withExposure(double stops) {
-        return new ImageOptions(bits, stops, tone, origin);
+        return new ImageOptions(bits, stops, tone, origin, uncompressed);
     }
 
     public ImageOptions withTone(Tone curve) {
-        return new ImageOptions(bits, exposure, curve, origin);
+        return new ImageOptions(bits, exposure, curve, origin, uncompressed);
     }
 
     public ImageOptions withOrigin(Origin told) {
-        return new ImageOptions(bits, exposure, tone, told);
+        return new ImageOptions(bits, exposure, tone, told, uncompressed);
+    }
+
+    /** As large as it is: an OpenEXR file then need not be unpacked by who reads it. Of other formats there is nothing to choose. */
+    public ImageOptions withoutCompression() {
+        return new ImageOptions(bits, exposure, tone, origin, true);
     }
 
     /**
@@ -60,13 +80,39 @@ public record ImageOptions(OptionalInt bits, double exposure, Tone tone, Origin 
             return image;
         }
         double gain = StrictMath.pow(2, exposure);
-        Image developed = new Image(image.width(), image.height());
+        Image developed = image.isTransparent() ? Image.ofTransparent(image.width(), image.height()) : new Image(image.width(), image.height());
         for (int y = 0; y < image.height(); y++) {
             for (int x = 0; x < image.width(); x++) {
-                developed.set(x, y, tone.of(gain * image.red(x, y)), tone.of(gain * image.green(x, y)), tone.of(gain * image.blue(x, y)));
+                float cover = image.alpha(x, y);
+                double red = cover * tone.of(gain * Image.whole(image.red(x, y), cover));
+                double green = cover * tone.of(gain * Image.whole(image.green(x, y), cover));
+                double blue = cover * tone.of(gain * Image.whole(image.blue(x, y), cover));
+                if (image.isTransparent()) {
+                    developed.set(x, y, red, green, blue, cover);
+                } else {
+                    developed.set(x, y, red, green, blue);
+                }
             }
         }
         return developed;
+    }
+
+    /** The pixels of a picture as a screen shows them, by column and row: exposed and toned, as sRGB, as {@link Image#argb}. */
+    public IntBinaryOperator shown(Image image) {
+        Objects.requireNonNull(image, "image");
+        if (exposure == 0 && tone == Tone.NONE) {
+            return image::argb;
+        }
+        double gain = StrictMath.pow(2, exposure);
+        return (x, y) -> {
+            float cover = image.alpha(x, y);
+            return Math.round(255 * cover) << 24 | shown(gain * Image.whole(image.red(x, y), cover)) << 16
+                    | shown(gain * Image.whole(image.green(x, y), cover)) << 8 | shown(gain * Image.whole(image.blue(x, y), cover));
+        };
+    }
+
+    private int shown(double light) {
+        return Srgb.encode((float) tone.of(light));
     }
 
     /**
@@ -115,45 +161,5 @@ public record ImageOptions(OptionalInt bits, double exposure, Tone tone, Origin 
                 texts.put(word, text);
             }
         }
-    }
-
-    /** How light is fitted to what a screen can show. */
-    public enum Tone {
-        /** Not at all: light beyond white is white. */
-        NONE {
-            @Override
-            double of(double light) {
-                return light;
-            }
-        },
-        /**
-         * As photographic film does: shadows a little darker, highlights bent towards white, which is reached at 5.6 times what is white otherwise.
-         * Channel by channel.
-         *
-         * @source Hable, Filmic Tonemapping for Real-time Rendering, SIGGRAPH 2010 course Color Enhancement and Rendering in Film and Game
-         *     Production: his curve with his constants, exposure bias 2 and linear white 11.2
-         */
-        FILMIC {
-            @Override
-            double of(double light) {
-                return Math.min(1, curve(2 * Math.max(0, light)) / curve(11.2));
-            }
-
-            private double curve(double x) {
-                // Beyond all films, where the quotient of squares would overflow.
-                double least = Math.min(x, 1e6);
-                double shoulder = 0.15;
-                double linear = 0.50;
-                double angle = 0.10;
-                double toe = 0.20;
-                double numerator = 0.02;
-                double denominator = 0.30;
-                return (least * (shoulder * least + angle * linear) + toe * numerator) / (least * (shoulder * least + linear) + toe * denominator)
-                        - numerator / denominator;
-            }
-        };
-
-        /** The light to show, 1 for white. */
-        abstract double of(double light);
     }
 }

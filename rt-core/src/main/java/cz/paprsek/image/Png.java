@@ -13,6 +13,7 @@ import java.io.OutputStream;
 /** Pictures as PNG: sRGB-encoded, unless a file that is read says otherwise. */
 final class Png {
     private static final int RGB = 2;
+    private static final int RGBA = 6;
     /** What a file's gamma is for 1, and for the 1/2.2 that stands for sRGB. */
     private static final double UNIT = 100_000;
     private static final long SRGB = 45_455;
@@ -21,7 +22,8 @@ final class Png {
 
     /** @param bits 8 or 16 per channel */
     static void write(Image image, int bits, Origin origin, OutputStream out) throws IOException {
-        PngWriter.write(new PngHead(image.width(), image.height(), bits, RGB), origin.texts(), bits == 8 ? new Rows8(image) : new Rows16(image), out);
+        PngWriter.Rows rows = image.isTransparent() ? new Transparent(image, bits) : bits == 8 ? new Rows8(image) : new Rows16(image);
+        PngWriter.write(new PngHead(image.width(), image.height(), bits, image.isTransparent() ? RGBA : RGB), origin.texts(), rows, out);
     }
 
     static StoredImage read(BinaryInput input) throws IOException {
@@ -91,10 +93,35 @@ final class Png {
             }
         }
 
-        private static int put(int value, byte[] into, int at) {
-            into[at] = (byte) (value >> 8);
-            into[at + 1] = (byte) value;
-            return at + 2;
+    }
+
+    /** With opacity, which PNG wants beside the light of the covered part, not multiplied into it. */
+    private record Transparent(Image image, int bits) implements PngWriter.Rows {
+        private static final int LAST16 = 65_535;
+
+        @Override
+        public void copy(int y, byte[] into, int at) {
+            int i = at;
+            for (int x = 0; x < image.width(); x++) {
+                if (bits == 8) {
+                    int encoded = image.argb(x, y);
+                    i = put(encoded >> 8, into, i);
+                    into[i++] = (byte) encoded;
+                    into[i++] = (byte) (encoded >> 24);
+                } else {
+                    float cover = image.alpha(x, y);
+                    i = put(Srgb16.encode(Image.whole(image.red(x, y), cover)), into, i);
+                    i = put(Srgb16.encode(Image.whole(image.green(x, y), cover)), into, i);
+                    i = put(Srgb16.encode(Image.whole(image.blue(x, y), cover)), into, i);
+                    i = put(Math.round(LAST16 * cover), into, i);
+                }
+            }
         }
+    }
+
+    private static int put(int value, byte[] into, int at) {
+        into[at] = (byte) (value >> 8);
+        into[at + 1] = (byte) value;
+        return at + 2;
     }
 }

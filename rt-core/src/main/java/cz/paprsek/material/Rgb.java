@@ -1,6 +1,10 @@
 package cz.paprsek.material;
 
 import cz.paprsek.math.Require;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * A colour as people write it: sRGB-encoded, 0–255 per channel, decimals allowed.
@@ -57,5 +61,68 @@ public record Rgb(double red, double green, double blue) {
     public static double encoded(double light) {
         double v = light <= 0.0031308 ? light * 12.92 : 1.055 * StrictMath.pow(light, 1 / 2.4) - 0.055;
         return v * 255;
+    }
+
+    /** How light is fitted to what a screen can show. */
+    public enum Tone {
+        /** Not at all: light beyond white is white. */
+        NONE("light beyond white is white") {
+            @Override
+            public double of(double light) {
+                return light;
+            }
+        },
+        /**
+         * As photographic film does: shadows a little darker, highlights bent towards white, which is reached at 5.6 times what is white otherwise.
+         * Channel by channel.
+         *
+         * @source Hable, Filmic Tonemapping for Real-time Rendering, SIGGRAPH 2010 course Color Enhancement and Rendering in Film and Game
+         *     Production: his curve with his constants, exposure bias 2 and linear white 11.2
+         */
+        FILMIC("as film has it: highlights bent towards white") {
+            @Override
+            public double of(double light) {
+                return Math.min(1, curve(2 * Math.max(0, light)) / curve(11.2));
+            }
+
+            private double curve(double x) {
+                // Beyond all films, where the quotient of squares would overflow.
+                double least = Math.min(x, 1e6);
+                double shoulder = 0.15;
+                double linear = 0.50;
+                double angle = 0.10;
+                double toe = 0.20;
+                double numerator = 0.02;
+                double denominator = 0.30;
+                return (least * (shoulder * least + angle * linear) + toe * numerator) / (least * (shoulder * least + linear) + toe * denominator)
+                        - numerator / denominator;
+            }
+        };
+
+        private final String meaning;
+
+        Tone(String meaning) {
+            this.meaning = meaning;
+        }
+
+        /** How light is fitted, in a few words. */
+        public String meaning() {
+            return meaning;
+        }
+
+        /** The light to show of a channel, linear, 1 for white. */
+        public abstract double of(double light);
+
+        /** The name as people type it. */
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
+        /** The curve of that name, in any case. */
+        public static Optional<Tone> of(String name) {
+            Objects.requireNonNull(name, "name");
+            return Stream.of(values()).filter(tone -> tone.name().equalsIgnoreCase(name)).findFirst();
+        }
     }
 }

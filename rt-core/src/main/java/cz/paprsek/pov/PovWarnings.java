@@ -8,6 +8,7 @@ import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.render.light.FixedPoints;
 import cz.paprsek.scene.Lens;
@@ -85,6 +86,7 @@ final class PovWarnings {
 
     private void check() {
         checkRays(scene.settings());
+        checkShown(scene.settings());
         checkLights();
         if (scene.camera().lens() instanceof Lens.Perspective lens && lens.aperture() > 0) {
             sentences.add("POV-Ray has other points of a lens than we; it is given the middle of it, and all is sharp");
@@ -105,6 +107,12 @@ final class PovWarnings {
         } else if (settings.samples() > 1) {
             sentences.add("POV-Ray does not sample pixels on a grid; for the same picture render it " + settings.samples()
                     + " times as wide and high, and average");
+        }
+    }
+
+    private void checkShown(RenderSettings settings) {
+        if (settings.exposure() != 0 || settings.tone() != Tone.NONE) {
+            sentences.add("POV-Ray knows neither exposure nor tone; its picture has the light as it is");
         }
     }
 

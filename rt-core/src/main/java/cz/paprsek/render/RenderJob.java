@@ -1,6 +1,7 @@
 package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
+import cz.paprsek.image.Layers;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.integrate.Integrator;
@@ -8,6 +9,7 @@ import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.show.DepthRange;
+import cz.paprsek.render.show.LayerTracer;
 import cz.paprsek.render.show.ModeTracer;
 import cz.paprsek.render.work.Desk;
 import cz.paprsek.render.work.Workers;
@@ -56,8 +58,8 @@ final class RenderJob implements Workers.Work {
         this.monitor = monitor;
         this.store = store;
         Tile region = options.region();
-        image = new Image(region.width(), region.height());
-        film = new Film(image, region.x(), region.y());
+        image = options.transparent() ? Image.ofTransparent(region.width(), region.height()) : new Image(region.width(), region.height());
+        film = new Film(image, region.x(), region.y(), options.planes().size());
         depths = options.mode() == RenderMode.DEPTH
                 ? DepthRange.of(scene.world(), eye, RenderOptions.coarse(options.settings().width(), options.step()),
                         RenderOptions.coarse(options.settings().height(), options.step())) : DepthRange.NONE;
@@ -73,6 +75,16 @@ final class RenderJob implements Workers.Work {
 
     Image image() {
         return image;
+    }
+
+    /** What else is known of its pixels. */
+    Layers layers() {
+        Layers layers = Layers.ofSize(image.width(), image.height());
+        List<String> planes = options.planes();
+        for (int i = 0; i < planes.size(); i++) {
+            layers = layers.with(planes.get(i), film.plane(i));
+        }
+        return layers;
     }
 
     boolean isComplete() {
@@ -153,9 +165,10 @@ final class RenderJob implements Workers.Work {
         RenderSettings settings = options.settings();
         // What is shown of things seen is no light whose spread would tell how many rays it takes; what is shown of rays is.
         RenderSettings shown = options.mode().scale().isPresent() ? settings : settings.withSamples(settings.samples()).withFilter(PixelFilter.BOX);
-        List<Object> purpose = List.of(scene.world(), options.mode(), settings.withSize(1, 1), options.fixedSampler(), options.numbers(), depths);
-        return desk.integrator(purpose, () -> options.mode() == RenderMode.SHADED
-                ? new Whitted(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()))
+        List<Object> purpose = List.of(scene.world(), options.mode(), settings.withSize(1, 1), options.fixedSampler(), options.numbers(), depths, options.layers(), options.transparent());
+        return desk.integrator(purpose, () -> !options.layers().isEmpty() || options.transparent()
+                ? new LayerTracer(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()), options.layers(), options.transparent())
+                : options.mode() == RenderMode.SHADED ? new Whitted(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()))
                 : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), Sampling.of(shown, options.fixedSampler()), depths, options.numbers()));
     }
 

@@ -1,9 +1,11 @@
 package cz.paprsek.render;
 
 import cz.paprsek.math.Require;
+import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import java.util.List;
 import java.util.Objects;
 
 /**
@@ -16,8 +18,12 @@ import java.util.Objects;
  * @param numbers whether depths and counts are to be put in the image as they are, for programs, and not as brightness and colours
  * @param fixedSampler whether what is random is the same in every pixel, as in a scene that is converted for POV-Ray
  * @param step how many pixels of the picture stand side by side in one of the image: 1 for the picture itself, up to {@value RenderSettings#LARGEST_SIDE}
+ * @param layers what else is to be known of each pixel, each once
+ * @param transparent whether the picture is to have opacity: nothing where nothing is hit, in place of the sky or background that is still seen in mirrors and through glass,
+ *     and of a pixel that is hit in part its share
  */
-public record RenderOptions(RenderSettings settings, Tile region, RenderMode mode, int threads, boolean numbers, boolean fixedSampler, int step) {
+public record RenderOptions(RenderSettings settings, Tile region, RenderMode mode, int threads, boolean numbers, boolean fixedSampler, int step,
+        List<Layer> layers, boolean transparent) {
 
     /** @throws IllegalArgumentException if the region does not lie inside the picture */
     public RenderOptions {
@@ -26,6 +32,9 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
         Objects.requireNonNull(mode, "mode");
         Require.within("threads", threads, 1, 1024);
         Require.within("step", step, 1, RenderSettings.LARGEST_SIDE);
+        layers = List.copyOf(layers);
+        Require.that(layers.stream().distinct().count() == layers.size(), "each layer can be asked for once: " + layers);
+        Require.that(mode == RenderMode.SHADED || (layers.isEmpty() && !transparent), "layers and transparency are of pictures of light, not of " + mode);
         int columns = coarse(settings.width(), step);
         int rows = coarse(settings.height(), step);
         Require.that(region.x() + region.width() <= columns && region.y() + region.height() <= rows,
@@ -36,7 +45,7 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
     /** The whole picture, on all processors. */
     public static RenderOptions of(RenderSettings settings) {
         return new RenderOptions(settings, new Tile(0, 0, settings.width(), settings.height()), RenderMode.SHADED,
-                Runtime.getRuntime().availableProcessors(), false, false, 1);
+                Runtime.getRuntime().availableProcessors(), false, false, 1, List.of(), false);
     }
 
     /** What the scene asks for. */
@@ -45,15 +54,15 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
     }
 
     public RenderOptions withThreads(int count) {
-        return new RenderOptions(settings, region, mode, count, numbers, fixedSampler, step);
+        return new RenderOptions(settings, region, mode, count, numbers, fixedSampler, step, layers, transparent);
     }
 
     public RenderOptions withRegion(Tile part) {
-        return new RenderOptions(settings, part, mode, threads, numbers, fixedSampler, step);
+        return new RenderOptions(settings, part, mode, threads, numbers, fixedSampler, step, layers, transparent);
     }
 
     public RenderOptions withMode(RenderMode shown) {
-        return new RenderOptions(settings, region, shown, threads, numbers, fixedSampler, step);
+        return new RenderOptions(settings, region, shown, threads, numbers, fixedSampler, step, layers, transparent);
     }
 
     /**
@@ -61,19 +70,39 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
      * counts, in all three channels alike.
      */
     public RenderOptions withNumbers() {
-        return new RenderOptions(settings, region, mode, threads, true, fixedSampler, step);
+        return new RenderOptions(settings, region, mode, threads, true, fixedSampler, step, layers, transparent);
     }
 
     /** With the same random numbers in every pixel: to be compared, pixel by pixel, with pictures of programs that are given them. */
     public RenderOptions withFixedSampler() {
-        return new RenderOptions(settings, region, mode, threads, numbers, true, step);
+        return new RenderOptions(settings, region, mode, threads, numbers, true, step, layers, transparent);
+    }
+
+    /** With what else is to be known of each pixel. */
+    public RenderOptions withLayers(List<Layer> wanted) {
+        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, wanted, transparent);
+    }
+
+    /** With opacity: transparent where nothing is hit. */
+    public RenderOptions withTransparency() {
+        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, layers, true);
     }
 
     /** A coarse image of the whole picture, to be shown before it: each pixel stands for step × step of them, and at right and bottom for those there are. */
     public RenderOptions withStep(int pixels) {
         Require.within("step", pixels, 1, RenderSettings.LARGEST_SIDE);
         Tile whole = new Tile(0, 0, coarse(settings.width(), pixels), coarse(settings.height(), pixels));
-        return new RenderOptions(settings, whole, mode, threads, numbers, fixedSampler, pixels);
+        return new RenderOptions(settings, whole, mode, threads, numbers, fixedSampler, pixels, layers, transparent);
+    }
+
+    /** How many numbers each pixel gets: three of light, with opacity that, and those of layers. */
+    public int channels() {
+        return (transparent ? 4 : 3) + planes().size();
+    }
+
+    /** The names of the planes of all layers. */
+    List<String> planes() {
+        return layers.stream().flatMap(layer -> layer.planes().stream()).toList();
     }
 
     /** How many pixels of the image there are to so many of the picture. */

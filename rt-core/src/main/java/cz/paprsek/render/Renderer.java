@@ -2,6 +2,7 @@ package cz.paprsek.render;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.Layers;
 import cz.paprsek.render.RenderResult.Outcome;
 import cz.paprsek.render.work.Workers;
 import cz.paprsek.scene.Scene;
@@ -93,7 +94,7 @@ public final class Renderer implements AutoCloseable {
         }
         job.throwFailure();
         RenderStats stats = job.stats(scene.buildSeconds(), (System.nanoTime() - begin) / 1e9);
-        return new RenderResult(job.image(), stats, job.isComplete() ? Outcome.DONE : Outcome.CANCELLED);
+        return new RenderResult(job.image(), job.layers(), stats, job.isComplete() ? Outcome.DONE : Outcome.CANCELLED);
     }
 
     /**
@@ -124,7 +125,7 @@ public final class Renderer implements AutoCloseable {
             return render(RenderScene.of(scene, assets, monitor), options, monitor, store);
         } catch (CancellationException cancelled) {
             Image black = new Image(options.region().width(), options.region().height());
-            return new RenderResult(black, RenderStats.NONE, Outcome.CANCELLED);
+            return new RenderResult(black, Layers.ofSize(black.width(), black.height()), RenderStats.NONE, Outcome.CANCELLED);
         }
     }
 

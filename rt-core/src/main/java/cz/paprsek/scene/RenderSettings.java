@@ -3,6 +3,7 @@ package cz.paprsek.scene;
 import cz.paprsek.attribute.Attribute;
 import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Require;
 import java.util.Locale;
 import java.util.Objects;
@@ -23,6 +24,8 @@ import java.util.stream.Stream;
  * @param error how far the value that is shown of a pixel may be from the true one, 1 being from black to white; above 0
  * @param confidence how probable it is to be that close; above 0 and below 1
  * @param filter how a pixel's rays are strewn around its centre
+ * @param exposure in stops, each of which doubles the light of the picture as it is shown and written; ±{@value #MOST_STOPS}
+ * @param tone how light is fitted to a screen when the picture is shown and written
  */
 @Element(name = "render", value = "How the scene wishes to be rendered.")
 public record RenderSettings(
@@ -35,10 +38,13 @@ public record RenderSettings(
         @Attribute(value = Kind.POSITIVE, inForce = "allowedError", means = "With samples A..B, how far the value shown of a pixel may be from the true one; 1 is from black to white",
                 otherwise = "0.01") double error,
         @Attribute(value = Kind.CONFIDENCE, inForce = "wantedConfidence", means = "How probable it is to be that close", otherwise = "0.95") double confidence,
-        @Attribute(value = Kind.WORD, means = "How a pixel's rays are strewn around its centre", otherwise = "box") PixelFilter filter) {
+        @Attribute(value = Kind.WORD, means = "How a pixel's rays are strewn around its centre", otherwise = "box") PixelFilter filter,
+        @Attribute(value = Kind.STOPS, means = "Brightens the picture as it is shown and written; each stop doubles the light", otherwise = "0") double exposure,
+        @Attribute(value = Kind.WORD, means = "How light is fitted to a screen: none, or filmic, which bends highlights towards white as film does", otherwise = "none") Tone tone) {
     public static final int LARGEST_SIDE = 32_768;
     public static final int DEEPEST = 250;
     public static final int MOST_SAMPLES = 16;
+    public static final int MOST_STOPS = 100;
     public static final RenderSettings DEFAULT = new RenderSettings(800, 600, 5, 1);
 
     public RenderSettings {
@@ -52,11 +58,13 @@ public record RenderSettings(
         Require.positive("render error", error);
         Require.that(confidence > 0 && confidence < 1, "render confidence must be a number above 0 and below 1, but is " + confidence);
         Objects.requireNonNull(filter, "filter");
+        Require.within("render exposure", exposure, -MOST_STOPS, MOST_STOPS);
+        Objects.requireNonNull(tone, "tone");
     }
 
     /** A regular grid of rays in each pixel. */
     public RenderSettings(int width, int height, int maxDepth, int samples) {
-        this(width, height, maxDepth, samples, 0, 0.01, 0.95, PixelFilter.BOX);
+        this(width, height, maxDepth, samples, 0, 0.01, 0.95, PixelFilter.BOX, 0, Tone.NONE);
     }
 
     /** Whether each pixel gets as many rays as it needs, rather than a grid of them. */
@@ -86,11 +94,11 @@ public record RenderSettings(
     }
 
     public RenderSettings withSize(int newWidth, int newHeight) {
-        return new RenderSettings(newWidth, newHeight, maxDepth, samples, mostSamples, error, confidence, filter);
+        return new RenderSettings(newWidth, newHeight, maxDepth, samples, mostSamples, error, confidence, filter, exposure, tone);
     }
 
     public RenderSettings withMaxDepth(int levels) {
-        return new RenderSettings(width, height, levels, samples, mostSamples, error, confidence, filter);
+        return new RenderSettings(width, height, levels, samples, mostSamples, error, confidence, filter, exposure, tone);
     }
 
     /** With a regular grid. */
@@ -100,19 +108,27 @@ public record RenderSettings(
 
     /** With random rays, from least² to most² in a pixel; a most of 0 stands for a regular grid. */
     public RenderSettings withSamples(int least, int most) {
-        return new RenderSettings(width, height, maxDepth, least, most, error, confidence, filter);
+        return new RenderSettings(width, height, maxDepth, least, most, error, confidence, filter, exposure, tone);
     }
 
     public RenderSettings withError(double target) {
-        return new RenderSettings(width, height, maxDepth, samples, mostSamples, target, confidence, filter);
+        return new RenderSettings(width, height, maxDepth, samples, mostSamples, target, confidence, filter, exposure, tone);
     }
 
     public RenderSettings withConfidence(double probability) {
-        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, probability, filter);
+        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, probability, filter, exposure, tone);
     }
 
     public RenderSettings withFilter(PixelFilter kind) {
-        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, confidence, kind);
+        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, confidence, kind, exposure, tone);
+    }
+
+    public RenderSettings withExposure(double stops) {
+        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, confidence, filter, stops, tone);
+    }
+
+    public RenderSettings withTone(Tone curve) {
+        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, confidence, filter, exposure, curve);
     }
 
     /** From where around its centre a pixel gathers light, and with what weight: what its rays are strewn by. */

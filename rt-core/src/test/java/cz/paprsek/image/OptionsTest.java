@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.offset;
 
 import cz.paprsek.image.ImageOptions.Origin;
-import cz.paprsek.image.ImageOptions.Tone;
+import cz.paprsek.material.Rgb.Tone;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

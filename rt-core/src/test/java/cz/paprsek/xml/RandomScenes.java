@@ -6,6 +6,7 @@ import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
@@ -61,7 +62,8 @@ public final class RandomScenes {
         objects.add(SceneObject.of(tree(3, names)));
         Scene bare = new Scene("Scene < & > \" '", random.nextBoolean() ? "" : "Two\nlines, <tags> & all", List.of("one", "two-2"),
                 new RenderSettings(1 + random.nextInt(3000), 1 + random.nextInt(3000), 1 + random.nextInt(20), 1 + random.nextInt(5), random.nextInt(2) * (5 + random.nextInt(12)),
-                        random.nextInt(3) > 0 ? 0.01 : random.nextDouble() + 1e-9, random.nextInt(3) > 0 ? 0.95 : 0.5 + random.nextDouble() / 3, List.of(PixelFilter.values()).get(random.nextInt(4))),
+                        random.nextInt(3) > 0 ? 0.01 : random.nextDouble() + 1e-9, random.nextInt(3) > 0 ? 0.95 : 0.5 + random.nextDouble() / 3, List.of(PixelFilter.values()).get(random.nextInt(4)),
+                        random.nextInt(2) * random.nextDouble(), List.of(Tone.values()).get(random.nextInt(2))),
                 Rgb.BLACK, Sky.NONE, color(), cameras(), lights(),
                 materials, objects);
         return under(bare);

@@ -8,12 +8,12 @@ import java.util.Optional;
 
 /** What the user wants otherwise than the scenes say. */
 public record Wishes(
-        Optional<Size> size, Optional<Integer> maxDepth, RayWishes rays, Optional<Tile> region, Optional<Integer> threads) {
+        Optional<Size> size, Optional<Integer> maxDepth, RayWishes rays, LightWishes light, Optional<Tile> region, Optional<Integer> threads) {
 
     /** @throws WrongUsage if a number is out of range, or the region outside a picture of the size wished for */
     public Wishes {
         try {
-            RenderOptions.of(settings(RenderSettings.DEFAULT, size, maxDepth, rays)).withThreads(threads.orElse(1));
+            RenderOptions.of(settings(RenderSettings.DEFAULT, size, maxDepth, rays, light)).withThreads(threads.orElse(1));
             if (size.isPresent() && region.isPresent()) {
                 RenderOptions.of(RenderSettings.DEFAULT.withSize(size.get().width(), size.get().height())).withRegion(region.get());
             }
@@ -24,15 +24,15 @@ public record Wishes(
 
     /** @throws IllegalArgumentException if the region does not lie inside the picture */
     public RenderOptions applyTo(RenderSettings settings) {
-        RenderOptions options = RenderOptions.of(settings(settings, size, maxDepth, rays));
+        RenderOptions options = RenderOptions.of(settings(settings, size, maxDepth, rays, light));
         options = rays.isFixed() ? options.withFixedSampler() : options;
         options = threads.isPresent() ? options.withThreads(threads.get()) : options;
         return region.isPresent() ? options.withRegion(region.get()) : options;
     }
 
     private static RenderSettings settings(
-            RenderSettings settings, Optional<Size> size, Optional<Integer> maxDepth, RayWishes rays) {
+            RenderSettings settings, Optional<Size> size, Optional<Integer> maxDepth, RayWishes rays, LightWishes light) {
         RenderSettings sized = size.map(s -> settings.withSize(s.width(), s.height())).orElse(settings);
-        return rays.applyTo(sized.withMaxDepth(maxDepth.orElse(sized.maxDepth())));
+        return light.applyTo(rays.applyTo(sized.withMaxDepth(maxDepth.orElse(sized.maxDepth()))));
     }
 }

@@ -28,17 +28,19 @@ import java.util.zip.CRC32;
  * as a whole with a checksum, so that a process may be killed at any moment: a torn last tile is dropped when the file is read.
  */
 public final class Checkpoint implements AutoCloseable {
-    private static final byte[] MAGIC = "paprsek tiles 2\n".getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] MAGIC = "paprsek tiles 3\n".getBytes(StandardCharsets.US_ASCII);
     private static final int RECORD_HEAD = 5 * Integer.BYTES;
-    private static final int CHANNELS = 3;
 
     private final Path file;
     private final FileChannel channel;
+    /** How many numbers each pixel has. */
+    private final int channels;
     private final Map<Tile, FloatBuffer> tiles = new HashMap<>();
 
-    private Checkpoint(Path file, FileChannel channel) {
+    private Checkpoint(Path file, FileChannel channel, int channels) {
         this.file = file;
         this.channel = channel;
+        this.channels = channels;
     }
 
     /** Where the tiles of a picture are kept. */
@@ -59,7 +61,7 @@ public final class Checkpoint implements AutoCloseable {
             if (isTaken(channel)) {
                 throw new WrongUsage(file + ": another render is at work on this picture");
             }
-            Checkpoint checkpoint = new Checkpoint(file, channel);
+            Checkpoint checkpoint = new Checkpoint(file, channel, options.channels());
             checkpoint.read(digest(scene, assets, options), options.region());
             opened = true;
             return checkpoint;
@@ -81,9 +83,10 @@ public final class Checkpoint implements AutoCloseable {
         if (known == null) {
             return false;
         }
+        float[] values = new float[channels];
         for (int i = 0; i < tile.width() * tile.height(); i++) {
-            film.set(tile.x() + i % tile.width(), tile.y() + i / tile.width(),
-                    known.get(CHANNELS * i), known.get(CHANNELS * i + 1), known.get(CHANNELS * i + 2));
+            known.get(channels * i, values);
+            film.setChannels(tile.x() + i % tile.width(), tile.y() + i / tile.width(), values);
         }
         return true;
     }
@@ -95,7 +98,9 @@ public final class Checkpoint implements AutoCloseable {
         for (int i = 0; i < tile.width() * tile.height(); i++) {
             int x = tile.x() + i % tile.width();
             int y = tile.y() + i / tile.width();
-            record.putFloat(film.red(x, y)).putFloat(film.green(x, y)).putFloat(film.blue(x, y));
+            for (int channel = 0; channel < channels; channel++) {
+                record.putFloat(film.channel(channel, x, y));
+            }
         }
         record.putInt(RECORD_HEAD - Integer.BYTES, checksum(record)).flip();
         while (record.hasRemaining()) {
@@ -165,8 +170,8 @@ public final class Checkpoint implements AutoCloseable {
         return bytes.flip();
     }
 
-    private static int pixelBytes(Tile tile) {
-        return CHANNELS * Float.BYTES * tile.width() * tile.height();
+    private int pixelBytes(Tile tile) {
+        return channels * Float.BYTES * tile.width() * tile.height();
     }
 
     /** Of everything but the place of the checksum itself. */

@@ -13,6 +13,7 @@ import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.Layers;
 import cz.paprsek.io.Failures;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
@@ -24,6 +25,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /** Renders scenes one after the other, each on all threads; one that fails does not stop the next. */
 public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Pictures pictures, Progress.Maker progress, Report report) {
@@ -77,27 +79,24 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         }
         int width = options.region().width();
         int height = options.region().height();
-        String tooLarge = target.source().label() + ": " + Room.sentence(scene, width, height, target.format());
-        if (Room.memory(width, height, target.format()) > Memory.allowed()) {
+        String tooLarge = target.source().label() + ": " + Room.sentence(scene, options, target.format());
+        if (Room.memory(options, target.format()) > Memory.allowed()) {
             return fail(target, Outcome.FAILED, List.of(tooLarge));
         }
-        RenderResult result;
-        Image image;
         try {
             if (target.file().isPresent()) {
                 Room.checkDisk(target.file().get(), view.written(target.format()).leastBytes(width, height));
             }
             try (Tiles tiles = resume ? Tiles.kept(target, scene, assets, options, terminal) : Tiles.NOT_KEPT) {
-                try (Progress monitor = progress.start(target.source().label(), options, stop)) {
-                    result = Renderer.render(scene, assets, options, monitor, tiles.store());
-                }
+                RenderResult result = rendered(target, scene, assets, options, tiles);
                 if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
                     return interrupted(target);
                 }
-                image = view.finished(result.image(), target.format());
+                Image image = view.finished(result.image(), target.format());
                 ImageOptions how = view.written(target.format(), writing.of(read, options, view, target.format()));
-                stop.guard(() -> write(target, image, how));
+                stop.guard(() -> write(target, image, result.layers(), how));
                 tiles.discard();
+                report.done(target, scene.name(), image.width(), image.height(), result.stats(), (System.nanoTime() - begin) / 1e9);
             }
         } catch (WrongUsage e) {
             return fail(target, Outcome.WRONG_USAGE, List.of(String.valueOf(e.getMessage())));
@@ -107,20 +106,35 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         } catch (OutOfMemoryError e) {
             return fail(target, Outcome.FAILED, List.of(tooLarge));
         }
-        report.done(target, scene.name(), image.width(), image.height(), result.stats(), (System.nanoTime() - begin) / 1e9);
         return Outcome.DONE;
+    }
+
+    private RenderResult rendered(Target target, Scene scene, Assets assets, RenderOptions options, Tiles tiles) {
+        try (Progress monitor = progress.start(target.source().label(), options, stop)) {
+            return Renderer.render(scene, assets, options, monitor, tiles.store());
+        }
     }
 
     private Outcome interrupted(Target target) {
         return fail(target, Outcome.INTERRUPTED, List.of(target.source().label() + ": interrupted, no picture written"));
     }
 
-    private void write(Target target, Image image, ImageOptions how) throws IOException {
+    private void write(Target target, Image image, Layers layers, ImageOptions how) throws IOException {
         ImageFormat format = view.written(target.format());
-        if (target.file().isPresent()) {
+        if (!layers.names().isEmpty()) {
+            write(image, layers, target.file(), how);
+        } else if (target.file().isPresent()) {
             ImageFiles.write(image, target.file().get(), format, how);
         } else {
             ImageFiles.write(image, terminal.bytes(), format, how);
+        }
+    }
+
+    private void write(Image image, Layers layers, Optional<Path> file, ImageOptions how) throws IOException {
+        if (file.isPresent()) {
+            ImageFiles.write(image, layers, file.get(), how);
+        } else {
+            ImageFiles.write(image, layers, terminal.bytes(), how);
         }
     }
 

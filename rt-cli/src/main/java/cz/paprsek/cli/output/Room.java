@@ -2,6 +2,7 @@ package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.process.Memory;
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
 import java.nio.file.FileStore;
@@ -12,8 +13,7 @@ import java.util.Objects;
 
 /** Whether there is room for a picture, in memory and on the disk: asked before it is traced. */
 final class Room {
-    /** Three floats a pixel. */
-    private static final int TRACED = 12;
+    private static final int LIGHT = 3;
     /** Two copies of 8-bit pixels, which the platform's writers need; OpenEXR's table of blocks comes before them. */
     private static final int ENCODED = 8;
     /** About what an object takes with all that is prepared of it. */
@@ -22,20 +22,23 @@ final class Room {
     private Room() {}
 
     /** How many bytes of memory a picture takes until it is written. */
-    static long memory(int width, int height, ImageFormat format) {
+    static long memory(RenderOptions options, ImageFormat format) {
         boolean isEncoded = switch (format) {
             case JPG, BMP, TIF, EXR -> true;
             case PNG, PPM, PGM, PFM, TXT, RAW, PPM16, HDR -> false;
         };
-        return (long) width * height * (isEncoded ? TRACED + ENCODED : TRACED);
+        // Layers are copied when all is there.
+        int further = options.channels() - LIGHT;
+        long traced = Float.BYTES * (LIGHT + 2L * further);
+        return (long) options.region().width() * options.region().height() * (isEncoded ? traced + ENCODED : traced);
     }
 
     /** What takes the memory, and what to do. */
-    static String sentence(Scene scene, int width, int height, ImageFormat format) {
+    static String sentence(Scene scene, RenderOptions options, ImageFormat format) {
         long objects = (long) scene.objects().size() * OBJECT;
-        long picture = memory(width, height, format);
+        long picture = memory(options, format);
         boolean isPicture = picture >= objects;
-        return Memory.sentence(isPicture ? "the picture of " + width + "x" + height + " pixels" : "the scene of " + scene.objects().size() + " objects",
+        return Memory.sentence(isPicture ? "the picture of " + options.region().width() + "x" + options.region().height() + " pixels" : "the scene of " + scene.objects().size() + " objects",
                 picture + objects) + (isPicture ? "; or render in parts with --region" : "");
     }
 

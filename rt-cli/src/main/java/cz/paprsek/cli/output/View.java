@@ -1,6 +1,7 @@
 package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.input.Cameras;
+import cz.paprsek.cli.input.PixelWishes;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.drawing.Legend;
 import cz.paprsek.image.Image;
@@ -10,6 +11,7 @@ import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.mode.RenderMode.HeatScale;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.Optional;
@@ -21,8 +23,27 @@ import java.util.stream.IntStream;
  * @param camera the one that sees it: its name, or its number from 1
  * @param light the only light to shine: its name, or its number from 1
  * @param legend whether a heat map gets its scale below it
+ * @param pixels what of pixels beside their light
  */
-public record View(RenderMode mode, Optional<String> camera, Optional<String> light, boolean legend) {
+public record View(RenderMode mode, Optional<String> camera, Optional<String> light, boolean legend, PixelWishes pixels) {
+
+    /** @throws WrongUsage if a picture's format cannot hold what is to be known of its pixels, or that is asked for twice */
+    public void check(List<Target> targets) {
+        for (Target target : targets) {
+            String format = target.format().extension();
+            if (pixels.haveLayers() && target.format() != ImageFormat.EXR) {
+                throw new WrongUsage(format + " has no layers; --aov needs a picture in exr");
+            }
+            if (pixels.isTransparent() && !target.format().isTransparent()) {
+                throw new WrongUsage(format + " has no opacity; --transparent needs a picture in png or exr");
+            }
+        }
+        try {
+            applyTo(RenderOptions.of(RenderSettings.DEFAULT), ImageFormat.EXR);
+        } catch (IllegalArgumentException refused) {
+            throw new WrongUsage(String.valueOf(refused.getMessage()));
+        }
+    }
 
     /** @throws WrongUsage if the scene has no such camera or light */
     Scene of(Scene scene) {
@@ -32,7 +53,7 @@ public record View(RenderMode mode, Optional<String> camera, Optional<String> li
 
     /** Programs read depths and counts as they are, eyes see them as brightness and colours. */
     RenderOptions applyTo(RenderOptions options, ImageFormat format) {
-        RenderOptions shown = options.withMode(mode);
+        RenderOptions shown = pixels.applyTo(options.withMode(mode));
         return isNumbers(format) ? shown.withNumbers() : shown;
     }
 

@@ -5,8 +5,9 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
 import cz.paprsek.image.ImageOptions.Origin;
-import cz.paprsek.image.ImageOptions.Tone;
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
@@ -18,21 +19,22 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
-/**
- * How pictures are written, and what they tell of themselves.
- *
- * @param exposure in stops
- */
-public record Writing(Optional<Integer> bits, Optional<Double> exposure, Optional<Tone> tone) {
+/** How pictures are written, and what they tell of themselves. */
+public record Writing(Optional<Integer> bits, boolean uncompressed) {
     /** To write down more of them would take longer than to render them. */
     private static final int MOST_DIGESTED = 100_000;
 
-    /** @throws WrongUsage if the exposure is out of range, or a picture's format cannot have as many bits */
+    /** @throws WrongUsage if a picture's format cannot have as many bits */
     public void check(List<Target> targets) {
+        for (Target target : targets) {
+            if (uncompressed && target.format() != ImageFormat.EXR) {
+                throw new WrongUsage("--uncompressed is for exr, not for " + target.format().extension());
+            }
+        }
         try {
             for (Target target : targets) {
                 options().bitsOf(target.format());
@@ -44,7 +46,9 @@ public record Writing(Optional<Integer> bits, Optional<Double> exposure, Optiona
 
     /** @param scene as it was read, whatever of it is shown */
     ImageOptions of(Scene scene, RenderOptions render, View view, ImageFormat format) {
-        return options().withOrigin(switch (format) {
+        RenderSettings settings = render.settings();
+        ImageOptions shown = view.mode() == RenderMode.SHADED ? options().withExposure(settings.exposure()).withTone(settings.tone()) : options();
+        return shown.withOrigin(switch (format) {
             // Portable maps could hold comments, but many a reader of them understands none.
             case BMP, PFM, TXT, RAW, PPM, PPM16, PGM -> Origin.UNTOLD;
             case PNG, JPG, TIF, HDR, EXR -> new Origin(scene.name(), digest(scene), program(), settings(render, view));
@@ -52,8 +56,8 @@ public record Writing(Optional<Integer> bits, Optional<Double> exposure, Optiona
     }
 
     private ImageOptions options() {
-        ImageOptions options = ImageOptions.DEFAULT.withExposure(exposure.orElse(0.0)).withTone(tone.orElse(Tone.NONE));
-        return bits.isPresent() ? options.withBits(bits.get()) : options;
+        ImageOptions options = bits.map(ImageOptions.DEFAULT::withBits).orElse(ImageOptions.DEFAULT);
+        return uncompressed ? options.withoutCompression() : options;
     }
 
     private static String program() {
@@ -86,11 +90,15 @@ public record Writing(Optional<Integer> bits, Optional<Double> exposure, Optiona
             text.append(" --region ").append(render.region().x()).append(',').append(render.region().y()).append(',')
                     .append(render.region().width()).append(',').append(render.region().height());
         }
+        text.append(render.transparent() ? " --transparent" : "");
+        if (!render.layers().isEmpty()) {
+            text.append(" --aov ").append(render.layers().stream().map(Layer::toString).collect(Collectors.joining(",")));
+        }
         text.append(view.mode() == RenderMode.SHADED ? "" : " --mode " + view.mode());
         view.camera().ifPresent(camera -> text.append(" --camera ").append(camera));
         view.light().ifPresent(light -> text.append(" --light ").append(light));
-        exposure.ifPresent(stops -> text.append(" --exposure ").append(Numbers.text(stops)));
-        tone.ifPresent(curve -> text.append(" --tone ").append(curve.name().toLowerCase(Locale.ROOT)));
+        text.append(settings.exposure() == 0 ? "" : " --exposure " + Numbers.text(settings.exposure()));
+        text.append(settings.tone() == Tone.NONE ? "" : " --tone " + settings.tone());
         return text.toString();
     }
 }

@@ -10,6 +10,7 @@ import cz.paprsek.render.Renderer;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.TileStore;
 import cz.paprsek.render.film.Film;
+import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
@@ -18,6 +19,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
@@ -114,6 +116,30 @@ class ResumeTest {
         Run run = render("100x70", Stream.concat(Stream.of(part), Stream.of("--resume")).toArray(String[]::new));
         assertThat(run.err()).contains("% is done already").doesNotContain("100 %");
         assertThat(picture).hasBinaryContent(expected);
+    }
+
+    /** The kept tiles hold whatever of a pixel there is. */
+    @Test
+    void goingOnWithLayersAndOpacityGivesTheSameBytes() throws Exception {
+        Path file = picture.resolveSibling("layers.exr");
+        Object[] words = {"render", SCENE, "-o", file, "--size", "100x70", "--transparent", "--aov", "normal,depth,object,samples"};
+        assertThat(Run.cli(words).code()).isEqualTo(ExitCode.DONE);
+        byte[] expected = Files.readAllBytes(file);
+        Files.delete(file);
+        picture = file;
+        tiles = Checkpoint.fileFor(file);
+        Scene scene = SceneFiles.read(SCENE);
+        byte[] all = allTiles(scene, RenderOptions.of(scene.settings().withSize(100, 70)).withTransparency()
+                .withLayers(List.of(Layer.NORMAL, Layer.DEPTH, Layer.OBJECT, Layer.SAMPLES)));
+        Files.write(tiles, Arrays.copyOf(all, 2 * all.length / 3));
+        Run run = Run.cli(Stream.concat(Stream.of(words), Stream.of("--resume")).toArray());
+        assertThat(run.err()).contains("% is done already").doesNotContain("100 %");
+        assertThat(file).hasBinaryContent(expected);
+        assertThat(tiles).doesNotExist();
+        Files.write(tiles, all);
+        Run other = Run.cli("render", SCENE, "-o", file, "--size", "100x70", "--transparent", "--resume");
+        assertThat(other.code()).isEqualTo(ExitCode.WRONG_USAGE);
+        assertThat(other.err()).contains("holds tiles of another picture");
     }
 
     private byte[] allTiles() throws IOException, SceneFileException {

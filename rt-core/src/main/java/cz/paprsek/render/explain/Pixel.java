@@ -1,8 +1,10 @@
 package cz.paprsek.render.explain;
 
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Require;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.IntStream;
 
 /**
@@ -13,8 +15,10 @@ import java.util.stream.IntStream;
  * @param rays the rays from the eye; one, a regular grid row by row, or random ones
  * @param places where each ray goes through the pixel
  * @param weights of each ray: all the same, or one for those that the pixel's filter adds and one for those that it takes away
+ * @param exposure in stops: each doubles the light that is shown
+ * @param tone how light is fitted to a screen
  */
-public record Pixel(int column, int row, List<TracedRay> rays, List<Place> places, List<Double> weights) {
+public record Pixel(int column, int row, List<TracedRay> rays, List<Place> places, List<Double> weights, double exposure, Tone tone) {
     /**
      * A point of the picture, in pixels from the top left corner of one: wide filters reach beyond it.
      *
@@ -24,6 +28,7 @@ public record Pixel(int column, int row, List<TracedRay> rays, List<Place> place
     public record Place(double x, double y) {}
 
     public Pixel {
+        Objects.requireNonNull(tone, "tone");
         rays = List.copyOf(rays);
         places = List.copyOf(places);
         weights = List.copyOf(weights);
@@ -47,6 +52,17 @@ public record Pixel(int column, int row, List<TracedRay> rays, List<Place> place
     public LinearRgb light() {
         LinearRgb all = weights.stream().distinct().map(this::light).reduce(LinearRgb::plus).orElseThrow();
         return isSharpened() ? new LinearRgb(Math.max(0, all.red()), Math.max(0, all.green()), Math.max(0, all.blue())) : all;
+    }
+
+    /** Its light as it is shown: exposed and toned, linear. */
+    public LinearRgb developed() {
+        LinearRgb exposed = light().times(StrictMath.pow(2, exposure));
+        return new LinearRgb(tone.of(exposed.red()), tone.of(exposed.green()), tone.of(exposed.blue()));
+    }
+
+    /** Whether it is shown otherwise than it is. */
+    public boolean isDeveloped() {
+        return exposure != 0 || tone != Tone.NONE;
     }
 
     private LinearRgb light(double weight) {

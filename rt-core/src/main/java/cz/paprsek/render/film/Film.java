@@ -1,20 +1,25 @@
 package cz.paprsek.render.film;
 
 import cz.paprsek.image.Image;
+import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
- * What the light of a picture, or of a part of one, falls on, addressed by the pixels of the whole picture. Several workers may use it at once, each
- * for pixels of its own.
+ * What the light of a picture, or of a part of one, falls on, addressed by the pixels of the whole picture; beside the light, planes of whatever
+ * else is to be known of each pixel. Several workers may use it at once, each for pixels of its own.
  *
- * <p>It has room for what is to come: alpha and other layers are further images of the same size beside this one, with a {@code set} of their own;
- * a picture of several passes has sums and counts, which {@link #set} divides. Who keeps tiles ({@code TileStore}) is told the pass, and writes
- * down whatever of a pixel a film has.
+ * <p>Who keeps tiles ({@code TileStore}) is told the pass, and writes down {@linkplain #channel all channels} of a pixel that a film has.
  */
 public final class Film {
+    private static final int LIGHT = 3;
+
     private final Image image;
     private final int left;
     private final int top;
+    private final float[][] planes;
 
     /**
      * @param image what becomes of it
@@ -22,14 +27,30 @@ public final class Film {
      * @param top likewise which row
      */
     public Film(Image image, int left, int top) {
+        this(image, left, top, 0);
+    }
+
+    /** @param planes how many planes there are beside the image */
+    public Film(Image image, int left, int top, int planes) {
         this.image = Objects.requireNonNull(image, "image");
         this.left = left;
         this.top = top;
+        this.planes = new float[planes][image.width() * image.height()];
     }
 
     /** Sets the light of a pixel of the picture, linear. */
     public void set(int x, int y, double red, double green, double blue) {
         image.set(x - left, y - top, red, green, blue);
+    }
+
+    /** Likewise on a film with opacity: the light of the covered part, times the share that is covered, and that share. */
+    public void set(int x, int y, double red, double green, double blue, double opacity) {
+        image.set(x - left, y - top, red, green, blue, opacity);
+    }
+
+    /** Sets a pixel's value on a plane, counted from 0. */
+    public void setPlane(int plane, int x, int y, double value) {
+        planes[plane][(y - top) * image.width() + x - left] = (float) value;
     }
 
     /** The light of a pixel of the picture, linear; 0 as long as it has not been set. */
@@ -45,5 +66,92 @@ public final class Film {
     /** As {@link #red}. */
     public float blue(int x, int y) {
         return image.blue(x - left, y - top);
+    }
+
+    /** The values of a plane, row by row from the top left; not a copy. */
+    public float[] plane(int plane) {
+        return planes[plane];
+    }
+
+    /** How many numbers a pixel has: red, green and blue, with opacity that, and one of each plane. */
+    public int channels() {
+        return lights() + planes.length;
+    }
+
+    private int lights() {
+        return image.isTransparent() ? LIGHT + 1 : LIGHT;
+    }
+
+    /** One of a pixel's numbers, in that order, counted from 0. */
+    public float channel(int channel, int x, int y) {
+        return switch (channel) {
+            case 0 -> red(x, y);
+            case 1 -> green(x, y);
+            case 2 -> blue(x, y);
+            default -> channel < lights() ? image.alpha(x - left, y - top) : planes[channel - lights()][(y - top) * image.width() + x - left];
+        };
+    }
+
+    /** Sets all of a pixel's numbers, in that order. */
+    public void setChannels(int x, int y, float... values) {
+        if (image.isTransparent()) {
+            set(x, y, values[0], values[1], values[2], values[LIGHT]);
+        } else {
+            set(x, y, values[0], values[1], values[2]);
+        }
+        for (int i = lights(); i < values.length; i++) {
+            planes[i - lights()][(y - top) * image.width() + x - left] = values[i];
+        }
+    }
+
+    /**
+     * What else there is to know of a picture's pixels beside their light, for programs that go on with it. All of what a pixel's rays from the eye
+     * meet first, and none of it where they meet nothing.
+     */
+    public enum Layer {
+        /** The normal, of length 1 towards the viewer, world space; the mean of those that are met. */
+        NORMAL("the normal of what is seen, world space", "X", "Y", "Z"),
+        /** The share of light that is strewn, diffusion times colour, linear. Bodies of lights strew none. */
+        ALBEDO("which share of light is strewn, by colours", "R", "G", "B"),
+        /** The distance from the eye in scene units; the mean of those that are met. */
+        DEPTH("the distance of what is seen, in scene units", "Z"),
+        /** The object's number in the scene, from 1, and after the objects those of lights that are seen; the one that most rays meet, 0 if most meet nothing. */
+        OBJECT("the number of the object seen, from 1", "ID"),
+        /** The light that reaches what is seen straight from lamps, its ambient and its own; or the background's. Linear. */
+        DIRECT("the light that comes by no mirror and no glass", "R", "G", "B"),
+        /** The light that is mirrored or let through: what {@link #DIRECT} lacks to the picture. Linear. */
+        INDIRECT("the light that is mirrored or let through", "R", "G", "B"),
+        /** How many rays from the eye the pixel took. */
+        SAMPLES("how many rays from the eye a pixel took", "N");
+
+        private final String meaning;
+        private final List<String> channels;
+
+        Layer(String meaning, String... channels) {
+            this.meaning = meaning;
+            this.channels = List.of(channels);
+        }
+
+        /** What it holds, in a few words. */
+        public String meaning() {
+            return meaning;
+        }
+
+        /** The names of its planes as files have them: {@code normal.X}. */
+        public List<String> planes() {
+            return channels.stream().map(channel -> this + "." + channel).toList();
+        }
+
+        /** The name as people type it. */
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
+        /** The layer of that name, in any case. */
+        public static Optional<Layer> of(String name) {
+            Objects.requireNonNull(name, "name");
+            return Stream.of(values()).filter(layer -> layer.name().equalsIgnoreCase(name)).findFirst();
+        }
     }
 }

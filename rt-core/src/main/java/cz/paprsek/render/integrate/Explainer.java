@@ -27,7 +27,7 @@ public final class Explainer {
         recorder.lookThrough(eye);
         PixelSums sums = recorder.pixel(eye, column, row);
         List<Double> weights = IntStream.range(0, sums.count()).mapToObj(i -> sums.isNegative(i) ? sums.negativeWeight : sums.weight).toList();
-        return new Pixel(column, row, recorder.trees(), places(sampling, column, row, sums.count()), weights);
+        return new Pixel(column, row, recorder.trees(), places(sampling, column, row, sums.count()), weights, settings.exposure(), settings.tone());
     }
 
     private static List<Pixel.Place> places(Sampling sampling, int column, int row, int count) {

@@ -36,7 +36,12 @@ public abstract class Sampling {
     /** The worker's scratch that holds the samples of a pixel. */
     public final PixelSums newSums() {
         return new PixelSums(settings.mostRays(), strewing.mass() * strewing.mass(),
-                new Target(settings.error(), settings.confidence(), Adaptive.looks(settings)));
+                new Target(settings, Adaptive.looks(settings)));
+    }
+
+    /** How many rays a pixel gets at most. */
+    public final int most() {
+        return settings.mostRays();
     }
 
     /** How many pixels beyond its own a pixel's rays may reach, to each side. */

@@ -1,5 +1,8 @@
 package cz.paprsek.render.sample;
 
+import cz.paprsek.material.Rgb.Tone;
+import cz.paprsek.scene.RenderSettings;
+
 /**
  * Tells when a pixel has enough samples: once its value as it is shown, from 0 to 1, is known as well as is wished. Judged by the samples of the
  * pixel alone; scratch of one worker.
@@ -16,14 +19,18 @@ final class Target {
 
     private final double error;
     private final double t;
+    private final double gain;
+    private final Tone tone;
     private final double[] reds = new double[GROUPS];
     private final double[] greens = new double[GROUPS];
     private final double[] blues = new double[GROUPS];
 
     /** @param looks how often a pixel is judged at most */
-    Target(double error, double confidence, int looks) {
-        this.error = error;
-        this.t = quantile((1 - confidence) / Math.max(1, looks));
+    Target(RenderSettings settings, int looks) {
+        this.error = settings.error();
+        this.t = quantile((1 - settings.confidence()) / Math.max(1, looks));
+        this.gain = StrictMath.pow(2, settings.exposure());
+        this.tone = settings.tone();
     }
 
     boolean isMet(PixelSums sums) {
@@ -49,7 +56,7 @@ final class Target {
         if (half == 0) {
             return true;
         }
-        return shown(mean + half) - shown(mean - half) <= 2 * error;
+        return shown(tone.of(gain * (mean + half))) - shown(tone.of(gain * (mean - half))) <= 2 * error;
     }
 
     /** Of linear light, the sRGB value, from black as 0 to white as 1. */

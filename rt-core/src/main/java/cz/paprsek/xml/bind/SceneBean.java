@@ -2,6 +2,7 @@ package cz.paprsek.xml.bind;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Require;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
@@ -125,9 +126,12 @@ final class SceneBean extends Located {
         @XmlAttribute double error = RenderSettings.DEFAULT.error();
         @XmlAttribute double confidence = RenderSettings.DEFAULT.confidence();
         @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String filter = RenderSettings.DEFAULT.filter().toString();
+        @XmlAttribute double exposure = RenderSettings.DEFAULT.exposure();
+        @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String tone = RenderSettings.DEFAULT.tone().toString();
 
         RenderSettings toSettings() {
-            return new RenderSettings(width, height, maxDepth, samples[0], samples[1], error, confidence, PixelFilter.valueOf(filter.toUpperCase(Locale.ROOT)));
+            return new RenderSettings(width, height, maxDepth, samples[0], samples[1], error, confidence, PixelFilter.valueOf(filter.toUpperCase(Locale.ROOT)),
+                    exposure, Tone.valueOf(tone.toUpperCase(Locale.ROOT)));
         }
     }
 

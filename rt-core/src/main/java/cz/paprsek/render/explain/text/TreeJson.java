@@ -28,8 +28,11 @@ public final class TreeJson {
 
     @SuppressWarnings("exports") // Told as it is by its toString; what it is made of is for our own programs.
     public static Json of(Pixel pixel) {
-        return color(new Json().with("column", pixel.column()).with("row", pixel.row()), "light", pixel.light())
-                .withNumbers("weights", pixel.weights().stream().mapToDouble(Double::doubleValue).toArray())
+        Json json = color(new Json().with("column", pixel.column()).with("row", pixel.row()), "light", pixel.light());
+        if (pixel.isDeveloped()) {
+            color(json.with("exposure", pixel.exposure()).with("tone", pixel.tone().toString()), "shown", pixel.developed());
+        }
+        return json.withNumbers("weights", pixel.weights().stream().mapToDouble(Double::doubleValue).toArray())
                 .with("rays", IntStream.range(0, pixel.rays().size()).mapToObj(i -> of(pixel.rays().get(i)).withNumbers("in-pixel", pixel.places().get(i).x(), pixel.places().get(i).y())).toList());
     }
 

@@ -104,9 +104,10 @@ public final class TreeText {
 
     /** What a pixel's light is, in one line: that of its ray, or what its rays make together. */
     public static String sum(Pixel pixel, Words words) {
-        LinearRgb light = pixel.light();
         int rays = pixel.rays().size();
-        return (rays > 1 ? words.of(pixel.isSharpened() ? "the-weighted" : "the-average", rays) : words.of("the-light")) + " = " + Figures.of(light)
+        LinearRgb light = pixel.developed();
+        return (rays > 1 ? words.of(pixel.isSharpened() ? "the-weighted" : "the-average", rays) : words.of("the-light")) + " = " + Figures.of(pixel.light())
+                + (pixel.isDeveloped() ? words.of("developed", Numbers.text(pixel.exposure()), words.of("kind." + pixel.tone()), Figures.of(light)) : "")
                 + words.of("srgb", srgb(light.shown().red()) + " " + srgb(light.shown().green()) + " " + srgb(light.shown().blue()));
     }
 
@@ -124,12 +125,10 @@ public final class TreeText {
     }
 
     private void total(Pixel pixel, List<Outline> outlines) {
-        LinearRgb light = pixel.light();
-        int rays = pixel.rays().size();
-        if (rays > 1) {
+        if (pixel.rays().size() > 1) {
             samples(pixel, outlines);
         }
-        String patch = decoration.patch(light);
+        String patch = decoration.patch(pixel.developed());
         lines.add(words.of("pixel", pixel.column(), pixel.row()) + ": " + sum(pixel, words) + (patch.isEmpty() ? "" : "  " + patch));
     }
 

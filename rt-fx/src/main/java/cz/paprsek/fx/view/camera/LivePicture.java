@@ -5,6 +5,7 @@ import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.rays.DrawnRays;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.live.LiveListener;
@@ -188,7 +189,7 @@ final class LivePicture extends Region implements AutoCloseable {
 
         @Override
         public void painted(LivePass pass, Image image, Tile tile) {
-            target.paint(image, tile, pass.step());
+            target.paint(image, tile, pass.step(), ImageOptions.shown(pass.settings().exposure(), pass.settings().tone()));
         }
 
         @Override

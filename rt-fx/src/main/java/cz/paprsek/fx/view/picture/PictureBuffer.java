@@ -1,8 +1,10 @@
 package cz.paprsek.fx.view.picture;
 
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.render.Tile;
 import java.nio.IntBuffer;
+import java.util.function.IntBinaryOperator;
 import javafx.application.Platform;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.image.PixelBuffer;
@@ -47,19 +49,16 @@ public final class PictureBuffer {
         return image;
     }
 
-    /** Whether a pixel has been painted. */
-    boolean isPainted(int x, int y) {
-        return argb[y * width + x] != 0;
-    }
-
     /**
      * Paints a part of another picture.
      *
      * @param source the other picture
      * @param tile the part, in pixels of the other picture
      * @param step how many pixels of this picture, side by side, are one of the other
+     * @param how it is shown: exposure and tone
      */
-    public void paint(Image source, Tile tile, int step) {
+    public void paint(Image source, Tile tile, int step, ImageOptions how) {
+        IntBinaryOperator shown = how.shown(source);
         int left = tile.x() * step;
         int right = Math.min(width, (tile.x() + tile.width()) * step);
         int top = tile.y() * step;
@@ -67,13 +66,22 @@ public final class PictureBuffer {
         for (int y = top; y < bottom; y++) {
             if ((y - top) % step == 0) {
                 for (int x = left; x < right; x++) {
-                    argb[y * width + x] = (x - left) % step == 0 ? source.argb(x / step, y / step) : argb[y * width + x - 1];
+                    argb[y * width + x] = (x - left) % step == 0 ? premultiplied(shown.applyAsInt(x / step, y / step)) : argb[y * width + x - 1];
                 }
             } else {
                 System.arraycopy(argb, (y - 1) * width + left, argb, y * width + left, right - left);
             }
         }
         changed(left, top, right, bottom);
+    }
+
+    private static int premultiplied(int straight) {
+        int alpha = straight >>> 24;
+        return alpha == 255 ? straight : alpha << 24 | times(straight >> 16 & 255, alpha) << 16 | times(straight >> 8 & 255, alpha) << 8 | times(straight & 255, alpha);
+    }
+
+    private static int times(int channel, int alpha) {
+        return (channel * alpha + 127) / 255;
     }
 
     private synchronized void changed(int left, int top, int right, int bottom) {

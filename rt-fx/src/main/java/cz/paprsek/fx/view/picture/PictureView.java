@@ -11,10 +11,13 @@ import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
 import javafx.scene.image.ImageView;
+import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.Region;
+import javafx.scene.paint.Color;
+import javafx.scene.paint.ImagePattern;
 import javafx.scene.shape.Rectangle;
 
 /**
@@ -29,8 +32,10 @@ public final class PictureView extends Region {
     private static final double SQUARES = 3;
     private static final double CLICK_SLACK = 3;
     private static final double NUDGE = 40;
+    private static final int SQUARE = 8;
 
     private final PictureBuffer buffer;
+    private final Rectangle checks = new Rectangle();
     private final ImageView picture;
     private final ImageView other = new ImageView();
     private final Rectangle otherPart = new Rectangle();
@@ -59,7 +64,10 @@ public final class PictureView extends Region {
         clip.widthProperty().bind(widthProperty());
         clip.heightProperty().bind(heightProperty());
         setClip(clip);
-        getChildren().addAll(picture, other, wipe);
+        checks.setFill(checkered());
+        checks.setVisible(false);
+        checks.setMouseTransparent(true);
+        getChildren().addAll(checks, picture, other, wipe);
         setFocusTraversable(true);
         setOnScroll(this::scrolled);
         setOnMousePressed(this::pressed);
@@ -75,6 +83,21 @@ public final class PictureView extends Region {
         });
         wipe.setOnMousePressed(MouseEvent::consume);
         wipe.setOnMouseReleased(MouseEvent::consume);
+    }
+
+    /** Says whether parts of the picture are transparent, which show grey squares. */
+    public void setTransparent(boolean transparent) {
+        checks.setVisible(transparent);
+    }
+
+    private static ImagePattern checkered() {
+        WritableImage squares = new WritableImage(2 * SQUARE, 2 * SQUARE);
+        for (int y = 0; y < 2 * SQUARE; y++) {
+            for (int x = 0; x < 2 * SQUARE; x++) {
+                squares.getPixelWriter().setColor(x, y, x / SQUARE == y / SQUARE ? Color.grayRgb(150) : Color.grayRgb(190));
+            }
+        }
+        return new ImagePattern(squares, 0, 0, 2 * SQUARE, 2 * SQUARE, false);
     }
 
     /** Screen pixels to one of the picture. */
@@ -135,6 +158,10 @@ public final class PictureView extends Region {
         }
         place(picture);
         place(other);
+        checks.setX(left);
+        checks.setY(top);
+        checks.setWidth(shownWidth());
+        checks.setHeight(shownHeight());
         double x = wipeShare * shownWidth();
         otherPart.setX(x);
         otherPart.setWidth(shownWidth() - x);

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.picture;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -15,11 +16,14 @@ public final class PixelText {
         this.texts = texts;
     }
 
-    /** @param image the picture in linear light */
-    public String of(PicturePoint point, Image image) {
+    /**
+     * @param image the picture in linear light
+     * @param how it is shown
+     */
+    public String of(PicturePoint point, Image image, ImageOptions how) {
         int x = point.column();
         int y = point.row();
-        int argb = image.argb(x, y);
+        int argb = how.shown(image).applyAsInt(x, y);
         return String.format(texts.locale(), "%d, %d    sRGB %d %d %d    %s %.4f %.4f %.4f    %s", x, y,
                 argb >> 16 & 0xFF, argb >> 8 & 0xFF, argb & 0xFF,
                 texts.of("picture.linear"), image.red(x, y), image.green(x, y), image.blue(x, y), seen(point));

@@ -2,7 +2,9 @@ package cz.paprsek.fx.view.render;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.List;
@@ -14,9 +16,12 @@ import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
+import javafx.scene.control.CheckBox;
+import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
+import javafx.scene.control.Tooltip;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
 
@@ -40,6 +45,9 @@ final class RenderForm extends FlowPane {
     private final RaysForm rays;
     private final WholeNumberField depth;
     private final WholeNumberField threads;
+    private final StopsField exposure;
+    private final ChoiceBox<Named<Tone>> tone = new ChoiceBox<>();
+    private final CheckBox transparent;
     private final ModeBox mode;
     private final CameraBox camera;
     private final HBox cameraGroup;
@@ -54,20 +62,31 @@ final class RenderForm extends FlowPane {
         depth = new WholeNumberField("render-depth", texts.of("render.depth.hint"), 1, RenderSettings.DEEPEST, 3);
         threads = new WholeNumberField("render-threads", texts.of("render.threads.hint"), 1, 1024, 3);
         threads.set(Runtime.getRuntime().availableProcessors());
+        exposure = new StopsField(texts);
+        tone.setId("render-tone");
+        tone.setTooltip(new Tooltip(texts.of("render.tone.hint")));
+        for (Tone curve : Tone.values()) {
+            tone.getItems().add(new Named<>(curve, texts.of("kind." + curve)));
+        }
+        transparent = new CheckBox(texts.of("render.transparent"));
+        transparent.setId("render-transparent");
+        transparent.setTooltip(new Tooltip(texts.of("render.transparent.hint")));
         mode = new ModeBox(texts);
+        BooleanBinding isOfLight = Bindings.createBooleanBinding(() -> mode.getValue() == null || mode.mode() == RenderMode.SHADED, mode.valueProperty());
+        Stream.of(exposure, tone, transparent).forEach(control -> control.disableProperty().bind(isOfLight.not()));
         lights = new LightBox(texts);
         camera = new CameraBox(texts);
         cameraGroup = group(new Label(texts.of("render.camera")), camera);
         MenuButton presets = new MenuButton(texts.of("render.size"));
         presets.setId("render-presets");
         PRESETS.forEach(preset -> presets.getItems().add(item(preset)));
-        valid = Bindings.createBooleanBinding(() -> rays.valid().get() && fields().allMatch(field -> field.validProperty().get()),
-                Stream.concat(fields().map(WholeNumberField::validProperty), Stream.of(rays.valid())).toArray(Observable[]::new));
+        valid = Bindings.createBooleanBinding(() -> rays.valid().get() && exposure.validProperty().get() && fields().allMatch(field -> field.validProperty().get()),
+                Stream.concat(fields().map(WholeNumberField::validProperty), Stream.of(rays.valid(), exposure.validProperty())).toArray(Observable[]::new));
         setHgap(12);
         setVgap(6);
         setAlignment(Pos.CENTER_LEFT);
         getChildren().addAll(group(presets, width, new Label("×"), height), group(new Label(texts.of("render.depth")), depth),
-                group(new Label(texts.of("render.threads")), threads),
+                group(new Label(texts.of("render.threads")), threads), group(new Label(texts.of("render.exposure")), exposure, tone), transparent,
                 group(new Label(texts.of("render.mode")), mode), group(new Label(texts.of("render.lights")), lights), cameraGroup);
         getChildren().addAll(1, rays.groups());
     }
@@ -80,6 +99,9 @@ final class RenderForm extends FlowPane {
         height.set(settings.height());
         rays.set(settings);
         depth.set(settings.maxDepth());
+        exposure.set(settings.exposure());
+        tone.getItems().stream().filter(one -> one.value() == settings.tone()).forEach(tone.getSelectionModel()::select);
+        transparent.setSelected(false);
         mode.reset();
         lights.offer(scene);
         follow(state);
@@ -99,8 +121,10 @@ final class RenderForm extends FlowPane {
 
     /** What the fields say; only if they are valid. */
     RenderOptions options() {
-        RenderSettings wished = rays.applyTo(settings.withSize(width.get(), height.get()).withMaxDepth(depth.get()));
-        return rays.applyTo(RenderOptions.of(wished).withThreads(threads.get()).withMode(mode.mode()));
+        RenderSettings wished = rays.applyTo(settings.withSize(width.get(), height.get()).withMaxDepth(depth.get())
+                .withExposure(exposure.get()).withTone(tone.getValue().value()));
+        RenderOptions options = rays.applyTo(RenderOptions.of(wished).withThreads(threads.get()).withMode(mode.mode()));
+        return transparent.isSelected() && mode.mode() == RenderMode.SHADED ? options.withTransparency() : options;
     }
 
     /** The scene as the chosen camera sees it, with those of its lights that are to be lit. */

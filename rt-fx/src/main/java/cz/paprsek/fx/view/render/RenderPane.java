@@ -13,6 +13,8 @@ import cz.paprsek.fx.view.picture.PictureStyle;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
+import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.ImageOptions.Origin;
 import cz.paprsek.io.Failures;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.Scene;
@@ -205,7 +207,7 @@ public final class RenderPane extends BorderPane {
             return;
         }
         String name = tab.map(shown -> shown.task().scene().name()).filter(Predicate.not(String::isBlank)).orElse("picture");
-        chooser.choose(getScene().getWindow(), name.replaceAll("[\\\\/:*?\"<>|]", "-") + ".png").ifPresent(file -> write(finished(tab.get(), image.get()), file));
+        chooser.choose(getScene().getWindow(), name.replaceAll("[\\\\/:*?\"<>|]", "-") + ".png").ifPresent(file -> write(finished(tab.get(), image.get()), file, tab.get().task().how().withOrigin(origin(tab.get()))));
     }
 
     /** The picture as it is saved: a heat map with its scale. */
@@ -213,11 +215,15 @@ public final class RenderPane extends BorderPane {
         return tab.task().options().mode().scale().map(scale -> Legend.below(image, scale)).orElse(image);
     }
 
-    private void write(Image image, Path file) {
+    private static Origin origin(RenderTab tab) {
+        return new Origin(tab.task().scene().name(), "", "Paprsek", "");
+    }
+
+    private void write(Image image, Path file, ImageOptions how) {
         Task<Boolean> writing = new Task<>() {
             @Override
             protected Boolean call() throws Exception {
-                ImageFiles.write(image, file);
+                ImageFiles.write(image, file, how);
                 return true;
             }
         };

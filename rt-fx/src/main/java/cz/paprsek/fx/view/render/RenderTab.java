@@ -46,9 +46,10 @@ final class RenderTab extends Tab {
         this.texts = texts;
         this.task = task;
         this.view = new PictureView(task.buffer());
+        view.setTransparent(task.options().transparent());
         PixelText pixelText = new PixelText(texts);
         view.pointedProperty().addListener((property, old, now) -> pointed.set(now.flatMap(this::point)));
-        pointed.addListener((property, old, now) -> pixel.setText(now.flatMap(point -> task.image().map(image -> pixelText.of(point, image))).orElse("")));
+        pointed.addListener((property, old, now) -> pixel.setText(now.flatMap(point -> task.image().map(image -> pixelText.of(point, image, task.how()))).orElse("")));
         Button cancel = new Button(texts.of("render.cancel"));
         cancel.setId("render-cancel");
         cancel.setOnAction(event -> task.cancel());

@@ -3,12 +3,15 @@ package cz.paprsek.fx.view.render;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.render.Tile;
+import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
@@ -59,6 +62,12 @@ final class RenderTask extends Task<RenderResult> {
         return options;
     }
 
+    /** How it is shown and saved: light exposed and toned, all else as it is. */
+    ImageOptions how() {
+        RenderSettings settings = options.settings();
+        return options.mode() == RenderMode.SHADED ? ImageOptions.shown(settings.exposure(), settings.tone()) : ImageOptions.DEFAULT;
+    }
+
     PictureBuffer buffer() {
         return buffer;
     }
@@ -100,7 +109,7 @@ final class RenderTask extends Task<RenderResult> {
             image = underWay;
             total = tilesTotal;
             countUpTo(tilesDone);
-            buffer.paint(underWay, tile, 1);
+            buffer.paint(underWay, tile, 1, how());
         }
     }
 

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.render;
 import cz.paprsek.drawing.Legend;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.mode.RenderMode.HeatScale;
 import javafx.geometry.Pos;
@@ -16,7 +17,7 @@ final class ScaleStrip extends StackPane {
     ScaleStrip(HeatScale scale) {
         Image strip = Legend.below(new Image(WIDTH, 1), scale);
         PictureBuffer buffer = new PictureBuffer(strip.width(), strip.height());
-        buffer.paint(strip, new Tile(0, 0, strip.width(), strip.height()), 1);
+        buffer.paint(strip, new Tile(0, 0, strip.width(), strip.height()), 1, ImageOptions.DEFAULT);
         setAlignment(Pos.CENTER);
         setId("render-scale");
         getStyleClass().add("render-scale");

@@ -10,8 +10,10 @@ import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureView;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
@@ -92,6 +94,37 @@ class RenderPaneTest {
             }
         }
         assertThat(status()).startsWith("Done in").contains("rays/s");
+    }
+
+    /** As `render --exposure 1 --tone filmic --transparent` writes it. */
+    @Test
+    @SuppressWarnings("unchecked")
+    void exposureToneAndTransparencyAreThoseOfTheCommandLine() throws IOException {
+        gui.act(() -> model.edit(CHANGE, scene -> scene.withBackground(Rgb.WHITE)));
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        enter("#render-exposure", "1");
+        gui.keys(KeyCode.UP);
+        assertThat(text("#render-exposure")).isEqualTo("1.333");
+        enter("#render-exposure", "101");
+        assertThat(gui.node("#render-start").isDisabled()).isTrue();
+        enter("#render-exposure", "1");
+        ChoiceBox<Object> tone = (ChoiceBox<Object>) gui.node("#render-tone");
+        gui.act(() -> tone.getSelectionModel().select(1));
+        gui.click("#render-transparent");
+        gui.click("#render-start");
+        untilDone();
+        Image expected = Renderer.render(RenderScene.of(model.scene()), RenderOptions.of(model.scene()).withTransparency(), RenderMonitor.NONE).image();
+        ImageOptions how = ImageOptions.shown(1, Tone.FILMIC);
+        assertThat(shown().task().buffer().image().getPixelReader().getArgb(60, 40)).isEqualTo(how.shown(expected).applyAsInt(60, 40)).isNotEqualTo(expected.argb(60, 40));
+        assertThat(shown().task().buffer().image().getPixelReader().getArgb(0, 0)).isZero();
+        assertThat(Screenshots.save(gui, "render-transparent")).isNotEmptyFile();
+        Path file = folder.resolve("cut.png");
+        answer.set(Optional.of(file));
+        gui.click("#render-save");
+        gui.until("saved", () -> Files.exists(file));
+        assertThat(ImageIO.read(file.toFile()).getRGB(60, 40)).isEqualTo(how.shown(expected).applyAsInt(60, 40));
+        assertThat(ImageIO.read(file.toFile()).getRGB(0, 0)).isZero();
     }
 
     @Test
