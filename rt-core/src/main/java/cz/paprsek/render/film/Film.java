@@ -125,6 +125,7 @@ public final class Film {
         SAMPLES("how many rays from the eye a pixel took", "N");
 
         private final String meaning;
+        @SuppressWarnings("ImmutableEnumChecker") // a copy that nobody can change
         private final List<String> channels;
 
         Layer(String meaning, String... channels) {
