@@ -25,13 +25,18 @@ import org.junit.jupiter.params.provider.MethodSource;
 class DamagedModelsTest {
     private static final int WAYS = Integer.getInteger("paprsek.damages", 1000);
 
+    private static final String GLTF = "'nodes':[{'children':[1,2]},{'mesh':0,'translation':[10,0,0],'rotation':[0,0,0.7,0.7],'scale':[2,1,1]},{'mesh':0,'camera':0}],"
+            + "'scenes':[{'nodes':[0]}],'meshes':[{'primitives':[{'attributes':{'POSITION':0},'indices':1,'material':0,'mode':4}]}],"
+            + "'cameras':[{'type':'orthographic','orthographic':{'ymag':2}}],'materials':[{'pbrMetallicRoughness':{'baseColorFactor':[1,0.5,0.1,1],'metallicFactor':0}}]";
+
     static Stream<Arguments> files() {
         Triangles ring = Solids.torus(2, 1, 8, 6);
         String obj = "mtllib none.mtl\ng a b\nusemtl x\ns 1\n" + Solids.obj(ring) + "vt 0 1\nvn 0 0 1\ng c\nf 1/1/1 2/1/1 3/1/1 -4/1/1 -5/-1/-1\n";
         return Stream.of(Arguments.of(ForeignFormat.STL, Solids.stlText(ring).getBytes(StandardCharsets.US_ASCII)),
                 Arguments.of(ForeignFormat.STL, Solids.stlBytes(ring, "solid bytes")), Arguments.of(ForeignFormat.OBJ, obj.getBytes(StandardCharsets.US_ASCII)),
                 Arguments.of(ForeignFormat.PLY, Solids.ply(ring, null)), Arguments.of(ForeignFormat.PLY, Solids.ply(ring, ByteOrder.BIG_ENDIAN)),
-                Arguments.of(ForeignFormat.PLY, Solids.ply(ring, ByteOrder.LITTLE_ENDIAN)));
+                Arguments.of(ForeignFormat.PLY, Solids.ply(ring, ByteOrder.LITTLE_ENDIAN)), Arguments.of(ForeignFormat.GLTF, GltfTest.embedded(GLTF).getBytes(StandardCharsets.US_ASCII)),
+                Arguments.of(ForeignFormat.GLTF, GltfTest.inOnePiece(GltfTest.HEAD.replace(",'uri':'%s'", "") + GLTF + "}")));
     }
 
     @ParameterizedTest(name = "{0} {index}")

@@ -22,7 +22,7 @@ final class Read {
     }
 
     static Model bytes(ForeignFormat format, byte[] bytes, Map<String, byte[]> beside) throws IOException {
-        return ForeignFiles.model(format, new ByteArrayInputStream(bytes), bytes.length, companions(beside));
+        return ForeignFiles.model("x." + format.endings().get(0), format, new ByteArrayInputStream(bytes), bytes.length, companions(beside));
     }
 
     static Companions companions(Map<String, byte[]> beside) {

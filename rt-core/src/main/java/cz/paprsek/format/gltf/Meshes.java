@@ -1,0 +1,166 @@
+package cz.paprsek.format.gltf;
+
+import cz.paprsek.format.model.FormatFault;
+import cz.paprsek.format.model.Notes;
+import cz.paprsek.math.Affine;
+import cz.paprsek.shape.mesh.Triangles;
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/** Puts the meshes of a document into one, each as often as a node shows it; every primitive is a part. */
+final class Meshes {
+    private static final int TRIANGLES = 4;
+    private static final int STRIP = 5;
+    private static final int FAN = 6;
+    /** A small file may show a large mesh very often. */
+    private static final long MOST = 100_000_000;
+
+    private final Tree document;
+    private final Accessors accessors;
+    private final Materials materials;
+    private final Notes notes;
+    private final Triangles.Builder builder = Triangles.builder();
+    private final Map<String, String> materialOf = new HashMap<>();
+    private final Set<String> names = new HashSet<>();
+
+    Meshes(Tree document, Accessors accessors, Materials materials, Notes notes) {
+        this.document = document;
+        this.accessors = accessors;
+        this.materials = materials;
+        this.notes = notes;
+    }
+
+    boolean isEmpty() {
+        return builder.triangleCount() == 0;
+    }
+
+    Triangles triangles() {
+        return builder.build();
+    }
+
+    Map<String, String> materialOf() {
+        return materialOf;
+    }
+
+    /** @param name of the node */
+    void show(int index, String name, Affine toWorld) throws IOException {
+        Tree mesh = document.item("meshes", index);
+        String own = name.isEmpty() ? mesh.text("name", "").strip() : name;
+        int count = mesh.count("primitives");
+        if (count == 0) {
+            throw mesh.fault("primitives", "a mesh must have at least one");
+        }
+        for (int i = 0; i < count; i++) {
+            primitive(mesh.item("primitives", i), own, toWorld);
+        }
+    }
+
+    private void primitive(Tree primitive, String name, Affine toWorld) throws IOException {
+        int mode = primitive.whole("mode", TRIANGLES);
+        if (mode < TRIANGLES) {
+            notes.add(primitive.path(), "points and lines are not read");
+            return;
+        }
+        if (mode > FAN) {
+            throw primitive.fault("mode", "there is no mode " + mode);
+        }
+        Tree attributes = primitive.child("attributes").orElseThrow(() -> primitive.fault("here must be \"attributes\""));
+        if (!attributes.has("POSITION")) {
+            notes.add(primitive.path(), "a primitive without places is not read");
+            return;
+        }
+        if (primitive.has("targets")) {
+            notes.add(primitive.path(), "morph targets are not read");
+        }
+        if (attributes.has("COLOR_0")) {
+            notes.add(primitive.path(), "colours of vertices are not read");
+        }
+        float[] places = accessors.floats(attributes.needed("POSITION"), "VEC3");
+        int vertices = places.length / 3;
+        int[] indices = primitive.has("indices") ? accessors.indices(primitive.needed("indices"), vertices) : null;
+        int corners = indices == null ? vertices : indices.length;
+        if (builder.triangleCount() + (long) corners > MOST || builder.vertexCount() + (long) vertices > MOST) {
+            throw primitive.fault("all that is shown together is more than " + MOST + " triangles");
+        }
+        int material = primitive.index("material");
+        String part = part(name, material);
+        int first = vertices(attributes, places, material, toWorld);
+        builder.part(part);
+        corners(mode, corners, indices, first, toWorld);
+    }
+
+    private String part(String name, int material) throws IOException {
+        String of = material < 0 ? "" : materials.name(material);
+        String wanted = !name.isEmpty() && !names.contains(name) ? name : (name + " " + of).strip();
+        String part = wanted;
+        for (int i = 2; !names.add(part); i++) {
+            part = (wanted + " " + i).strip();
+        }
+        if (!of.isEmpty()) {
+            materialOf.put(part, of);
+        }
+        return part;
+    }
+
+    private int vertices(Tree attributes, float[] places, int material, Affine toWorld) throws IOException {
+        int count = places.length / 3;
+        float[] normals = attributes.has("NORMAL") ? accessors.floats(attributes.needed("NORMAL"), "VEC3") : new float[0];
+        Mapping mapping = material < 0 ? new Mapping(0, 0, 0, 0, 1, 1) : materials.mapping(material);
+        String set = "TEXCOORD_" + mapping.set();
+        float[] map = attributes.has(set) ? accessors.floats(attributes.needed(set), "VEC2") : new float[0];
+        if ((normals.length > 0 && normals.length != places.length) || (map.length > 0 && map.length != 2 * count)) {
+            throw attributes.fault("there must be as many normals and places in pictures as vertices");
+        }
+        Affine back = toWorld.inverse();
+        int first = builder.vertexCount();
+        for (int i = 0; i < count; i++) {
+            double x = places[3 * i];
+            double y = places[3 * i + 1];
+            double z = places[3 * i + 2];
+            int vertex = builder.vertex(toWorld.pointX(x, y, z), toWorld.pointY(x, y, z), toWorld.pointZ(x, y, z));
+            if (normals.length > 0) {
+                normal(vertex, normals[3 * i], normals[3 * i + 1], normals[3 * i + 2], back);
+            }
+            if (map.length > 0) {
+                builder.map(vertex, mapping.u(map[2 * i], map[2 * i + 1]), mapping.v(map[2 * i], map[2 * i + 1]));
+            }
+        }
+        return first;
+    }
+
+    /** Normals go by the transpose of the way back. */
+    private void normal(int vertex, double x, double y, double z, Affine back) {
+        double nx = back.xx() * x + back.yx() * y + back.zx() * z;
+        double ny = back.xy() * x + back.yy() * y + back.zy() * z;
+        double nz = back.xz() * x + back.yz() * y + back.zz() * z;
+        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        if (length > 0 && length < Double.POSITIVE_INFINITY) {
+            builder.normal(vertex, nx / length, ny / length, nz / length);
+        }
+    }
+
+    private void corners(int mode, int corners, int @Nullable [] indices, int first, Affine toWorld) throws FormatFault {
+        boolean isMirrored = determinant(toWorld) < 0;
+        int step = mode == TRIANGLES ? 3 : 1;
+        for (int i = 0; i + 2 < corners; i += step) {
+            boolean isTurned = mode == STRIP && i % 2 == 1;
+            int a = mode == FAN ? 0 : isTurned ? i + 1 : i;
+            int b = isTurned ? i : i + 1;
+            int c = i + 2;
+            int ia = indices == null ? a : indices[a];
+            int ib = indices == null ? b : indices[b];
+            int ic = indices == null ? c : indices[c];
+            if (ia != ib && ib != ic && ia != ic) {
+                builder.triangle(first + ia, first + (isMirrored ? ic : ib), first + (isMirrored ? ib : ic));
+            }
+        }
+    }
+
+    private static double determinant(Affine m) {
+        return m.xx() * (m.yy() * m.zz() - m.yz() * m.zy()) - m.xy() * (m.yx() * m.zz() - m.yz() * m.zx()) + m.xz() * (m.yx() * m.zy() - m.yy() * m.zx());
+    }
+}

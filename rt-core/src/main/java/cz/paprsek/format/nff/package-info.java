@@ -1,0 +1,2 @@
+/** NFF, the neutral file format of the Standard Procedural Databases: balls, cones and polygons, with a view, lights and materials that are nearly ours. */
+package cz.paprsek.format.nff;
