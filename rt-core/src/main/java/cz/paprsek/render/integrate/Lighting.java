@@ -36,6 +36,8 @@ final class Lighting {
     private static final double MIDDLE = 0.5;
 
     private final Witness witness;
+    /** Whether a path that goes on may meet a light that it was looked for: then both are weighed, and a light with a size is looked for at one point only. */
+    private final boolean isPath;
     /** Whether lights behind a surface are passed over. */
     private final boolean isBrief;
     private final BooleanSupplier stop;
@@ -70,6 +72,10 @@ final class Lighting {
     private boolean isBeyond;
     /** What a rough surface strews; of lights that rays can see, its rays see it. */
     private final Lobe lobe;
+    /** Of a path, how it goes on. */
+    final Choice choice;
+    /** How many surfaces the last shadow ray goes through. */
+    private int crossed;
     private final boolean[] isSeen;
     private boolean isStrewing;
     /** What the light that was last looked for brings along its shadow ray. */
@@ -82,15 +88,16 @@ final class Lighting {
     /** Shadow rays sent so far. */
     long rays;
 
-    Lighting(World scene, int maxDepth, Intersector intersector, Spans spans, Sampler sampler, Witness witness, BooleanSupplier stop) {
+    Lighting(World scene, int maxDepth, boolean isPath, Intersector intersector, Spans spans, Sampler sampler, Witness witness, BooleanSupplier stop) {
         this.witness = witness;
+        this.isPath = isPath;
         this.isBrief = !witness.hearsAll();
         this.stop = stop;
         this.sampler = sampler;
         this.bodies = scene.bodies();
         this.parts = scene.parts();
         this.lamps = scene.lamps();
-        this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1) || scene.isRough();
+        this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1) || scene.isRough() || isPath;
         this.glows = scene.glows();
         this.finder = intersector.finder;
         this.contacts = intersector.contacts;
@@ -103,6 +110,7 @@ final class Lighting {
         this.dims = scene.absorbs();
         this.dimming = new Dimming(scene);
         this.lobe = new Lobe(scene);
+        this.choice = new Choice(lobe);
         this.isSeen = new boolean[lamps.length];
         for (int i = 0; i < lamps.length; i++) {
             isSeen[i] = glows.show(i);
@@ -177,6 +185,11 @@ final class Lighting {
         }
     }
 
+    /** Looks with the lobe of the hit that was lit last in a direction of which the cosine is known. */
+    void lookAlong(Level level, Finish finish, Arrival way, double cosine) {
+        lobe.look(level, finish, way, cosine);
+    }
+
     private void add(boolean brings, Level level) {
         if (brings) {
             level.add(red, green, blue);
@@ -185,7 +198,7 @@ final class Lighting {
 
     /** Adds the mean of what several points of the light bring. */
     private void average(int depth, int light, Level level, Finish finish) {
-        int samples = lamps[light].samples();
+        int samples = isPath ? 1 : lamps[light].samples();
         double sumRed = 0;
         double sumGreen = 0;
         double sumBlue = 0;
@@ -225,7 +238,7 @@ final class Lighting {
             witness.sought(light, arrival, facing, 0);
             return false;
         }
-        double visibility = reach(depth, light, level, facing);
+        double visibility = reach(depth, light, level, finish, facing);
         if (!(visibility > 0)) {
             return false;
         }
@@ -241,7 +254,7 @@ final class Lighting {
     /** The same at a rough surface, which also sends on what comes from beyond it. */
     private boolean lookRoughly(int depth, int light, boolean shines, Level level, Finish finish, double facing) {
         lobe.forget();
-        boolean strews = shines && (!isSeen[light] || finish.looksForLamps) && lobe.look(level, finish, arrival, facing);
+        boolean strews = shines && (isPath || !isSeen[light] || finish.looksForLamps) && lobe.look(level, finish, arrival, facing);
         boolean isBefore = facing > 0;
         if (!shines || !(strews || (isBefore && (finish.diffusion > 0 || finish.specular > 0)))) {
             if (isBefore) {
@@ -250,7 +263,7 @@ final class Lighting {
             witness.sought(light, arrival, facing, 0);
             return false;
         }
-        double visibility = reach(depth, light, level, facing);
+        double visibility = reach(depth, light, level, finish, facing);
         if (!(visibility > 0)) {
             return false;
         }
@@ -272,8 +285,12 @@ final class Lighting {
     }
 
     /** Looks what stands in the way of the arrival, which becomes what gets through the substances there; the share of it that surfaces let through. */
-    private double reach(int depth, int light, Level level, double facing) {
+    private double reach(int depth, int light, Level level, Finish finish, double facing) {
+        crossed = 0;
         double visibility = facing > 0 ? visibility(depth, light, level) : visibilityBeyond(depth, light, level);
+        if (isPath && isSeen[light]) {
+            visibility = weighed(light, level, finish, visibility);
+        }
         boolean isDimmed = dims && visibility > 0;
         if (isDimmed) {
             witness.dimmed(dimming.red, dimming.green, dimming.blue);
@@ -283,6 +300,16 @@ final class Lighting {
             arrival.light(arrival.red * dimming.red, arrival.green * dimming.green, arrival.blue * dimming.blue);
         }
         return visibility;
+    }
+
+    /** What is left for the shadow ray of a light that the path may meet when it goes on: nothing behind glass, where only paths find it. */
+    private double weighed(int light, Level level, Finish finish, double visibility) {
+        if (crossed > 0 || visibility == 0) {
+            return 0;
+        }
+        Hit hit = level.hit;
+        double own = lamps[light].density(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, arrival.distance);
+        return visibility * own / (own + choice.density(level, finish, arrival));
     }
 
     /** Of a light behind the surface, whose light comes through the body, or through a pane. */
@@ -364,6 +391,7 @@ final class Lighting {
             }
             shares[at] = share;
         }
+        crossed = count;
         double product = 1;
         for (int i = 0; i < count; i++) {
             product *= shares[i];

@@ -33,6 +33,8 @@ final class Lobe extends Shares {
     double valueRed;
     double valueGreen;
     double valueBlue;
+    /** How probable it is that a ray goes there, per solid angle. */
+    double density;
 
     Lobe(World scene) {
         this.scene = scene;
@@ -71,6 +73,7 @@ final class Lobe extends Shares {
 
     /** Looks at no light. */
     void forget() {
+        density = 0;
         value(0, 0, 0);
     }
 
@@ -93,6 +96,7 @@ final class Lobe extends Shares {
         spread = Ggx.spread(upright, finish.alpha);
         lit = Ggx.seen(Math.min(1, Math.abs(cosine)), finish.alpha);
         double k = Math.PI * spread * seen * lit / (4 * facing);
+        density = k / (Math.PI * lit) * (cosine > 0 ? chance() : 1 - chance());
         return cosine > 0 ? value(k * red, k * green, k * blue) : value(k * through, k * through, k * through);
     }
 
@@ -123,6 +127,7 @@ final class Lobe extends Shares {
         lit = Ggx.seen(Math.min(1, cosine), finish.alpha);
         double bend = from * c - to * d;
         double k = Math.PI * spread * seen * lit * c * d * (to * to / (bend * bend)) / facing;
+        density = k / (Math.PI * lit) * (1 - chance());
         return value(k * through, k * through, k * through);
     }
 

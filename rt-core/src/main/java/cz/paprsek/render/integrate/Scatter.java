@@ -77,8 +77,7 @@ final class Scatter extends Shares {
     /** Of a rough surface one ray is followed for both. What a pane lets through it scatters as much as what it mirrors. */
     private void choose(Level level, Finish finish, boolean isPane, double mx, double my, double mz) {
         Hit hit = level.hit;
-        double mirrored = mirrored();
-        double chance = mirrored + through > 0 ? mirrored / (mirrored + through) : 1;
+        double chance = chance();
         sampler.lobe(level.path);
         sampler.next();
         boolean isMirrored = sampler.u < chance;

@@ -15,29 +15,23 @@ import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.tree.Entries;
 import java.util.function.BooleanSupplier;
 
-/**
- * Follows rays and shades what they hit: one worker's scratch and the formulas of the picture. Nothing is allocated once it is made.
- *
- * <pre>B = ambient·C + Σ lights V·I·( kD·C·max(0, N·L) + kS·max(0, R·L)ⁿ ) + kR·trace(R) + kT·trace(T)</pre>
- */
+/** Follows rays and tells what light they bring, all but what surfaces scatter: one worker's scratch. Nothing is allocated once it is made. */
 abstract class Shading extends Witness implements Integrator {
     /** How many rays are traced between two questions whether to stop. */
     private static final int BATCH = 64;
 
-    private final World scene;
+    final World scene;
     private BooleanSupplier stop = () -> false;
     private final PartTable parts;
-    private final Glows glows;
+    final Glows glows;
     private final Backdrop backdrop;
     private final Entries whole;
     final Intersector intersector;
     final Lighting lighting;
     /** What is random: started for a sample of a pixel before its ray is, and anew before the block's hits are shaded, if there is a light that asks. */
     final Sampler sampler;
-    private final Offspring offspring;
+    final Offspring offspring;
     final Level[] levels;
-    /** For each level but the first: how the ray came about, if that takes more than two shares. */
-    private final Scatter[] scatters;
     private final boolean dims;
     private final Dimming dimming;
     /** Whether rays know how far their neighbours are: only if a paint asks for it. */
@@ -50,7 +44,7 @@ abstract class Shading extends Witness implements Integrator {
     long primary;
     boolean cancelled;
 
-    Shading(World scene, int maxDepth, Sampler sampler, Spans spans) {
+    Shading(World scene, int maxDepth, Sampler sampler, boolean isPath, Spans spans) {
         this.scene = scene;
         this.sampler = sampler;
         this.parts = scene.parts();
@@ -58,15 +52,13 @@ abstract class Shading extends Witness implements Integrator {
         this.backdrop = scene.sky();
         this.whole = scene.bodies().whole();
         this.intersector = new Intersector(scene, spans);
-        this.lighting = new Lighting(scene, maxDepth, intersector, spans, sampler, this, this::isToStop);
+        this.lighting = new Lighting(scene, maxDepth, isPath, intersector, spans, sampler, this, this::isToStop);
         this.offspring = new Offspring(scene);
         this.dims = scene.absorbs();
         this.dimming = new Dimming(scene);
         this.levels = new Level[maxDepth];
-        this.scatters = new Scatter[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
             levels[i] = new Level(spans);
-            scatters[i] = new Scatter(scene, sampler, this);
         }
         levels[0].path = Sampler.EYE;
         footprints = parts.havePictures();
@@ -145,21 +137,18 @@ abstract class Shading extends Witness implements Integrator {
             level.add(finish.red, finish.green, finish.blue);
             emitted(finish.red, finish.green, finish.blue);
         }
-        if (finish.isLit()) {
-            lighting.illuminate(depth, level, finish);
-        }
-        if (depth + 1 < levels.length && (finish.reflection > 0 || finish.transparency > 0)) {
-            if (finish.isPlain) {
-                spawn(level, levels[depth + 1], depth + 1, finish);
-            } else {
-                scatter(level, levels[depth + 1], depth + 1, finish);
-            }
-        }
+        scatter(level, depth, finish);
         if (dims) {
             dim(level);
         }
         ended(level);
     }
+
+    /** Of a light that was also looked for where the level's ray starts, the share that it brings nevertheless. */
+    abstract double unlit(Level level, int lamp);
+
+    /** Adds to the level's light what its surface sends on of the light that falls on it. */
+    abstract void scatter(Level level, int depth, Finish finish);
 
     private void color(Level level, Finish finish) {
         if (finish.paint.isMapped()) {
@@ -208,16 +197,13 @@ abstract class Shading extends Witness implements Integrator {
             hit.turn();
         }
         glows.shine(ray.part, isBehind, seen);
-        if (level.isLit) {
-            seen.light(0, 0, 0);
-        }
         see(level, glows.lamp(ray.part));
     }
 
     private void miss(Level level) {
         boolean isBlind = level.ray.isBlind();
-        int sun = isBlind || level.isLit ? Glows.NONE : glows.sky(level.ray.dx, level.ray.dy, level.ray.dz, seen);
-        if (sun != Glows.NONE) {
+        int sun = isBlind ? Glows.NONE : glows.sky(level.ray.dx, level.ray.dy, level.ray.dz, seen);
+        if (sun != Glows.NONE && !(level.isLit && unlit(level, sun) == 0)) {
             see(level, sun);
             return;
         }
@@ -234,72 +220,11 @@ abstract class Shading extends Witness implements Integrator {
     }
 
     private void see(Level level, int lamp) {
-        level.light(seen.red, seen.green, seen.blue);
+        double share = level.isLit ? unlit(level, lamp) : 1;
+        level.light(share * seen.red, share * seen.green, share * seen.blue);
         if (dims) {
             dim(level);
         }
         seen(level, lamp);
-    }
-
-    /**
-     * Adds what is mirrored and what shines through. With e = n₁/n₂ and t = 1 + e²(c² − 1), the refracted direction is e·u + (e·c − √t)·N;
-     * if t is negative all light is reflected, with the weight of both.
-     *
-     * @source Whitted, An Improved Illumination Model for Shaded Display, CACM 23(6), 1980
-     */
-    private void spawn(Level level, Level next, int depth, Finish finish) {
-        Ray ray = level.ray;
-        Hit hit = level.hit;
-        double c = level.cosine;
-        double reflection = finish.reflection;
-        double e = 1;
-        double root = c;
-        boolean refracts = finish.transparency > 0;
-        if (refracts) {
-            double from = level.media.refractiveIndex();
-            double to = scene.enterBeyond(level, finish, next.media);
-            e = from / to;
-            double t = 1 + e * e * (c * c - 1);
-            bent(from, to, c, t);
-            refracts = t >= 0;
-            if (refracts) {
-                root = Math.sqrt(t);
-            } else {
-                reflection += finish.transparency;
-            }
-        }
-        if (reflection > 0) {
-            offspring.back(level, next, level.mirrorX, level.mirrorY, level.mirrorZ);
-            following(false, reflection, reflection, reflection);
-            trace(depth);
-            level.add(reflection, next);
-        }
-        if (refracts) {
-            double k = e * c - root;
-            offspring.on(level, next, finish, e * ray.dx + k * hit.sx, e * ray.dy + k * hit.sy, e * ray.dz + k * hit.sz);
-            following(true, finish.transparency, finish.transparency, finish.transparency);
-            trace(depth);
-            level.add(finish.transparency, next);
-        }
-    }
-
-    /** The same where shares depend on the angle. */
-    private void scatter(Level level, Level next, int depth, Finish finish) {
-        Scatter to = scatters[depth];
-        to.decide(level, next, finish);
-        if (to.mirrored() > 0) {
-            offspring.back(level, next, to.x, to.y, to.z);
-            next.isLit = finish.looksForLamps;
-            following(false, to.red, to.green, to.blue);
-            trace(depth);
-            level.add(to.red, to.green, to.blue, next);
-        }
-        if (to.through > 0) {
-            offspring.on(level, next, finish, to.throughX, to.throughY, to.throughZ);
-            next.isLit = finish.looksForLamps;
-            following(true, to.through, to.through, to.through);
-            trace(depth);
-            level.add(to.through, next);
-        }
     }
 }

@@ -68,6 +68,12 @@ class Shares {
         return Math.max(red, Math.max(green, blue));
     }
 
+    /** Of one ray that is followed for both, how often it is the mirrored one. */
+    final double chance() {
+        double mirrored = mirrored();
+        return mirrored + through > 0 ? mirrored / (mirrored + through) : 1;
+    }
+
     /** (1 − cos θ)⁵ */
     private static double schlick(double cosine) {
         double rest = 1 - cosine;

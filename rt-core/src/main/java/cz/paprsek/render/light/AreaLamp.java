@@ -17,6 +17,7 @@ abstract class AreaLamp extends Lamp {
     private final Vec3 across;
     private final Vec3 along;
     private final Vec3 normal;
+    private final double area;
 
     /**
      * A light as it stands.
@@ -33,6 +34,7 @@ abstract class AreaLamp extends Lamp {
         across = toWorld.direction(Vec3.X).times(halfWidth);
         along = toWorld.direction(Vec3.Y).times(halfHeight);
         normal = toWorld.direction(Vec3.Z);
+        area = light.form().area();
     }
 
     @Override
@@ -47,6 +49,12 @@ abstract class AreaLamp extends Lamp {
     final Vec3 point(double u, double v, Arrival scratch) {
         place(u, v, scratch);
         return middle.plus(across.times(scratch.x)).plus(along.times(scratch.y));
+    }
+
+    @Override
+    public final double density(double x, double y, double z, double dx, double dy, double dz, double distance) {
+        double cosine = -(dx * normal.x() + dy * normal.y() + dz * normal.z());
+        return cosine > 0 ? distance * distance / (cosine * area) : 0;
     }
 
     @Override

@@ -34,6 +34,15 @@ final class BallLamp extends Lamp {
     }
 
     @Override
+    public double density(double ox, double oy, double oz, double dx, double dy, double dz, double distance) {
+        double cx = x - ox;
+        double cy = y - oy;
+        double cz = z - oz;
+        double square = radius * radius / (cx * cx + cy * cy + cz * cz);
+        return square < 1 ? (1 + Math.sqrt(1 - square)) / (2 * Math.PI * square) : 0;
+    }
+
+    @Override
     public boolean sample(Hit from, double u, double v, Arrival out) {
         out.towards(from, x, y, z);
         double distance = out.distance;

@@ -76,6 +76,18 @@ public abstract class Lamp {
     public abstract boolean sample(Hit from, double u, double v, Arrival out);
 
     /**
+     * How probable it is that {@link #sample} chooses a direction from a point, per solid angle; 0 for a light of no size, and for directions
+     * that it never chooses.
+     *
+     * @param x the point
+     * @param dx the direction, of length 1, in which the light is
+     * @param distance how far away it is
+     */
+    public double density(double x, double y, double z, double dx, double dy, double dz, double distance) {
+        return 0;
+    }
+
+    /**
      * Makes a bundle of the lines from the light to many hits; false if they do not start in one place, and cannot be bundled.
      *
      * @param hits the lines from the origin to the hits

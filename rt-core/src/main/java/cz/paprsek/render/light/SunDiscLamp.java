@@ -36,6 +36,11 @@ final class SunDiscLamp extends Lamp {
     }
 
     @Override
+    public double density(double x, double y, double z, double dx, double dy, double dz, double distance) {
+        return 1 / (2 * Math.PI * depth);
+    }
+
+    @Override
     public boolean sample(Hit from, double u, double v, Arrival out) {
         Unit.cap(towards.x(), towards.y(), towards.z(), depth, u, v, out);
         out.distance = Double.POSITIVE_INFINITY;

@@ -11,6 +11,9 @@ public final class PixelSums {
     /** What a filter that is negative in places weighs in all, if that is counted as if it were positive; 1 for others. */
     private final double mass;
     private final Target target;
+    private final int together;
+    private final Sum sums = new Sum();
+    private final Sum pass = new Sum();
     private int count;
 
     /** What {@link #mean} has found. */
@@ -21,7 +24,9 @@ public final class PixelSums {
     public double weight;
     public double negativeWeight;
 
-    PixelSums(int most, double mass, Target target) {
+    /** @param together how many samples are summed before their sum is added to the others' */
+    PixelSums(int most, int together, double mass, Target target) {
+        this.together = together;
         light = new double[CHANNELS * most];
         negative = new boolean[most];
         this.mass = mass;
@@ -75,18 +80,54 @@ public final class PixelSums {
      */
     void mean(int from, int to) {
         int n = to - from;
-        int below = 0;
-        double addR = 0;
-        double addG = 0;
-        double addB = 0;
-        double takeR = 0;
-        double takeG = 0;
-        double takeB = 0;
-        for (int i = from; i < to; i++) {
-            double r = light[CHANNELS * i];
-            double g = light[CHANNELS * i + 1];
-            double b = light[CHANNELS * i + 2];
-            if (negative[i]) {
+        sums.clear();
+        for (int i = from; i < to; i += together) {
+            pass.clear();
+            for (int k = i; k < Math.min(to, i + together); k++) {
+                pass.add(light[CHANNELS * k], light[CHANNELS * k + 1], light[CHANNELS * k + 2], negative[k]);
+            }
+            sums.add(pass);
+        }
+        int below = sums.below;
+        double share = 1.0 / n;
+        if (below == 0) {
+            weight = share;
+            negativeWeight = share;
+            red = sums.addR * share;
+            green = sums.addG * share;
+            blue = sums.addB * share;
+        } else {
+            double lacking = (1 - mass * share * (n - 2 * below)) * share;
+            weight = lacking + mass * share;
+            negativeWeight = lacking - mass * share;
+            red = Math.max(DARKEST, sums.addR * weight + sums.takeR * negativeWeight);
+            green = Math.max(DARKEST, sums.addG * weight + sums.takeG * negativeWeight);
+            blue = Math.max(DARKEST, sums.addB * weight + sums.takeB * negativeWeight);
+        }
+    }
+
+    /** Light that the filter adds, and light that it takes away. */
+    private static final class Sum {
+        private int below;
+        private double addR;
+        private double addG;
+        private double addB;
+        private double takeR;
+        private double takeG;
+        private double takeB;
+
+        void clear() {
+            below = 0;
+            addR = 0;
+            addG = 0;
+            addB = 0;
+            takeR = 0;
+            takeG = 0;
+            takeB = 0;
+        }
+
+        void add(double r, double g, double b, boolean isNegative) {
+            if (isNegative) {
                 below++;
                 takeR += r;
                 takeG += g;
@@ -97,20 +138,15 @@ public final class PixelSums {
                 addB += b;
             }
         }
-        double share = 1.0 / n;
-        if (below == 0) {
-            weight = share;
-            negativeWeight = share;
-            red = addR * share;
-            green = addG * share;
-            blue = addB * share;
-        } else {
-            double lacking = (1 - mass * share * (n - 2 * below)) * share;
-            weight = lacking + mass * share;
-            negativeWeight = lacking - mass * share;
-            red = Math.max(DARKEST, addR * weight + takeR * negativeWeight);
-            green = Math.max(DARKEST, addG * weight + takeG * negativeWeight);
-            blue = Math.max(DARKEST, addB * weight + takeB * negativeWeight);
+
+        void add(Sum other) {
+            below += other.below;
+            addR += other.addR;
+            addG += other.addG;
+            addB += other.addB;
+            takeR += other.takeR;
+            takeG += other.takeG;
+            takeB += other.takeB;
         }
     }
 }

@@ -26,6 +26,8 @@ public final class Sampler {
     private static final int LIGHT = 0x4F1B_BCDC;
     private static final int FACET = 0x3A8F_05C7;
     private static final int LOBE = 0x71D6_7FFF;
+    private static final int CHOICE = 0x1E3D_9AB5;
+    private static final int DIRECTION = 0x5A6B_0C47;
     /** Apart from any dimension, so that scrambling digits and choosing their order have nothing to do with each other. */
     private static final int ORDER = 0x632B_E5AB;
     private static final int SECOND = 0x5851_F42D;
@@ -118,6 +120,16 @@ public final class Sampler {
     /** The next point is which facet of a rough surface is met at the end of a path. */
     public void facet(int path) {
         dimension(FACET + mixed(path), sample, bits, 1);
+    }
+
+    /** The next point is by which of a surface's lobes a path goes on at its end, and whether it does. */
+    public void choice(int path) {
+        dimension(CHOICE + mixed(path), sample, bits, 1);
+    }
+
+    /** The next point is in which direction of the lobe. */
+    public void direction(int path) {
+        dimension(DIRECTION + mixed(path), sample, bits, 1);
     }
 
     /** The next point's u is what becomes of light there. */

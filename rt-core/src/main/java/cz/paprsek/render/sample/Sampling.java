@@ -4,11 +4,21 @@ import cz.paprsek.scene.RenderSettings;
 
 /** Where in a pixel its rays go through, and how many there are: one class for each pattern. Immutable; each worker has scratch of its own. */
 public abstract class Sampling {
+    private final int most;
+    private final int together;
     private final boolean fixed;
     private final RenderSettings settings;
     private final Strewing strewing;
 
-    Sampling(RenderSettings settings, boolean fixed) {
+    /**
+     * What all kinds have in common.
+     *
+     * @param most how many rays a pixel gets at most
+     * @param together how many of them are summed before their sum is added to the others'
+     */
+    Sampling(RenderSettings settings, int most, int together, boolean fixed) {
+        this.most = most;
+        this.together = together;
         this.fixed = fixed;
         this.settings = settings;
         this.strewing = Strewing.of(settings.filter());
@@ -28,20 +38,29 @@ public abstract class Sampling {
         return of(RenderSettings.DEFAULT.withSamples(perSide), false);
     }
 
+    /**
+     * A number of paths for each pixel.
+     *
+     * @param paths how many, from 1 on
+     * @param fixed whether what is random is the same in every pixel
+     */
+    public static Sampling paths(RenderSettings settings, int paths, boolean fixed) {
+        return new Passes(settings, paths, fixed);
+    }
+
     /** The worker's scratch that says what is random in the pixels. */
     public final Sampler newSampler() {
-        return fixed ? Sampler.fixed(settings.mostRays()) : Sampler.scrambled(settings.mostRays());
+        return fixed ? Sampler.fixed(most) : Sampler.scrambled(most);
     }
 
     /** The worker's scratch that holds the samples of a pixel. */
     public final PixelSums newSums() {
-        return new PixelSums(settings.mostRays(), strewing.mass() * strewing.mass(),
-                new Target(settings, Adaptive.looks(settings)));
+        return new PixelSums(most, together, strewing.mass() * strewing.mass(), new Target(settings, Adaptive.looks(settings)));
     }
 
     /** How many rays a pixel gets at most. */
     public final int most() {
-        return settings.mostRays();
+        return most;
     }
 
     /** How many pixels beyond its own a pixel's rays may reach, to each side. */

@@ -12,6 +12,8 @@ public final class Finish {
     public final Paint paint;
     public final double diffusion;
     public final double specular;
+    /** The share of light that the highlight sends on, about: all of it, where no part of it is below the surface. */
+    public final double highlights;
     public final double reflection;
     public final double transparency;
     public final double refractiveIndex;
@@ -42,6 +44,7 @@ public final class Finish {
         specular = material.specular();
         shininess = material.shininess();
         wholeShininess = shininess == Math.rint(shininess) ? (int) shininess : -1;
+        highlights = 2 * specular / (shininess + 1);
         reflection = material.reflection();
         transparency = material.transparency();
         refractiveIndex = material.refractiveIndex();

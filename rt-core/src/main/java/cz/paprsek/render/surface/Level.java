@@ -21,6 +21,10 @@ public final class Level {
     public boolean beyond;
     /** Whether lights that the ray sees have been counted where it starts. */
     public boolean isLit;
+    /** Of such a ray of a path, how probable its direction was, per solid angle. */
+    public double density;
+    /** What the path's light is worth to its pixel so far: the largest channel. */
+    public double weight = 1;
     /** How the ray came about, in the sampler's terms: what is random at its end depends on that, too. */
     public int path;
     /** Of a ray from the eye, whether the pixel's filter takes away what it brings. */

@@ -1,0 +1,199 @@
+package cz.paprsek.render.integrate;
+
+import cz.paprsek.math.Vec3;
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.film.Film;
+import cz.paprsek.render.sample.PixelSums;
+import cz.paprsek.render.sample.Sampler;
+import cz.paprsek.render.sample.Sampling;
+import cz.paprsek.render.surface.Bodies;
+import cz.paprsek.render.surface.Level;
+import cz.paprsek.render.surface.World;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.tree.Bundle;
+import cz.paprsek.tree.Entries;
+
+/**
+ * Renders blocks of pixels by following the rays that each of them gets. What a block's rays can meet, and what can stand between their hits
+ * and each light, is found once for all of them.
+ */
+abstract class BlockTracer extends Shading {
+    /** Into how many subtrees a block's search is split at most: as measured. Rays stop at the first that lies behind what they hit. */
+    private static final int MOST_ENTRIES = 24;
+
+    private final Bodies bodies;
+    private final CameraRays cameraRays;
+    private final Sampling sampling;
+    private final Bundle bundle = new Bundle();
+    private final Entries entries = new Entries(MOST_ENTRIES);
+    private final PixelSums sums;
+    private final Spans spans;
+    private Level[] block = {};
+    private Level[] further = {};
+
+    /** @param isPath whether one ray is followed at each hit, rather than one for each way that light comes */
+    BlockTracer(World scene, int levels, Sampling sampling, boolean isPath, Spans spans) {
+        super(scene, levels, sampling.newSampler(), isPath, spans);
+        this.spans = spans;
+        this.bodies = scene.bodies();
+        this.sampling = sampling;
+        this.cameraRays = new CameraRays(scene, sampling, sampler);
+        this.sums = sampling.newSums();
+    }
+
+    /** Renders a block of pixels. */
+    @Override
+    public void block(Eye eye, int x, int y, int width, int height, Film film) {
+        Level[] rays = trace(eye, x, y, width, height);
+        for (int i = 0; i < width * height && !cancelled; i++) {
+            if (sampling.isPlain()) {
+                film.set(x + i % width, y + i / width, rays[i].red, rays[i].green, rays[i].blue);
+            } else {
+                develop(rays, i, eye, x + i % width, y + i / width, film);
+            }
+        }
+    }
+
+    private void develop(Level[] rays, int pixel, Eye eye, int x, int y, Film film) {
+        sums.clear();
+        add(rays, pixel * sampling.rays(), sampling.rays());
+        complete(eye, x, y);
+        sums.mean();
+        film.set(x, y, sums.red, sums.green, sums.blue);
+    }
+
+    /** Traces all rays of a pixel, and says what they come to. */
+    public final PixelSums pixel(Eye eye, int x, int y) {
+        sums.clear();
+        add(trace(eye, x, y, 1, 1), 0, sampling.rays());
+        complete(eye, x, y);
+        sums.mean();
+        return sums;
+    }
+
+    /** Traces all rays of a pixel one by one, as if there were no others; how many, is told. */
+    protected final int eachAlone(Eye eye, int x, int y) {
+        sums.clear();
+        for (int more = sampling.rays(); more > 0 && !cancelled; more = sampling.further(sums)) {
+            for (int i = 0; i < more; i++) {
+                traceAlone(eye, x, y, sums.count());
+                add(levels, 0, 1);
+                tracedAlone();
+            }
+        }
+        return sums.count();
+    }
+
+    /** One of a pixel's rays has been traced by itself; the light it brought is in {@link #alone}. */
+    protected void tracedAlone() {}
+
+    private void complete(Eye eye, int x, int y) {
+        for (int more = sampling.further(sums); more > 0 && !cancelled; more = sampling.further(sums)) {
+            further = levels(further, more);
+            trace(eye, x, y, 1, 1, sums.count(), more, further);
+            add(further, 0, more);
+        }
+    }
+
+    private void add(Level[] rays, int from, int count) {
+        for (int i = from; i < from + count; i++) {
+            sums.add(rays[i].red, rays[i].green, rays[i].blue, rays[i].isNegative);
+        }
+    }
+
+    /**
+     * Traces the rays that every pixel of a block gets; the light they bring is in the levels returned, pixel by pixel. What they can meet, and
+     * what can stand between their hits and each light, is found once for all; the light is the same as for each ray alone.
+     */
+    public final Level[] trace(Eye eye, int x, int y, int width, int height) {
+        block = levels(block, width * height * sampling.rays());
+        trace(eye, x, y, width, height, 0, sampling.rays(), block);
+        return block;
+    }
+
+    private void trace(Eye eye, int x, int y, int width, int height, int sample, int perPixel, Level[] first) {
+        int rays = width * height * perPixel;
+        int reach = sampling.reach();
+        Entries among = bodies.whole();
+        if (eye.bundle(bundle, x - reach, y - reach, width + 2 * reach, height + 2 * reach)) {
+            bodies.enter(bundle, entries);
+            among = entries;
+        }
+        cameraRays.from(eye);
+        int i = 0;
+        for (int row = y; row < y + height; row++) {
+            for (int column = x; column < x + width; column++) {
+                for (int k = 0; k < perPixel; k++) {
+                    if (cameraRays.start(first[i], eye, column, row, sample + k)) {
+                        intersector.find(first[i], among);
+                    }
+                    i++;
+                }
+            }
+        }
+        primary += rays;
+        lighting.prepare(first, rays);
+        boolean isRandom = lighting.isRandom();
+        for (i = 0; i < rays; i++) {
+            if (isRandom) {
+                int pixel = i / perPixel;
+                sampler.start(x + pixel % width, y + pixel / width, sample + i % perPixel);
+            }
+            shade(first[i], 0);
+        }
+    }
+
+    /** The same, or more if there are too few. */
+    private Level[] levels(Level[] made, int size) {
+        if (made.length >= size) {
+            return made;
+        }
+        Level[] levels = new Level[size];
+        for (int i = 0; i < size; i++) {
+            levels[i] = new Level(spans);
+            levels[i].path = Sampler.EYE;
+        }
+        return levels;
+    }
+
+    /** The level of a ray that is traced by itself: to be started by {@link #startAlone}, then traced by {@link #traceAlone()}. */
+    public final Level alone() {
+        return levels[0];
+    }
+
+    /** Starts the ray of {@link #alone} through a point of the picture, where it is in what is around there. */
+    public final void startAlone(Eye eye, double x, double y) {
+        cameraRays.from(eye);
+        cameraRays.start(levels[0], eye, x, y);
+    }
+
+    /** Starts the ray of {@link #alone} anywhere, in a direction of length 1. */
+    public final void startAlone(Vec3 origin, Vec3 direction) {
+        cameraRays.start(levels[0], origin, direction);
+    }
+
+    /** Finds what the ray of {@link #alone} hits. */
+    public final void findAlone() {
+        intersector.find(levels[0], bodies.whole());
+    }
+
+    /** Traces a sample's ray from the eye by itself; the light it brings is in {@link #alone}. */
+    public final void traceAlone(Eye eye, int column, int row, int sample) {
+        cameraRays.from(eye);
+        cameraRays.start(levels[0], eye, column, row, sample);
+        sampler.start(column, row, sample);
+        traceAlone();
+    }
+
+    /** Traces the ray of {@link #alone}, as if it were that of the first sample of the first pixel. */
+    public final void traceAlone() {
+        primary++;
+        lighting.prepareNothing();
+        trace(0);
+    }
+
+    /** Nodes of the tree visited so far, leaves included, those of bundles not. */
+    public final long nodeVisits() {
+        return intersector.nodeVisits();
+    }
+}

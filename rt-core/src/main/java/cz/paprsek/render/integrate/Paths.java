@@ -1,0 +1,166 @@
+package cz.paprsek.render.integrate;
+
+import cz.paprsek.ray.Arrival;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.render.sample.Sampling;
+import cz.paprsek.render.surface.Finish;
+import cz.paprsek.render.surface.Level;
+import cz.paprsek.render.surface.World;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+
+/**
+ * Light that comes any number of ways: each ray from the eye becomes a path that goes on from each hit in one direction, chosen at random as often as
+ * the surface sends light there. At each hit every light is looked for; of those that a path may meet as well, both ways bring their share.
+ *
+ * @source Kajiya, The Rendering Equation, SIGGRAPH 1986; Veach and Guibas, Optimally Combining Sampling Techniques, SIGGRAPH 1995
+ */
+public final class Paths extends BlockTracer {
+    /** From this hit on a path that brings little ends by chance, and counts the more if it does not. */
+    private static final int ROULETTE = 8;
+
+    /** The number of the last ray, of which only what it sees shine counts. */
+    private final int last;
+    private final Scatter turn;
+    private final Arrival way = new Arrival();
+
+    /** @param maxDepth how often light is scattered at most */
+    public Paths(World scene, int maxDepth, Sampling sampling) {
+        super(scene, maxDepth + 1, sampling, true, new Spans());
+        last = maxDepth;
+        turn = new Scatter(scene, sampler, this);
+    }
+
+    @Override
+    double unlit(Level level, int lamp) {
+        Ray ray = level.ray;
+        double other = scene.lamps()[lamp].density(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.max);
+        return level.density / (level.density + other);
+    }
+
+    @Override
+    void scatter(Level level, int depth, Finish finish) {
+        if (depth == last) {
+            level.light(finish.red, finish.green, finish.blue);
+            return;
+        }
+        Choice choice = lighting.choice;
+        boolean goesOn = choice.at(level, finish);
+        if (finish.isLit()) {
+            lighting.illuminate(depth, level, finish);
+        }
+        if (goesOn) {
+            goOn(level, depth, finish, choice);
+        }
+    }
+
+    private void goOn(Level level, int depth, Finish finish, Choice choice) {
+        sampler.choice(level.path);
+        sampler.next();
+        double which = sampler.u;
+        double end = sampler.v;
+        if (which < choice.diffuse) {
+            double k = finish.diffusion / choice.diffuse;
+            diffuse(level);
+            strew(level, depth, finish, end, k * level.colorRed, k * level.colorGreen, k * level.colorBlue);
+        } else if (which < choice.diffuse + choice.highlight) {
+            double k = finish.highlights / choice.highlight;
+            highlight(level, finish);
+            strew(level, depth, finish, end, k, k, k);
+        } else {
+            turn(level, depth, finish, end, 1 / choice.rest, (which - choice.diffuse - choice.highlight) / choice.rest);
+        }
+    }
+
+    /** Chooses a direction above the surface, as often as its cosine is large. */
+    private void diffuse(Level level) {
+        sampler.direction(level.path);
+        sampler.next();
+        double sine = Math.sqrt(sampler.u);
+        around(level.hit.sx, level.hit.sy, level.hit.sz, Math.sqrt(1 - sampler.u), sine, sampler.v);
+    }
+
+    /** Chooses a direction around the mirrored one, as often as the highlight is bright there. */
+    private void highlight(Level level, Finish finish) {
+        sampler.direction(level.path);
+        sampler.next();
+        double cosine = StrictMath.pow(sampler.u, 1 / (finish.material.shininess() + 1));
+        around(level.mirrorX, level.mirrorY, level.mirrorZ, cosine, Math.sqrt(1 - cosine * cosine), sampler.v);
+    }
+
+    /** @source Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017 */
+    private void around(double x, double y, double z, double cosine, double sine, double turn) {
+        double sign = z < 0 ? -1 : 1;
+        double a = -1 / (sign + z);
+        double b = x * y * a;
+        double angle = 2 * Math.PI * turn;
+        double p = sine * StrictMath.cos(angle);
+        double q = sine * StrictMath.sin(angle);
+        way.along(cosine * x + p * (1 + sign * x * x * a) + q * b, cosine * y + p * sign * b + q * (sign + y * y * a), cosine * z - p * sign * x - q * y);
+    }
+
+    /** Goes on the way that was chosen, unless it leads into the surface. */
+    private void strew(Level level, int depth, Finish finish, double end, double red, double green, double blue) {
+        Hit hit = level.hit;
+        if (!(way.x * hit.nx + way.y * hit.ny + way.z * hit.nz > 0) || !(way.x * hit.sx + way.y * hit.sy + way.z * hit.sz > 0)) {
+            return;
+        }
+        Level next = levels[depth + 1];
+        offspring.back(level, next, way.x, way.y, way.z);
+        next.isLit = true;
+        next.density = density(level, finish);
+        follow(level, depth, false, end, red, green, blue);
+    }
+
+    private double density(Level level, Finish finish) {
+        if (finish.alpha > 0) {
+            Hit hit = level.hit;
+            lighting.lookAlong(level, finish, way, way.x * hit.sx + way.y * hit.sy + way.z * hit.sz);
+        }
+        return lighting.choice.density(level, finish, way);
+    }
+
+    /**
+     * Goes on mirrored, or beyond the surface.
+     *
+     * @param k how much more that counts, because it was chosen among others
+     * @param which random, 0–1
+     */
+    private void turn(Level level, int depth, Finish finish, double end, double k, double which) {
+        Level next = levels[depth + 1];
+        turn.decide(level, next, finish);
+        boolean isRough = finish.alpha > 0;
+        double chance = turn.chance();
+        boolean isMirrored = isRough ? turn.mirrored() > 0 : which < chance;
+        double weight = isRough ? k : k / (isMirrored ? chance : 1 - chance);
+        if (isMirrored) {
+            way.along(turn.x, turn.y, turn.z);
+            offspring.back(level, next, way.x, way.y, way.z);
+        } else if (turn.through > 0) {
+            way.along(turn.throughX, turn.throughY, turn.throughZ);
+            offspring.on(level, next, finish, way.x, way.y, way.z);
+        } else {
+            return;
+        }
+        if (isRough) {
+            next.isLit = true;
+            next.density = density(level, finish);
+        }
+        follow(level, depth, !isMirrored, end, weight * (isMirrored ? turn.red : turn.through), weight * (isMirrored ? turn.green : turn.through),
+                weight * (isMirrored ? turn.blue : turn.through));
+    }
+
+    private void follow(Level level, int depth, boolean refracted, double end, double red, double green, double blue) {
+        Level next = levels[depth + 1];
+        double weight = level.weight * Math.max(red, Math.max(green, blue));
+        double stays = depth + 1 < ROULETTE ? 1 : Math.min(1, weight);
+        if (!(end < stays)) {
+            return;
+        }
+        double k = 1 / stays;
+        next.weight = k * weight;
+        following(refracted, k * red, k * green, k * blue);
+        trace(depth + 1);
+        level.add(k * red, k * green, k * blue, next);
+    }
+}
