@@ -78,8 +78,8 @@ public final class RenderScene {
 
     /**
      * Prepares a scene that was made from this one by changes, with the same pictures as if it were prepared anew. What has not changed is taken over: cameras,
-     * lights and surroundings take no time, and objects that were moved, resized or made of something else only their own, however many others there
-     * are. All are prepared anew if some were added or removed, became transparent or opaque, or if more than a sixteenth has changed since that was done.
+     * lights and surroundings take no time, and objects that were moved, resized, made of something else, added or removed only their own, however many others
+     * there are. All are prepared anew if more than a sixteenth has changed since that was done, or if one has been made, between two others, of very many parts.
      *
      * @throws CancellationException as {@link #of(Scene, RenderMonitor)}
      * @throws IllegalStateException as there
@@ -184,7 +184,7 @@ public final class RenderScene {
         private static ScenePath place(RenderScene scene, int part) {
             World world = scene.world();
             return world.glows().has(part) ? ScenePath.light(world.glows().lamp(part))
-                    : PartPaths.of(scene.scene(), world.parts().object(part)).get(part - world.parts().firstOfObject(part));
+                    : PartPaths.of(scene.scene(), world.index(world.parts().object(part))).get(world.parts().placeInObject(part));
         }
     }
 }

@@ -3,13 +3,14 @@ package cz.paprsek.scene;
 import cz.paprsek.attribute.Attribute;
 import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
+import cz.paprsek.list.Difference;
+import cz.paprsek.list.Pieces;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.text.Similar;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -193,7 +194,7 @@ public record Scene(
 
     private Scene withPieces(Pieces<SceneObject> fresh) {
         if (!fresh.isCheckedWith(materials)) {
-            SceneRules.checkChanged(objects, fresh, fresh.otherThanIn(pieces()), materials, SceneRules.REFUSE);
+            SceneRules.checkChanged(objects, fresh, Difference.of(pieces(), fresh), materials, SceneRules.REFUSE);
         }
         return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, fresh.checkedWith(materials));
     }
@@ -235,9 +236,7 @@ public record Scene(
 
     /** With these objects added; for many, pass them in one call. */
     public Scene plus(SceneObject... more) {
-        List<SceneObject> all = new ArrayList<>(objects);
-        Collections.addAll(all, more);
-        return withObjects(all);
+        return withPieces(pieces().plus(List.of(more)));
     }
 
     /** With a named material added, or replaced. */

@@ -1,5 +1,6 @@
 package cz.paprsek.scene;
 
+import cz.paprsek.list.Difference;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
@@ -81,14 +82,18 @@ public final class SceneRules {
         }
     }
 
-    /** As {@link #checkObjects}, where all objects but those at some indexes stood in another list, which has been checked with these materials. */
-    static void checkChanged(List<SceneObject> before, List<SceneObject> objects, int[] changed, Map<String, Material> materials, Report report) {
+    /** As {@link #checkObjects}, where all objects but those that are added stood in another list, which has been checked with these materials. */
+    static void checkChanged(List<SceneObject> before, List<SceneObject> objects, Difference difference, Map<String, Material> materials, Report report) {
+        Set<String> free = new HashSet<>();
+        for (int i : difference.removed()) {
+            free.add(before.get(i).name());
+        }
         boolean isRenamed = false;
-        for (int i : changed) {
+        for (int i : difference.added()) {
             SceneObject object = objects.get(i);
             checkText("object name", object.name(), object, report);
             checkMade(object, materials, report);
-            isRenamed |= !object.name().isEmpty() && (i >= before.size() || !object.name().equals(before.get(i).name()));
+            isRenamed |= !object.name().isEmpty() && !free.remove(object.name());
         }
         Set<String> names = new HashSet<>();
         for (int i = 0; isRenamed && i < objects.size(); i++) {

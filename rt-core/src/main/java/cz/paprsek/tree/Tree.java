@@ -1,5 +1,9 @@
 package cz.paprsek.tree;
 
+import cz.paprsek.math.Bounds;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+
 /**
  * A hierarchy of boxes over items, which stand in the order of its leaves: a leaf is a run of at most {@value #LEAF} neighbours.
  * Immutable; any number of workers may search it at once, each with a {@link Search} of its own.
@@ -38,6 +42,24 @@ public abstract class Tree {
 
     /** Asks the leaves in the given subtrees whose boxes the line meets, in any order, until one {@linkplain Search#stopsAt ends the search}. */
     public abstract <R> boolean any(Search<R> search, R ray, Entries entries);
+
+    /**
+     * Whether some item is taken, of those in leaves whose boxes reach into another box, and perhaps of others near them. If very many do, the answer may be
+     * that one is without asking each.
+     */
+    public final boolean any(Bounds box, IntPredicate isTaken) {
+        Bundle still = new Bundle();
+        still.start(box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ());
+        still.add(0, 0, 0);
+        Entries entries = new Entries(256);
+        enter(still, entries);
+        for (int i = 0; i < entries.size; i++) {
+            if (entries.node[i] >= 0 || IntStream.range(first(entries.node[i]), end(entries.node[i])).anyMatch(isTaken)) {
+                return true;
+            }
+        }
+        return false;
+    }
 
     /** The name of a leaf: the complement of its first place, its count − 1 and whether it is {@linkplain #isQuick quick}, bit by bit. */
     static int leaf(int first, int count, double cost) {

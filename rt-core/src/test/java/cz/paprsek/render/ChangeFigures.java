@@ -1,19 +1,23 @@
 package cz.paprsek.render;
 
 import com.sun.management.OperatingSystemMXBean;
+import cz.paprsek.material.Material;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Sphere;
 import cz.paprsek.standard.StandardScenes;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/** Prints what it takes to move one of many spheres. Not a test, and left out of the build by its name; {@code -Dtest=ChangeFigures} runs it. */
+/** Prints what it takes to move one of many spheres, to add or remove one, and to make it of glass. Not a test, and left out of the build by its name; {@code -Dtest=ChangeFigures} runs it. */
 class ChangeFigures {
     private static final int ROUNDS = 41;
 
@@ -25,6 +29,19 @@ class ChangeFigures {
             int[] round = {0};
             Supplier<Scene> move = () -> scene.with(ScenePath.body(round[0]++ * 37 % count), body ->
                     body.placed(body.placement().withPosition(body.placement().position().times(1.001))));
+            Supplier<Scene> more = () -> scene.plus(SceneObject.of(new Sphere(0.1)));
+            Supplier<Scene> fewer = () -> {
+                List<SceneObject> objects = new ArrayList<>(scene.objects());
+                objects.remove(round[0]++ * 37 % count);
+                return scene.withObjects(objects);
+            };
+            Supplier<Scene> glass = () -> scene.with(ScenePath.body(round[0]++ * 37 % count), body -> body.madeOf(Material.DEFAULT.withTransparency(0.9, 1.5)));
+            Scene withGlass = glass.get();
+            Supplier<Scene> opaque = () -> withGlass.with(ScenePath.body(0), body -> body.madeOf(Material.color(round[0]++ % 256, 0, 0)));
+            print(count, "added", more, ready);
+            print(count, "removed", fewer, ready);
+            print(count, "made of glass", glass, ready);
+            print(count, "made opaque", opaque, RenderScene.of(withGlass));
             double edit = millis(count, move);
             double change = millis(count, () -> ready.changedTo(move.get(), RenderMonitor.NONE));
             double anew = millis(count, () -> RenderScene.of(checkedAnew(move.get())));
@@ -35,6 +52,11 @@ class ChangeFigures {
                             + "with one of twenty moved %.0f ns%n",
                     count, edit, change, anew, nanos(ready), nanos(ready.changedTo(moved, RenderMonitor.NONE)), nanos(ready.changedTo(many, RenderMonitor.NONE)));
         }
+    }
+
+    private static void print(int count, String what, Supplier<Scene> edit, RenderScene ready) {
+        System.out.printf(Locale.ROOT, "%,d spheres, one %s: edit %.3f ms, edit and prepare %.3f ms%n", count, what, millis(count, edit),
+                millis(count, () -> ready.changedTo(edit.get(), RenderMonitor.NONE)));
     }
 
     private static Scene checkedAnew(Scene scene) {

@@ -17,6 +17,7 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Sphere;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
@@ -38,6 +39,7 @@ class ChangedSceneTest {
         Scene scene = Scenes.random(seed, BODIES);
         RenderScene first = RenderScene.of(scene);
         RenderScene ready = first;
+        int shared = 0;
         for (int step = 0; step < 12; step++) {
             for (int i = random.nextInt(3); i >= 0; i--) {
                 scene = changed(scene, random);
@@ -45,18 +47,43 @@ class ChangedSceneTest {
             scene = step % 5 == 4 ? scene.withCamera(Camera.lookingAt(random(random, 4), Vec3.ZERO)) : scene;
             ready = ready.changedTo(scene, RenderMonitor.NONE);
             assertSame(ready, RenderScene.of(scene));
+            shared += ready.world().later().findAny().isPresent() ? 1 : 0;
             scene = step % 4 == 3 ? backToFew(scene, first.scene()) : scene;
         }
+        assertThat(shared).isGreaterThan(5);
     }
 
     /** So that there are never too many changes. */
     private static Scene backToFew(Scene scene, Scene first) {
-        List<SceneObject> objects = IntStream.range(0, scene.objects().size())
-                .mapToObj(i -> i % 7 == 0 ? scene.objects().get(i) : first.objects().get(i)).toList();
+        List<SceneObject> objects = IntStream.range(0, first.objects().size())
+                .mapToObj(i -> i % 30 == 0 && i < scene.objects().size() ? scene.objects().get(i) : first.objects().get(i)).toList();
         return scene.withObjects(objects);
     }
 
     private static Scene changed(Scene scene, Random random) {
+        List<SceneObject> objects = new ArrayList<>(scene.objects());
+        int at = random.nextInt(objects.size());
+        switch (random.nextInt(10)) {
+            case 0 -> objects.remove(at);
+            case 1 -> objects.add(at, fresh(random));
+            case 2 -> objects.add(fresh(random));
+            // Two in one place.
+            case 4, 5 -> objects.add(at, objects.get(random.nextInt(objects.size())).named("").madeOf(random.nextBoolean() ? GLASS : Scenes.matte(random.nextDouble(), 0.9)));
+            case 3 -> objects.add(objects.remove(at));
+            default -> {
+                return withOneChanged(scene, random);
+            }
+        }
+        return scene.withObjects(objects);
+    }
+
+    private static SceneObject fresh(Random random) {
+        Vec3 at = random(random, 3);
+        return SceneObject.of(random.nextBoolean() ? new Sphere(0.6) : Csg.union(new Sphere(0.6), new Block(Vec3.ZERO, Vec3.ONE)))
+                .at(at.x(), at.y(), at.z()).madeOf(random.nextBoolean() ? GLASS : Scenes.matte(random.nextDouble(), 0.9));
+    }
+
+    private static Scene withOneChanged(Scene scene, Random random) {
         int object = random.nextInt(10) == 0 ? 0 : random.nextInt(scene.objects().size());
         int other = random.nextInt(scene.objects().size());
         return scene.with(ScenePath.body(object), body -> switch (random.nextInt(7)) {
@@ -98,7 +125,7 @@ class ChangedSceneTest {
         RenderScene ready = RenderScene.of(scene);
         Scene moved = scene.with(ScenePath.body(40), body -> body.placed(body.placement().withPosition(Vec3.ONE)));
         RenderScene changed = ready.changedTo(moved, RenderMonitor.NONE);
-        assertThat(IntStream.rangeClosed(0, BODIES).filter(i -> changed.world().surface(i) != ready.world().surface(i))).containsExactly(40);
+        assertThat(changed.world().later()).containsExactly(40);
         assertThat(changed.changedTo(scene, RenderMonitor.NONE).world().bodies()).isSameAs(ready.world().bodies());
     }
 
@@ -111,9 +138,8 @@ class ChangedSceneTest {
             scene = scene.with(ScenePath.body(10 * i), body -> body.placed(body.placement().withPosition(new Vec3(0, 0, -1))));
             changed = changed.changedTo(scene, RenderMonitor.NONE);
         }
-        RenderScene last = changed;
-        assertThat(IntStream.rangeClosed(0, BODIES).filter(i -> last.world().surface(i) != ready.world().surface(i))).containsExactly(10, 20, 30, 40, 50, 60);
-        assertSame(last, RenderScene.of(scene));
+        assertThat(changed.world().later()).containsExactly(10, 20, 30, 40, 50, 60);
+        assertSame(changed, RenderScene.of(scene));
     }
 
     @Test
@@ -122,6 +148,7 @@ class ChangedSceneTest {
         RenderScene ready = RenderScene.of(scene);
         Scene moved = scene.with(IntStream.range(0, 7).mapToObj(ScenePath::body).toList(), (at, body) -> body.placed(body.placement().withPosition(Vec3.ONE)));
         RenderScene changed = ready.changedTo(moved, RenderMonitor.NONE);
+        assertThat(changed.world().later()).isEmpty();
         assertThat(IntStream.rangeClosed(0, BODIES)).noneMatch(i -> changed.world().surface(i) == ready.world().surface(i));
         assertSame(changed, RenderScene.of(moved));
     }
@@ -135,10 +162,40 @@ class ChangedSceneTest {
                 (at, body) -> body.withShape(new Sphere(1)));
         List<SceneObject> reversed = new ArrayList<>(scene.objects());
         Collections.reverse(reversed);
-        for (Scene other : List.of(carved, plain, scene.plus(SceneObject.of(new Sphere(2)).at(0, 0, -2)),
+        for (Scene other : List.of(carved, plain, inserted(scene, 0), inserted(scene, 50), scene.plus(SceneObject.of(new Sphere(2)).at(0, 0, -2)),
                 scene.withObjects(scene.objects().subList(0, 50)), scene.withObjects(reversed), scene.withObjects(List.of()))) {
             assertSame(ready.changedTo(other, RenderMonitor.NONE), RenderScene.of(other));
         }
+    }
+
+    private static Scene inserted(Scene scene, int index) {
+        List<SceneObject> objects = new ArrayList<>(scene.objects());
+        objects.add(index, SceneObject.of(new Sphere(2)).at(0, 0, -2));
+        return scene.withObjects(objects);
+    }
+
+    @Test
+    void whatIsAddedOrRemovedOrTurnsToGlassTakesOnlyItsOwn() {
+        Scene scene = Scenes.random(12, BODIES);
+        RenderScene ready = RenderScene.of(scene);
+        Scene more = scene.plus(SceneObject.of(new Sphere(1)).at(0, 1, 0), SceneObject.of(new Sphere(1)).at(1, 1, 0).madeOf(GLASS));
+        Scene fewer = more.withObjects(more.objects().stream().filter(object -> object != scene.objects().get(10)).toList());
+        Scene glass = fewer.with(List.of(ScenePath.body(3), ScenePath.body(20)), (at, body) -> body.madeOf(GLASS));
+        Scene opaque = scene.with(IntStream.rangeClosed(0, BODIES).filter(i -> isGlass(scene, i)).limit(4).mapToObj(ScenePath::body).toList(), (at, body) -> body.madeOf(Scenes.matte(0.4, 0.5)));
+        assertSame(ready.changedTo(more, RenderMonitor.NONE), RenderScene.of(more), BODIES + 1, BODIES + 2);
+        assertSame(ready.changedTo(fewer, RenderMonitor.NONE), RenderScene.of(fewer), BODIES, BODIES + 1);
+        assertSame(ready.changedTo(glass, RenderMonitor.NONE), RenderScene.of(glass), 3, 20, BODIES, BODIES + 1);
+        assertSame(ready.changedTo(opaque, RenderMonitor.NONE), RenderScene.of(opaque), opaque.objectsOtherThanIn(scene));
+        assertThat(opaque.objectsOtherThanIn(scene)).hasSize(4);
+    }
+
+    private static boolean isGlass(Scene scene, int object) {
+        return ScenePath.body(object).material(scene).transparency() > 0;
+    }
+
+    private static void assertSame(RenderScene changed, RenderScene fresh, int... later) {
+        assertThat(changed.world().later()).containsExactly(Arrays.stream(later).boxed().toArray(Integer[]::new));
+        assertSame(changed, fresh);
     }
 
     @Test
@@ -149,7 +206,7 @@ class ChangedSceneTest {
         assertSame(ready.changedTo(painted, RenderMonitor.NONE), RenderScene.of(painted));
         Scene tinted = scene.plus("paint", GLASS.withTransparency(0.5, 1.7));
         RenderScene again = ready.changedTo(tinted, RenderMonitor.NONE);
-        assertThat(IntStream.rangeClosed(0, BODIES + 1).filter(i -> again.world().surface(i) != ready.world().surface(i))).containsExactly(BODIES + 1);
+        assertThat(again.world().later()).containsExactly(BODIES + 1);
         assertSame(again, RenderScene.of(tinted));
         assertSame(again.changedTo(painted, RenderMonitor.NONE), RenderScene.of(painted));
         Scene more = scene.plus("other", GLASS);

@@ -197,7 +197,7 @@ public final class Recorder extends Whitted {
         Ray ray = level.ray;
         int around = level.media.innermost();
         return new TracedRay(kind, open.size() + 1, weight, new Vec3(ray.ox, ray.oy, ray.oz), new Vec3(ray.dx, ray.dy, ray.dz),
-                new Medium(around < 0 ? Optional.empty() : Optional.of(new InScene<>(scene.scene(), ScenePath.body(around))), level.media.refractiveIndex()),
+                new Medium(around < 0 ? Optional.empty() : Optional.of(new InScene<>(scene.scene(), ScenePath.body(scene.index(around)))), level.media.refractiveIndex()),
                 Optional.empty(), Optional.empty(), kind == TracedRay.Kind.PRIMARY ? eye.flatMap(from -> sight(from, ray)) : Optional.empty(), takeAbsorbed(), light(level));
     }
 
@@ -228,8 +228,8 @@ public final class Recorder extends Whitted {
     }
 
     private InScene<BodyAt> surface(int part) {
-        List<BodyAt> ofObject = paths.computeIfAbsent(scene.parts().object(part), object -> PartPaths.of(scene.scene(), object));
-        return new InScene<>(scene.scene(), ofObject.get(part - scene.parts().firstOfObject(part)));
+        List<BodyAt> ofObject = paths.computeIfAbsent(scene.parts().object(part), object -> PartPaths.of(scene.scene(), scene.index(object)));
+        return new InScene<>(scene.scene(), ofObject.get(scene.parts().placeInObject(part)));
     }
 
     private static LinearRgb light(Level level) {

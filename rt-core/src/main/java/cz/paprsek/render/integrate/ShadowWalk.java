@@ -107,7 +107,7 @@ public final class ShadowWalk {
 
     /** What is left after a way through an object that takes something. */
     public Absorption absorption(int object, double length, LinearRgb left) {
-        return new Absorption(new InScene<>(scene.scene(), ScenePath.body(object)), Objects.requireNonNull(scene.absorption(object)).material, length, left);
+        return new Absorption(new InScene<>(scene.scene(), ScenePath.body(scene.index(object))), Objects.requireNonNull(scene.absorption(object)).material, length, left);
     }
 
     private boolean isMet(Start start, int i) {

@@ -88,7 +88,7 @@ public final class ModeTracer extends Whitted {
 
     @Override
     public void met(Level level) {
-        shape(level, scene.parts().object(level.ray.part));
+        shape(level, scene.index(scene.parts().object(level.ray.part)));
     }
 
     private void shape(Level level, int object) {

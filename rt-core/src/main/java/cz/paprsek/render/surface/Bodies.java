@@ -1,9 +1,11 @@
 package cz.paprsek.render.surface;
 
+import cz.paprsek.math.Bounds;
 import cz.paprsek.shape.placed.Balls;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
+import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
 import cz.paprsek.tree.Search;
@@ -141,6 +143,12 @@ public final class Bodies {
     /** Whether a search of these subtrees can find nothing at all. */
     public boolean isClear(Entries entries) {
         return entries.isEmpty() && endless.length == 0 && beside == null;
+    }
+
+    /** Whether no solid that has an end reaches into a box. */
+    boolean areFree(Bounds box) {
+        return !tree.any(box, i -> !gone.get(i) && surfaces[i] instanceof Volume solid && !solid.bounds().padded().intersection(box).isEmpty())
+                && (beside == null || beside.areFree(box));
     }
 
     /** The scratch that one worker needs to look for bodies. */

@@ -2,73 +2,82 @@ package cz.paprsek.render.surface;
 
 import cz.paprsek.shape.placed.Part;
 import java.util.Arrays;
-import java.util.Optional;
 
-/** The primitives of a scene, numbered as they are placed: for each its geometry, its finish and the object it belongs to. Immutable. */
+/**
+ * The primitives of a scene, numbered as they are placed: for each its geometry, its finish and the object it belongs to. Numbers are {@value #APART}
+ * apart, so that what is placed later finds room between its neighbours: of parts in one place the lowest number counts. Immutable.
+ */
 public final class PartTable {
+    private static final int BITS = 4;
+    private static final int APART = 1 << BITS;
+
     private final Part[] parts;
     private final Finish[] finishes;
     private final int[] objects;
-    /** The first part of each object. */
+    /** The number of the first part of each object. */
     private final int[] firsts;
-    private final int size;
+    private final int end;
     private final boolean hasPictures;
-    /** The numbers of the parts that stand here in the place of others, rising, and these parts. */
-    private final int[] exchanged;
-    private final int firstExchanged;
+    private final boolean rough;
+    /** What has been placed later: the numbers, rising, none of them a multiple, and their parts; the first part of each object. */
+    private final int[] numbers;
     private final Part[] freshParts;
     private final Finish[] freshFinishes;
-    private final boolean rough;
+    private final int[] freshObjects;
+    private final int[] freshFirsts;
 
     /**
      * Takes over all that has been placed.
      *
-     * @param firsts the first part of each object
+     * @param firsts the number of the first part of each object
      */
     PartTable(Placing all, int[] firsts) {
-        this(all.parts, all.finishes, all.objects, firsts, all.size, all.hasPictures, new int[0], all.parts, all.finishes, all.isRough);
+        this.parts = all.parts;
+        this.finishes = all.finishes;
+        this.objects = all.objects;
+        this.firsts = firsts;
+        this.end = number(all.size);
+        this.hasPictures = all.hasPictures;
+        this.rough = all.isRough;
+        this.numbers = new int[0];
+        this.freshParts = all.parts;
+        this.freshFinishes = all.finishes;
+        this.freshObjects = all.objects;
+        this.freshFirsts = numbers;
     }
 
-    private PartTable(Part[] parts, Finish[] finishes, int[] objects, int[] firsts, int size, boolean hasPictures, int[] exchanged, Part[] freshParts, Finish[] freshFinishes,
-            boolean rough) {
-        this.parts = parts;
-        this.finishes = finishes;
-        this.objects = objects;
-        this.firsts = firsts;
-        this.size = size;
-        this.hasPictures = hasPictures;
-        this.exchanged = exchanged;
-        this.firstExchanged = exchanged.length == 0 ? Integer.MAX_VALUE : exchanged[0];
-        this.freshParts = freshParts;
-        this.freshFinishes = freshFinishes;
-        this.rough = rough;
+    private PartTable(PartTable all, Placing fresh, int[] freshFirsts) {
+        this.parts = all.parts;
+        this.finishes = all.finishes;
+        this.objects = all.objects;
+        this.firsts = all.firsts;
+        this.numbers = Arrays.copyOf(fresh.numbers, fresh.size);
+        this.end = numbers.length == 0 ? all.end : Math.max(all.end, numbers[numbers.length - 1] + 1);
+        this.hasPictures = all.hasPictures || fresh.hasPictures;
+        this.rough = all.rough || fresh.isRough;
+        this.freshParts = fresh.parts;
+        this.freshFinishes = fresh.finishes;
+        this.freshObjects = fresh.objects;
+        this.freshFirsts = freshFirsts;
+    }
+
+    /** The number of what is placed first, in a certain place. */
+    static int number(int place) {
+        return place << BITS;
+    }
+
+    /** The number after one, of what is placed later. */
+    static int after(int number) {
+        return isFirst(number + 1) ? number + 2 : number + 1;
     }
 
     /**
-     * This table, in which nothing has been exchanged, with some objects placed anew, in the order in which they were; all else is
-     * shared. Empty if one of them no longer has as many parts as it had.
+     * This table, to which nothing has been added, with other objects beside those it has, in the order of their numbers; all else is shared.
+     *
+     * @param freshFirsts the number of the first part of each
      */
-    Optional<PartTable> with(Placing fresh) {
-        int[] numbers = new int[fresh.size];
-        int next = 0;
-        for (int k = 0; k < fresh.size; k++) {
-            boolean isFirst = k == 0 || fresh.objects[k] != fresh.objects[k - 1];
-            if (isFirst && k > 0 && !isEnd(next, fresh.objects[k - 1])) {
-                return Optional.empty();
-            }
-            next = isFirst ? firsts[fresh.objects[k]] : next;
-            if (isEnd(next, fresh.objects[k])) {
-                return Optional.empty();
-            }
-            numbers[k] = next++;
-        }
-        return fresh.size == 0 || !isEnd(next, fresh.objects[fresh.size - 1]) ? Optional.empty()
-                : Optional.of(new PartTable(parts, finishes, objects, firsts, size, hasPictures || fresh.hasPictures, numbers, fresh.parts, fresh.finishes, rough || fresh.isRough));
-    }
-
-    /** Whether an object has no part of a number. */
-    private boolean isEnd(int number, int object) {
-        return number >= size || objects[number] != object;
+    PartTable with(Placing fresh, int[] freshFirsts) {
+        return new PartTable(this, fresh, freshFirsts);
     }
 
     /** Whether some part is rough, or was before it was exchanged. */
@@ -76,8 +85,9 @@ public final class PartTable {
         return rough;
     }
 
-    public int size() {
-        return size;
+    /** A number that all parts have lower ones than. */
+    public int end() {
+        return end;
     }
 
     /** Whether any paint is a picture. */
@@ -86,31 +96,49 @@ public final class PartTable {
     }
 
     public Part part(int i) {
-        int fresh = fresh(i);
-        return fresh < 0 ? parts[i] : freshParts[fresh];
+        return isFirst(i) ? parts[i >> BITS] : freshParts[fresh(i)];
     }
 
     public Finish finish(int i) {
-        int fresh = fresh(i);
-        return fresh < 0 ? finishes[i] : freshFinishes[fresh];
+        return isFirst(i) ? finishes[i >> BITS] : freshFinishes[fresh(i)];
+    }
+
+    /** The object that the part belongs to. */
+    public int object(int i) {
+        return isFirst(i) ? objects[i >> BITS] : freshObjects[fresh(i)];
+    }
+
+    /** Whether a part was placed at first. */
+    private static boolean isFirst(int i) {
+        return (i & APART - 1) == 0;
     }
 
     private int fresh(int i) {
-        return i < firstExchanged ? -1 : Arrays.binarySearch(exchanged, i);
-    }
-
-    /** The number of the scene's object that the part belongs to. */
-    public int object(int i) {
-        return objects[i];
+        return Arrays.binarySearch(numbers, i);
     }
 
     /** The first part of the object that the part belongs to. */
     public int firstOfObject(int i) {
-        return firsts[objects[i]];
+        return firstOf(object(i));
+    }
+
+    /** How many parts of its object are before a part. */
+    public int placeInObject(int i) {
+        int first = firstOfObject(i);
+        return isFirst(i) ? (i - first) >> BITS : fresh(i) - fresh(first);
     }
 
     /** The first part of an object. */
-    int firstOf(int object) {
-        return firsts[object];
+    public int firstOf(int object) {
+        return object < firsts.length ? firsts[object] : freshFirsts[object - firsts.length];
+    }
+
+    /** The last part of an object of those that were placed first. */
+    int lastOf(int object) {
+        int place = firsts[object] >> BITS;
+        while (number(place + 1) < end && objects[place + 1] == object) {
+            place++;
+        }
+        return number(place);
     }
 }

@@ -1,5 +1,7 @@
 package cz.paprsek.render.surface;
 
+import cz.paprsek.list.Difference;
+import cz.paprsek.list.Pieces;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.render.texture.Textures;
@@ -7,47 +9,43 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
-import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.placed.Surface;
-import cz.paprsek.tree.TreeBuilder;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashSet;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.function.IntFunction;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** The objects of a scene as rays meet them, whatever cameras and lights there are. Immutable. */
+/**
+ * The objects of a scene as rays meet them, whatever cameras and lights there are. Immutable. Each has a number, which is its index in the scene of which all
+ * were placed; those that a change has brought have the next numbers, in the order of the scene, and stand beside the others.
+ */
 final class Placed {
     /** Of more transparent solids than this, each may touch others: comparing all their boxes would take long. */
     private static final int MANY_MEDIA = 100;
     /** If more than one of so many objects has changed since all were placed, all are placed anew: two trees are slower to search than one. */
     private static final int SHARE = 16;
-    /** Of what lies in one place the lowest part is met first: other things lie on bodies of glass, never a hair's breadth in them. */
-    private static final boolean[] MEDIA_LAST = {false, true};
+    /** So many places are left before the first part, and between what is opaque and the parts of glass, for what is placed later. */
+    private static final int ROOM = 64;
 
     /** The scene's pictures. */
     final Textures textures;
     final PartTable parts;
     final Bodies bodies;
-    /** Of each object whether no light gets through it, and whether it has an inside. */
-    final boolean[] opaque;
-    final boolean[] solid;
-    /** What the inside of each object takes of light: nothing in place of null. */
-    final @Nullable Absorption[] absorbing;
     final boolean absorbs;
-    /** Whether each object is transparent, has an inside, and may touch another such object. */
-    final boolean[] mayTouch;
     /** The first part of every solid without end. */
     final int[] endless;
-    /** The placed shape of each object, but for those that have been exchanged. */
-    private final Surface[] surfaces;
-    /** The objects that have been placed anew, rising, and their shapes. */
-    private final int[] exchanged;
-    private final Surface[] fresh;
+    private final PlacedObjects first;
+    private final PlacedObjects later;
+    /** The solids that light gets through, and of these those that may touch others of them. */
+    private final int[] media;
+    private final BitSet touching;
+    private final Difference difference;
     /** The scene of which all objects were placed, and these. */
     private final Scene scene;
     private final Placed whole;
@@ -58,57 +56,47 @@ final class Placed {
      * @param stop whether to give up, which throws a {@link java.util.concurrent.CancellationException}
      */
     Placed(Scene scene, Textures textures, BooleanSupplier stop) {
+        int count = scene.objects().size();
+        Placing placing = new Placing(scene, textures, Math.max(16, count + 2 * ROOM), false, stop);
         this.textures = textures;
-        Placing placing = new Placing(scene, textures, Math.max(16, scene.objects().size()), stop);
         this.scene = scene;
         this.whole = this;
-        this.surfaces = new Surface[scene.objects().size()];
-        this.opaque = new boolean[surfaces.length];
-        this.solid = new boolean[surfaces.length];
-        this.absorbing = new Absorption[surfaces.length];
-        int[] firsts = new int[surfaces.length];
-        for (boolean media : MEDIA_LAST) {
-            for (int i = 0; i < surfaces.length; i++) {
-                TreeBuilder.stopIfAsked(i, stop);
-                SceneObject object = scene.objects().get(i);
-                if (placing.isMedium(object) == media) {
-                    firsts[i] = placing.size;
-                    surfaces[i] = placing.place(i, object, placing.size);
-                    opaque[i] = placing.isOpaque(firsts[i]);
-                    solid[i] = object.shape() instanceof Solid;
-                    absorbing[i] = solid[i] ? placing.absorbing(firsts[i]) : null;
-                }
-            }
-        }
-        this.absorbs = Stream.of(absorbing).anyMatch(Objects::nonNull);
-        this.parts = new PartTable(placing, firsts);
-        this.bodies = Bodies.of(surfaces, opaque, stop);
-        this.exchanged = new int[0];
-        this.fresh = new Surface[0];
-        this.mayTouch = touching();
-        this.endless = IntStream.range(0, surfaces.length).filter(this::isEndless).map(parts::firstOf).toArray();
+        this.difference = new Difference(new int[0], new int[0], new int[0]);
+        this.first = new PlacedObjects(0, count);
+        this.later = new PlacedObjects(count, 0);
+        placing.leaveRoom(ROOM);
+        boolean[] hadMedium = {false};
+        first.place(placing, scene.objects()::get, (object, isMedium) -> {
+            placing.leaveRoom(isMedium && !hadMedium[0] ? ROOM : 0);
+            hadMedium[0] = isMedium;
+            return PartTable.number(placing.size);
+        }, stop);
+        this.parts = new PartTable(placing, first.firsts);
+        this.bodies = Bodies.of(first.surfaces, first.opaque, stop);
+        this.absorbs = first.absorb;
+        this.media = IntStream.range(0, count).filter(this::isMedium).toArray();
+        this.touching = touching();
+        this.endless = IntStream.range(0, count).filter(this::isEndless).map(parts::firstOf).toArray();
     }
 
-    /** Exchanges some objects, in rising order, which keep the numbers of their parts. */
-    private Placed(Placed whole, PartTable parts, int[] exchanged, Surface[] fresh, boolean[] opaque, boolean[] solid,
-            @Nullable Absorption[] absorbing, Bodies bodies) {
-        this.scene = whole.scene;
+    /** Takes some objects out of those that were placed all at once, and puts others beside them. */
+    private Placed(Placed whole, Difference difference, PartTable parts, PlacedObjects later, Bodies bodies) {
         this.textures = whole.textures;
+        this.scene = whole.scene;
         this.whole = whole;
+        this.difference = difference;
+        this.first = whole.first;
+        this.later = later;
         this.parts = parts;
-        this.surfaces = whole.surfaces;
-        this.exchanged = exchanged;
-        this.fresh = fresh;
-        this.opaque = opaque;
-        this.solid = solid;
-        this.absorbing = absorbing;
-        this.absorbs = whole.absorbs || (absorbing != whole.absorbing && Stream.of(absorbing).anyMatch(Objects::nonNull));
         this.bodies = bodies;
-        boolean sameMedia = Arrays.stream(exchanged).noneMatch(object -> isMedium(object) || whole.isMedium(object));
-        this.mayTouch = sameMedia ? whole.mayTouch : touching();
-        this.endless = IntStream.concat(
-                Arrays.stream(whole.endless).filter(part -> Arrays.binarySearch(exchanged, parts.object(part)) < 0),
-                Arrays.stream(exchanged).filter(this::isEndless).map(parts::firstOf)).toArray();
+        this.absorbs = whole.absorbs || later.absorb;
+        int[] fresh = IntStream.range(later.from, later.from + later.surfaces.length).toArray();
+        boolean sameMedia = Arrays.stream(difference.removed()).noneMatch(first::isMedium) && Arrays.stream(fresh).noneMatch(this::isMedium);
+        this.media = sameMedia ? whole.media
+                : IntStream.concat(Arrays.stream(whole.media).filter(difference::keeps), Arrays.stream(fresh).filter(this::isMedium)).toArray();
+        this.touching = sameMedia ? whole.touching : touching();
+        this.endless = IntStream.concat(Arrays.stream(whole.endless).filter(part -> difference.keeps(parts.object(part))),
+                Arrays.stream(fresh).filter(this::isEndless).map(parts::firstOf)).toArray();
     }
 
     /**
@@ -116,26 +104,22 @@ final class Placed {
      * beside them, unless they are too many; which takes a time that hardly depends on how many there are in all.
      */
     Placed changedTo(Scene changed, BooleanSupplier stop) {
-        if (changed.objects().size() != surfaces.length) {
-            return new Placed(changed, textures, stop);
-        }
-        int[] others = others(changed);
-        return others.length == 0 ? whole
-                : others.length > surfaces.length / SHARE ? new Placed(changed, textures, stop)
-                : whole.exchanged(changed, others, stop).orElseGet(() -> new Placed(changed, textures, stop));
+        int most = first.surfaces.length / SHARE;
+        Difference fromWhole = Difference.of(Pieces.of(scene.objects()), Pieces.of(changed.objects()), repainted(changed), most);
+        return fromWhole.isNone() ? whole
+                : Math.max(fromWhole.removed().length, fromWhole.added().length) > most ? new Placed(changed, textures, stop)
+                : whole.with(changed, fromWhole, stop).orElseGet(() -> new Placed(changed, textures, stop));
     }
 
-    /** The objects that are not the very same, or are made of a named material that is not. */
-    private int[] others(Scene changed) {
-        Set<String> repainted = new HashSet<>();
+    /** Says which objects are made of a named material that is not the same. */
+    private Predicate<? super SceneObject> repainted(Scene changed) {
+        Set<String> names = new HashSet<>();
         scene.materials().forEach((name, material) -> {
             if (!material.equals(changed.materials().get(name))) {
-                repainted.add(name);
+                names.add(name);
             }
         });
-        int[] others = changed.objectsOtherThanIn(scene);
-        return repainted.isEmpty() ? others : IntStream.concat(Arrays.stream(others), IntStream.range(0, surfaces.length)
-                .filter(i -> isMadeOf(repainted, changed.objects().get(i).material(), changed.objects().get(i).shape()))).sorted().distinct().toArray();
+        return names.isEmpty() ? Pieces.NONE : object -> isMadeOf(names, object.material(), object.shape());
     }
 
     private static boolean isMadeOf(Set<String> names, MaterialSource material, Shape shape) {
@@ -143,77 +127,118 @@ final class Placed {
                 || (shape instanceof Csg csg && csg.operands().stream().anyMatch(operand -> isMadeOf(names, operand.material(), operand.solid())));
     }
 
-    /** Empty if the parts of all would get other numbers. */
-    private Optional<Placed> exchanged(Scene changed, int[] objects, BooleanSupplier stop) {
-        Placing placing = new Placing(changed, textures, objects.length, stop);
-        Surface[] theirs = new Surface[objects.length];
-        boolean[] theyAreOpaque = new boolean[objects.length];
-        boolean[] theyAreSolid = new boolean[objects.length];
-        @Nullable Absorption[] theirInside = absorbing;
-        for (boolean media : MEDIA_LAST) {
-            for (int k = 0; k < objects.length; k++) {
-                TreeBuilder.stopIfAsked(k, stop);
-                SceneObject object = changed.objects().get(objects[k]);
-                if (placing.isMedium(object) != isMedium(objects[k])) {
-                    return Optional.empty();
-                }
-                if (isMedium(objects[k]) == media) {
-                    int first = placing.size;
-                    theirs[k] = placing.place(objects[k], object, parts.firstOf(objects[k]));
-                    theyAreOpaque[k] = placing.isOpaque(first);
-                    theyAreSolid[k] = object.shape() instanceof Solid;
-                    Absorption inside = theyAreSolid[k] ? placing.absorbing(first) : null;
-                    if (inside != null || absorbing[objects[k]] != null) {
-                        theirInside = theirInside == absorbing ? absorbing.clone() : theirInside;
-                        theirInside[objects[k]] = inside;
-                    }
-                }
+    /** Empty if there is no room for the numbers of the parts that come between others. */
+    private Optional<Placed> with(Scene changed, Difference fromWhole, BooleanSupplier stop) {
+        int count = fromWhole.added().length;
+        Placing placing = new Placing(changed, textures, Math.max(16, count), true, stop);
+        IntFunction<SceneObject> objects = k -> changed.objects().get(fromWhole.added()[k]);
+        boolean[] areMedia = new boolean[count];
+        for (int k = 0; k < count; k++) {
+            areMedia[k] = placing.isMedium(objects.apply(k));
+        }
+        int[] low = new int[count];
+        int[] high = new int[count];
+        for (boolean medium : PlacedObjects.MEDIA_LAST) {
+            neighbours(fromWhole, areMedia, medium, low, high);
+        }
+        PlacedObjects fresh = new PlacedObjects(first.surfaces.length, count);
+        fresh.place(placing, objects, (k, isMedium) -> PartTable.after(Math.max(low[k], placing.last)), stop);
+        for (int i = 0; i < placing.size; i++) {
+            if (placing.numbers[i] >= high[placing.objects[i] - fresh.from]) {
+                return Optional.empty();
             }
         }
-        @Nullable Absorption[] insides = theirInside;
-        return parts.with(placing).map(table -> new Placed(this, table, objects, theirs, with(opaque, objects, theyAreOpaque),
-                with(solid, objects, theyAreSolid), insides, bodies.with(objects, theirs, theyAreOpaque, stop)));
+        return Optional.of(new Placed(this, fromWhole, parts.with(placing, fresh.firsts), fresh, bodies.with(fromWhole.removed(), fresh.surfaces, fresh.opaque, stop)));
     }
 
-    /** The very array if nothing is different. */
-    private static boolean[] with(boolean[] all, int[] which, boolean[] values) {
-        boolean[] changed = all;
-        for (int k = 0; k < which.length; k++) {
-            if (all[which[k]] != values[k]) {
-                changed = changed == all ? all.clone() : changed;
-                changed[which[k]] = values[k];
+    /**
+     * Between which parts, of objects that are left, those of new ones belong: as they would if all were placed anew, what is opaque before what is glass.
+     *
+     * @param medium which of the new ones are meant
+     */
+    private void neighbours(Difference fromWhole, boolean[] areMedia, boolean medium, int[] low, int[] high) {
+        int[] places = fromWhole.places();
+        int firstMedium = media.length == 0 ? Integer.MAX_VALUE : parts.firstOf(media[0]);
+        int lowest = !medium ? 0 : (media.length == 0 ? parts.end() : firstMedium - PartTable.number(ROOM)) - PartTable.number(1);
+        int seen = 0;
+        for (int k = 0; k < places.length; k++) {
+            if (areMedia[k] == medium) {
+                int i = places[k] - 1;
+                while (i >= seen && !(first.isMedium(i) == medium && fromWhole.keeps(i))) {
+                    i--;
+                }
+                lowest = i < seen ? lowest : parts.lastOf(i);
+                low[k] = lowest;
+                seen = places[k];
             }
         }
-        return changed;
+        int highest = medium ? Integer.MAX_VALUE : firstMedium;
+        seen = first.surfaces.length;
+        for (int k = places.length - 1; k >= 0; k--) {
+            if (areMedia[k] == medium) {
+                int i = places[k];
+                while (i < seen && !(first.isMedium(i) == medium && fromWhole.keeps(i))) {
+                    i++;
+                }
+                highest = i < seen ? parts.firstOf(i) : highest;
+                high[k] = highest;
+                seen = places[k];
+            }
+        }
+    }
+
+    /** The index in the scene of an object. */
+    int index(int object) {
+        return object < later.from ? difference.moved(object) : difference.added()[object - later.from];
+    }
+
+    /** The indexes in the scene of the objects that a change has brought since all were placed. */
+    IntStream later() {
+        return Arrays.stream(difference.added());
     }
 
     Surface surface(int object) {
-        int at = exchanged.length == 0 ? -1 : Arrays.binarySearch(exchanged, object);
-        return at < 0 ? surfaces[object] : fresh[at];
+        return object < later.from ? first.surfaces[object] : later.surfaces[object - later.from];
     }
 
-    private boolean isMedium(int object) {
-        return !opaque[object] && solid[object];
+    /** Whether no light gets through any of an object. */
+    boolean isOpaque(int object) {
+        return object < later.from ? first.opaque[object] : later.opaque[object - later.from];
+    }
+
+    /** Whether an object has an inside. */
+    boolean isSolid(int object) {
+        return object < later.from ? first.solid[object] : later.solid[object - later.from];
+    }
+
+    @Nullable Absorption absorption(int object) {
+        return object < later.from ? first.absorbing[object] : later.absorbing[object - later.from];
+    }
+
+    /** Whether an object is a solid that light gets through. */
+    boolean isMedium(int object) {
+        return !isOpaque(object) && isSolid(object);
+    }
+
+    /** Whether a solid that light gets through may touch another one. */
+    boolean mayTouch(int medium) {
+        return media.length > MANY_MEDIA || touching.get(medium);
     }
 
     private boolean isEndless(int object) {
-        return solid[object] && !surface(object).bounds().isFinite();
+        return isSolid(object) && !surface(object).bounds().isFinite();
     }
 
-    private boolean[] touching() {
-        boolean[] touching = new boolean[surfaces.length];
-        int[] media = IntStream.range(0, surfaces.length).filter(this::isMedium).toArray();
-        for (int i : media) {
-            touching[i] = media.length > MANY_MEDIA;
-        }
+    private BitSet touching() {
+        BitSet found = new BitSet();
         for (int i = 1; i < media.length && media.length <= MANY_MEDIA; i++) {
             for (int j = 0; j < i; j++) {
                 if (!surface(media[i]).bounds().padded().intersection(surface(media[j]).bounds().padded()).isEmpty()) {
-                    touching[media[i]] = true;
-                    touching[media[j]] = true;
+                    found.set(media[i]);
+                    found.set(media[j]);
                 }
             }
         }
-        return touching;
+        return found;
     }
 }

@@ -36,16 +36,24 @@ final class Placing {
     Part[] parts;
     Finish[] finishes;
     int[] objects;
+    /** The numbers of the parts, unless they follow from their places. */
+    int[] numbers;
     int size;
+    /** The number of the last part. */
+    int last;
     /** Whether a part is rough. */
     boolean isRough;
     /** Whether a part has a picture. */
     boolean hasPictures;
+    private final boolean areLater;
     /** The number of the next part. */
     private int next;
 
-    /** @param expected about how many parts there will be */
-    Placing(Scene scene, Textures textures, int expected, BooleanSupplier stop) {
+    /**
+     * @param expected about how many parts there will be
+     * @param areLater whether they come between others
+     */
+    Placing(Scene scene, Textures textures, int expected, boolean areLater, BooleanSupplier stop) {
         this.textures = textures;
         this.stop = stop;
         materials = scene.materials();
@@ -54,6 +62,15 @@ final class Placing {
         parts = new Part[expected];
         finishes = new Finish[expected];
         objects = new int[expected];
+        numbers = new int[areLater ? expected : 0];
+        this.areLater = areLater;
+    }
+
+    /** Leaves places for which there are no parts. */
+    void leaveRoom(int places) {
+        reserve(size + places);
+        Arrays.fill(objects, size, size + places, -1);
+        size += places;
     }
 
     /**
@@ -139,16 +156,22 @@ final class Placing {
     }
 
     private int add(int object, Finish finish) {
-        if (size == parts.length) {
-            parts = Arrays.copyOf(parts, 2 * size);
-            finishes = Arrays.copyOf(finishes, 2 * size);
-            objects = Arrays.copyOf(objects, 2 * size);
-        }
+        reserve(size + 1);
         isRough |= finish.alpha > 0;
         objects[size] = object;
         finishes[size] = finish;
         hasPictures |= finish.paint.isPicture();
         return size++;
+    }
+
+    private void reserve(int places) {
+        if (places > parts.length) {
+            int length = Math.max(places, 2 * parts.length);
+            parts = Arrays.copyOf(parts, length);
+            finishes = Arrays.copyOf(finishes, length);
+            objects = Arrays.copyOf(objects, length);
+            numbers = Arrays.copyOf(numbers, areLater ? length : 0);
+        }
     }
 
     /** What parts registered here belong to, and what they are made of. */
@@ -164,8 +187,13 @@ final class Placing {
         @Override
         public <P extends Part> P add(IntFunction<P> maker) {
             int place = Placing.this.add(object, finish);
-            P part = maker.apply(next++);
+            P part = maker.apply(next);
             parts[place] = part;
+            if (areLater) {
+                numbers[place] = next;
+            }
+            last = next;
+            next = areLater ? PartTable.after(next) : PartTable.number(size);
             return part;
         }
 

@@ -32,18 +32,8 @@ public final class Surroundings {
     public void from(Bounds box) {
         if (box != origins) {
             origins = box;
-            isFree = isFree(box);
+            isFree = world.bodies().areFree(box);
         }
-    }
-
-    private boolean isFree(Bounds box) {
-        for (int object = 0; object < world.scene().objects().size(); object++) {
-            Bounds solid = world.surface(object).bounds();
-            if (world.isSolid(object) && solid.isFinite() && !solid.padded().intersection(box).isEmpty()) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /** Puts a ray into the media around the point it starts from. */
@@ -114,7 +104,7 @@ public final class Surroundings {
             return world.isOpaque(object);
         }
         int bySize = Double.compare(world.surface(otherObject).bounds().volume(), world.surface(object).bounds().volume());
-        return bySize != 0 ? bySize < 0 : object < otherObject;
+        return bySize != 0 ? bySize < 0 : part < other;
     }
 
     private void add(int part) {

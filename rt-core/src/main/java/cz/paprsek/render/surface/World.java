@@ -7,6 +7,7 @@ import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.placed.Surface;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /** A scene as rays meet it: shapes placed in the world, materials resolved, the tree built. Immutable; any number of workers may use it at once. */
@@ -15,9 +16,6 @@ public final class World {
     private final Placed placed;
     private final PartTable parts;
     private final Bodies bodies;
-    private final boolean[] opaque;
-    private final boolean[] solid;
-    private final @Nullable Absorption[] absorbing;
     private final Backdrop sky;
     private final Lamp[] lamps;
     private final Glows glows;
@@ -39,11 +37,8 @@ public final class World {
         this.parts = placed.parts;
         this.sky = Backdrop.of(scene, placed.textures);
         this.bodies = placed.bodies;
-        this.opaque = placed.opaque;
-        this.solid = placed.solid;
-        this.absorbing = placed.absorbing;
         this.lamps = scene.lights().stream().map(Lamp::of).toArray(Lamp[]::new);
-        this.glows = Glows.of(scene.lights(), parts.size());
+        this.glows = Glows.of(scene.lights(), parts.end());
         this.aroundCamera = new Surroundings(this).around(scene.camera().position());
     }
 
@@ -83,23 +78,33 @@ public final class World {
         return scene.ambient();
     }
 
+    /** The index in the scene of an object, whose number it keeps when others are added or removed. */
+    public int index(int object) {
+        return placed.index(object);
+    }
+
+    /** The indexes of the objects that were placed beside those that were taken over from the scene that this one was made of. */
+    public IntStream later() {
+        return placed.later();
+    }
+
     public boolean isSolid(int object) {
-        return solid[object];
+        return placed.isSolid(object);
     }
 
     /** Whether no light gets through any of an object. */
     public boolean isOpaque(int object) {
-        return opaque[object];
+        return placed.isOpaque(object);
     }
 
     /** Whether an object is a solid that light gets through. */
     public boolean isMedium(int object) {
-        return !opaque[object] && isSolid(object);
+        return placed.isMedium(object);
     }
 
     /** Whether a solid that light gets through may touch another one. */
     public boolean mayTouchMedium(int object) {
-        return placed.mayTouch[object];
+        return placed.mayTouch(object);
     }
 
     /** Whether some surface is rough. */
@@ -123,7 +128,7 @@ public final class World {
      * @param object −1 for what is around all objects
      */
     public @Nullable Absorption absorption(int object) {
-        return object < 0 ? null : absorbing[object];
+        return object < 0 ? null : placed.absorption(object);
     }
 
     public Surface surface(int object) {

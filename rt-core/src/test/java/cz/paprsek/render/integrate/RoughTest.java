@@ -89,8 +89,8 @@ class RoughTest {
 
         Probe(Material material, boolean isSolid, double vx, double vy, double vz) {
             World world = new World(Scene.EMPTY.plus((isSolid ? SceneObject.of(new Plane()).rotated(90, 0, 0) : SceneObject.of(new Rectangle(-1, -1, 1, 1))).madeOf(material)), new Textures(Assets.none()), () -> false);
-            finish = world.parts().finish(0);
-            level.ray.part = 0;
+            finish = world.parts().finish(world.parts().firstOf(0));
+            level.ray.part = world.parts().firstOf(0);
             level.ray.dx = -vx;
             level.ray.dy = -vy;
             level.ray.dz = -vz;
