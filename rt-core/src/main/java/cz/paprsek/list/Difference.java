@@ -6,14 +6,38 @@ import java.util.function.Predicate;
 /**
  * What has to be taken out of a list, and put into it, to make another of it. What is in neither is the very same in both, in the same order: an element
  * that is exchanged is taken out and another put in.
- *
- * @param removed indexes in the one, rising
- * @param added indexes in the other, rising
- * @param places for each that is added, the index in the one that it comes before, of those left; rising
  */
-public record Difference(int[] removed, int[] added, int[] places) {
+public final class Difference {
+    /** Of two lists that are alike. */
+    public static final Difference NONE = new Difference(new int[0], new int[0], new int[0]);
+
     /** How far two lists are searched for where they go on alike. */
     private static final int FARTHEST = 1024;
+
+    private final int[] removed;
+    private final int[] added;
+    private final int[] places;
+
+    private Difference(int[] removed, int[] added, int[] places) {
+        this.removed = removed;
+        this.added = added;
+        this.places = places;
+    }
+
+    /** Indexes in the one, rising; not to be changed. */
+    public int[] removed() {
+        return removed;
+    }
+
+    /** Indexes in the other, rising; not to be changed. */
+    public int[] added() {
+        return added;
+    }
+
+    /** For each that is added, the index in the one that it comes before, of those left; rising, and not to be changed. */
+    public int[] places() {
+        return places;
+    }
 
     /** Whether nothing is different. */
     public boolean isNone() {

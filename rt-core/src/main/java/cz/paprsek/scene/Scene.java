@@ -171,7 +171,7 @@ public record Scene(
      */
     public Scene litBy(int light) {
         List<Light> dark = new ArrayList<>(lights);
-        dark.replaceAll(Unlit::of);
+        dark.replaceAll(LightRules::unlit);
         dark.set(light, lights.get(light));
         return new Scene(name, description, tags, settings, Rgb.BLACK, Sky.NONE, Rgb.BLACK, cameras, dark, materials, objects);
     }

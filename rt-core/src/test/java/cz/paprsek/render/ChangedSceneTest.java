@@ -179,7 +179,7 @@ class ChangedSceneTest {
         Scene scene = Scenes.random(12, BODIES);
         RenderScene ready = RenderScene.of(scene);
         Scene more = scene.plus(SceneObject.of(new Sphere(1)).at(0, 1, 0), SceneObject.of(new Sphere(1)).at(1, 1, 0).madeOf(GLASS));
-        Scene fewer = more.withObjects(more.objects().stream().filter(object -> object != scene.objects().get(10)).toList());
+        Scene fewer = more.withObjects(more.objects().stream().filter(object -> !object.equals(scene.objects().get(10))).toList());
         Scene glass = fewer.with(List.of(ScenePath.body(3), ScenePath.body(20)), (at, body) -> body.madeOf(GLASS));
         Scene opaque = scene.with(IntStream.rangeClosed(0, BODIES).filter(i -> isGlass(scene, i)).limit(4).mapToObj(ScenePath::body).toList(), (at, body) -> body.madeOf(Scenes.matte(0.4, 0.5)));
         assertSame(ready.changedTo(more, RenderMonitor.NONE), RenderScene.of(more), BODIES + 1, BODIES + 2);

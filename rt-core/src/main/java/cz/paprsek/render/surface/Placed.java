@@ -61,7 +61,7 @@ final class Placed {
         this.textures = textures;
         this.scene = scene;
         this.whole = this;
-        this.difference = new Difference(new int[0], new int[0], new int[0]);
+        this.difference = Difference.NONE;
         this.first = new PlacedObjects(0, count);
         this.later = new PlacedObjects(count, 0);
         placing.leaveRoom(ROOM);
