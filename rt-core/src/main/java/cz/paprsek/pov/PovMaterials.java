@@ -4,7 +4,10 @@ import static cz.paprsek.pov.PovText.vector;
 import static cz.paprsek.text.Numbers.text;
 
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.ByPattern;
 import cz.paprsek.material.Material.Fresnel;
+import cz.paprsek.material.Material.Share;
+import cz.paprsek.material.Material.Shares;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.Scene;
@@ -12,7 +15,10 @@ import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Set;
+import java.util.function.BiFunction;
+import java.util.function.Function;
 
 /**
  * Materials in POV-Ray's words. POV-Ray weakens diffuse and ambient light by what shines through; ours is a plain sum, so both are
@@ -33,20 +39,40 @@ final class PovMaterials {
         return "rgb " + vector(factor * color.linearRed(), factor * color.linearGreen(), factor * color.linearBlue());
     }
 
-    /** A material of anything but a checkerboard. */
-    static String texture(Material material) {
-        return texture(material, new PovPatterns(transmit(material)).pigment(material.pattern()));
+    /** Whether what a material looks like depends on the shape that it lies on. */
+    static boolean isMapped(Material material) {
+        return material.relief() instanceof Material.Bump || material.patterns().anyMatch(pattern -> pattern instanceof Pattern.Checkerboard || pattern instanceof Pattern.Picture);
     }
 
     /** A material as it lies on a shape. */
     static String texture(Material material, Shape shape) {
-        if (material.pattern() instanceof Pattern.Picture picture) {
-            return texture(material, PovPictures.pigment(picture, shape, transmit(material)));
-        }
-        return material.pattern() instanceof Pattern.Checkerboard board
-                ? texture(material, new PovPatterns(transmit(material)).board(board, shape))
-                : texture(material);
+        return "texture { " + body(material, shape) + " }";
     }
+
+    /**
+     * What stands in a texture. Where a share goes by a pattern, that is one of textures: light is a linear function of each share by itself, so that
+     * what comes of a mixture of two shares is the mixture of what comes of them.
+     */
+    private static String body(Material material, Shape shape) {
+        for (Named share : NAMED) {
+            if (share.of().apply(material.shares()) instanceof ByPattern by && PovPatterns.isTold(by.pattern())) {
+                PovPatterns textures = PovPatterns.ofTextures(color -> body(share.with().apply(material, PovBumps.number(by.channel(), color)), shape));
+                return textures.around(by.pattern(), shape);
+            }
+        }
+        PovPatterns colors = PovPatterns.ofColors(transmit(material));
+        return body(material, shape, material.pattern() instanceof Pattern.Picture picture ? PovPictures.pigment(picture, shape, transmit(material))
+                : material.pattern() instanceof Pattern.Checkerboard board ? colors.board(board, shape) : colors.pigment(material.pattern()));
+    }
+
+    /** A share, and how a material is given it. */
+    private record Named(Function<Shares, Share> of, BiFunction<Material, Double, Material> with) {}
+
+    private static final List<Named> NAMED = List.of(
+            new Named(Shares::diffusion, Material::withDiffusion),
+            new Named(Shares::specular, (material, value) -> material.withHighlight(value, material.shininess())),
+            new Named(Shares::reflection, Material::withReflection),
+            new Named(Shares::transparency, (material, value) -> material.withTransparency(value, material.refractiveIndex())));
 
     /** What is inside of an object: nothing special, unless light shines through. */
     static String interior(Scene scene, SceneObject object) {
@@ -85,11 +111,11 @@ final class PovMaterials {
                 && (light.red() == 0 || plain.color().red() > 0) && (light.green() == 0 || plain.color().green() > 0) && (light.blue() == 0 || plain.color().blue() > 0));
     }
 
-    private static String texture(Material material, String pigment) {
+    private static String body(Material material, Shape shape, String pigment) {
         double weakened = 1 - transmit(material);
-        return "texture { pigment { " + pigment + " } finish { ambient " + text(1 / weakened) + " diffuse " + text(material.diffusion() / weakened)
+        return "pigment { " + pigment + " }" + PovBumps.normal(material.relief(), shape) + " finish { ambient " + text(1 / weakened) + " diffuse " + text(material.diffusion() / weakened)
                 + (material.specular() > 0 ? " phong " + text(material.specular()) + " phong_size " + text(material.shininess()) : "")
-                + emission(material, weakened) + reflection(material) + " } }";
+                + emission(material, weakened) + reflection(material) + " }";
     }
 
     private static String reflection(Material material) {

@@ -13,9 +13,10 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.text.MadeInCode;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 
-/** Patterns in POV-Ray's words: its own where they mean the same, else functions. */
+/** Patterns in POV-Ray's words, of colours or of anything else that each colour stands for: its own where they mean the same, else functions. */
 final class PovPatterns {
     /** The noise, as functions that patterns call. Parts of it have names of their own: a function there has no variables. */
     static final List<String> NOISE = List.of(
@@ -33,13 +34,29 @@ final class PovPatterns {
                     + "x - floor(x), y - floor(y), z - floor(z)) }");
 
     /** As high as cells are made that have no end, in scene units, what lies there in their middle. */
-    private static final double HIGH = 1e6;
+    static final double HIGH = 1e6;
 
-    private final double transmit;
+    private final Function<Rgb, String> entry;
+    private final String map;
 
-    /** @param transmit the share of light that every colour lets through */
-    PovPatterns(double transmit) {
-        this.transmit = transmit;
+    private PovPatterns(Function<Rgb, String> entry, String map) {
+        this.entry = entry;
+        this.map = map;
+    }
+
+    /** Of colours, of which each lets through a share of light. */
+    static PovPatterns ofColors(double transmit) {
+        return new PovPatterns(color -> PovMaterials.rgb(color, 1) + (transmit > 0 ? " transmit " + text(transmit) : ""), "color_map");
+    }
+
+    /** Of what stands in a texture, for each colour another. */
+    static PovPatterns ofTextures(Function<Rgb, String> body) {
+        return new PovPatterns(body, "texture_map");
+    }
+
+    /** Whether it can be written: not pictures here, and nothing made in code. */
+    static boolean isTold(Pattern pattern) {
+        return !pattern.palette().isEmpty();
     }
 
     /** Whether {@link #NOISE} must come before. */
@@ -50,7 +67,7 @@ final class PovPatterns {
     /** What stands in a pigment, for any pattern but a checkerboard. */
     String pigment(Pattern pattern) {
         if (pattern instanceof Pattern.Plain plain) {
-            return color(plain.color());
+            return entry.apply(plain.color());
         } else if (pattern instanceof Pattern.Checker checker) {
             return cells(checker.even(), checker.odd()) + " scale " + (isEven(checker.size()) ? text(checker.size().x()) : vector(checker.size()))
                     + (checker.origin().equals(Vec3.ZERO) ? "" : " translate " + vector(checker.origin())) + laid(checker.lay());
@@ -58,40 +75,93 @@ final class PovPatterns {
             return cells(stripes.even(), stripes.odd()) + " scale " + vector(stripes.size(), HIGH, HIGH) + " translate " + vector(0, -HIGH / 2, -HIGH / 2)
                     + laid(stripes.lay());
         } else if (pattern instanceof Pattern.Brick brick) {
-            return "brick " + color(brick.odd()) + " " + color(brick.even()) + " brick_size " + vector(brick.size()) + " mortar " + text(brick.mortar())
+            return "brick " + entry.apply(brick.odd()) + " " + entry.apply(brick.even()) + " brick_size " + vector(brick.size()) + " mortar " + text(brick.mortar())
                     + laid(brick.lay());
-        } else if (pattern instanceof Pattern.Gradient gradient) {
-            return values("min(1, max(0, y))", gradient.colors(), gradient.lay());
+        }
+        return "function { " + function(pattern) + " } " + entries(pattern) + laid(lay(pattern));
+    }
+
+    /** As {@link #pigment}, also of a checkerboard; whatever stands for the colours stays where it is. */
+    String around(Pattern pattern, Shape shape) {
+        String function = pattern instanceof Pattern.Checkerboard board ? squares(board, area(shape)) : PovBumps.within(function(pattern), lay(pattern), PovBumps.ANYWHERE);
+        return "function { " + function + " } " + entries(pattern);
+    }
+
+    private String entries(Pattern pattern) {
+        List<Rgb> palette = pattern.palette();
+        List<Pattern.Stop> stops = isOfCells(pattern) ? List.of(new Pattern.Stop(0, palette.get(0)), new Pattern.Stop(1, palette.get(1))) : pattern.colors().stops();
+        return map + " { " + stops.stream().map(stop -> "[" + text(stop.at()) + " " + entry.apply(stop.color()) + "]").collect(Collectors.joining(" ")) + " }";
+    }
+
+    /** Whether it is of two colours with edges between. */
+    static boolean isOfCells(Pattern pattern) {
+        return pattern instanceof Pattern.Checker || pattern instanceof Pattern.Stripes || pattern instanceof Pattern.Brick || pattern instanceof Pattern.Checkerboard;
+    }
+
+    /** The value of a pattern as a function in its own space; of one of cells 0 for the even ones, and 1 for the odd ones. */
+    static String function(Pattern pattern) {
+        if (pattern instanceof Pattern.Gradient) {
+            return "min(1, max(0, y))";
         } else if (pattern instanceof Pattern.Marble marble) {
-            return values("1 - abs(2*mod(mod(" + text(marble.frequency()) + "*x + " + text(marble.turbulence()) + "*(" + sum(marble.octaves(), marble.seed(), false)
-                    + "), 1) + 1, 1) - 1)", marble.colors(), marble.lay());
+            return "1 - abs(2*mod(mod(" + text(marble.frequency()) + "*x + " + text(marble.turbulence()) + "*(" + sum(marble.octaves(), marble.seed(), false)
+                    + "), 1) + 1, 1) - 1)";
         } else if (pattern instanceof Pattern.Wood wood) {
-            return values("mod(mod(" + text(wood.frequency()) + "*sqrt(x*x + z*z) + " + text(wood.turbulence()) + "*(" + sum(wood.octaves(), wood.seed(), false)
-                    + "), 1) + 1, 1)", wood.colors(), wood.lay());
+            return "mod(mod(" + text(wood.frequency()) + "*sqrt(x*x + z*z) + " + text(wood.turbulence()) + "*(" + sum(wood.octaves(), wood.seed(), false)
+                    + "), 1) + 1, 1)";
         } else if (pattern instanceof Pattern.Granite granite) {
-            return values("min(1, " + sum(granite.octaves(), granite.seed(), true) + ")", granite.colors(), granite.lay());
+            return "min(1, " + sum(granite.octaves(), granite.seed(), true) + ")";
         } else if (pattern instanceof Pattern.Noise noise) {
-            return values("min(1, max(0, 0.5 + 0.5*(" + sum(noise.octaves(), noise.seed(), false) + ")))", noise.colors(), noise.lay());
+            return "min(1, max(0, 0.5 + 0.5*(" + sum(noise.octaves(), noise.seed(), false) + ")))";
+        } else if (pattern instanceof Pattern.Checker checker) {
+            Vec3 size = checker.size();
+            Vec3 origin = checker.origin();
+            return "mod(abs(" + floor("x", origin.x(), size.x()) + " + " + floor("y", origin.y(), size.y()) + " + " + floor("z", origin.z(), size.z()) + "), 2)";
+        } else if (pattern instanceof Pattern.Stripes stripes) {
+            return "mod(abs(" + floor("x", 0, stripes.size()) + "), 2)";
+        } else if (pattern instanceof Pattern.Brick brick) {
+            String shift = "0.5*mod(abs(" + floor("y", 0, brick.size().y()) + "), 2)";
+            return "max(" + mortar("y/" + text(brick.size().y()), brick.mortar() / brick.size().y()) + ", max("
+                    + mortar("x/" + text(brick.size().x()) + " + " + shift, brick.mortar() / brick.size().x()) + ", "
+                    + mortar("z/" + text(brick.size().z()) + " + 0.5 - " + shift, brick.mortar() / brick.size().z()) + "))";
         }
         throw MadeInCode.refusedBy("a scene for POV-Ray", pattern.kind(), "pattern");
     }
 
+    /** 1 where mortar ends a cell. */
+    private static String mortar(String place, double share) {
+        return "select(" + place + " + 1e-10 - floor(" + place + " + 1e-10) - " + text(1 - share) + ", 0, 1)";
+    }
+
+    private static String squares(Pattern.Checkerboard board, Rectangle area) {
+        return "mod(abs(" + floor("x", area.minX(), (area.maxX() - area.minX()) / board.columns()) + " + "
+                + floor("y", area.minY(), (area.maxY() - area.minY()) / board.rows()) + "), 2)";
+    }
+
+    /** How a pattern in space lies. */
+    static Pattern.Lay lay(Pattern pattern) {
+        return pattern instanceof Pattern.Gradient gradient ? gradient.lay() : pattern instanceof Pattern.Marble marble ? marble.lay()
+                : pattern instanceof Pattern.Wood wood ? wood.lay() : pattern instanceof Pattern.Granite granite ? granite.lay()
+                : pattern instanceof Pattern.Checker checker ? checker.lay() : pattern instanceof Pattern.Stripes stripes ? stripes.lay()
+                : pattern instanceof Pattern.Brick brick ? brick.lay() : ((Pattern.Noise) pattern).lay();
+    }
+
+    private static String floor(String coordinate, double origin, double size) {
+        return "floor((" + coordinate + " - " + text(origin) + ")/" + text(size) + " + 1e-10)";
+    }
+
     String board(Pattern.Checkerboard board, Shape shape) {
-        Rectangle area = shape instanceof Disc disc
-                ? new Rectangle(-disc.radius(), -disc.radius(), disc.radius(), disc.radius())
-                : (Rectangle) shape;
+        Rectangle area = area(shape);
         return cells(board.even(), board.odd())
                 + " scale " + vector((area.maxX() - area.minX()) / board.columns(), (area.maxY() - area.minY()) / board.rows(), HIGH)
                 + " translate " + vector(area.minX(), area.minY(), -HIGH / 2);
     }
 
-    private String cells(Rgb even, Rgb odd) {
-        return "checker " + color(even) + " " + color(odd);
+    private static Rectangle area(Shape shape) {
+        return shape instanceof Disc disc ? new Rectangle(-disc.radius(), -disc.radius(), disc.radius(), disc.radius()) : (Rectangle) shape;
     }
 
-    private String values(String function, Pattern.Colors colors, Pattern.Lay lay) {
-        return "function { " + function + " } color_map { " + colors.stops().stream().map(stop -> "[" + text(stop.at()) + " " + color(stop.color()) + "]")
-                .collect(Collectors.joining(" ")) + " }" + laid(lay);
+    private String cells(Rgb even, Rgb odd) {
+        return "checker " + entry.apply(even) + " " + entry.apply(odd);
     }
 
     private static String sum(int octaves, int seed, boolean ofSizes) {
@@ -115,9 +185,5 @@ final class PovPatterns {
 
     private static boolean isEven(Vec3 scale) {
         return scale.x() == scale.y() && scale.x() == scale.z();
-    }
-
-    private String color(Rgb color) {
-        return PovMaterials.rgb(color, 1) + (transmit > 0 ? " transmit " + text(transmit) : "");
     }
 }

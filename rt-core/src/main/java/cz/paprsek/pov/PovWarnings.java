@@ -188,6 +188,7 @@ final class PovWarnings {
             if (!PovMaterials.emits(material)) {
                 sentences.add(name + " shines where its own colour is black, or in one light over several colours; POV-Ray multiplies the one by the other");
             }
+            checkVariety(name, object.shape(), material);
             if (material.roughness() > 0 && (material.reflection() > 0 || material.transparency() > 0)) {
                 sentences.add(name + " is rough; POV-Ray shows it smooth");
             }
@@ -195,6 +196,19 @@ final class PovWarnings {
                 sentences.add(name + " is thin and bends nothing; POV-Ray is told a refractive index of 1, and mirrors on one side");
             }
             Untold.of(material).forEach(attribute -> sentences.add(name + ": POV-Ray is not told the " + attribute + " of its material"));
+        }
+    }
+
+    private void checkVariety(String name, Shape shape, Material material) {
+        if (!(material.relief() instanceof Material.Flat) && !PovBumps.isTold(material.relief())) {
+            sentences.add(name + ": POV-Ray is not told its bumps, which are of a picture, or lie on a figure");
+        } else if (PovBumps.hasEdges(material.relief())) {
+            sentences.add(name + ": the edges of its bumps are of a slightly different form in POV-Ray");
+        } else if (PovBumps.isTold(material.relief()) && !PovBumps.isAlong(shape)) {
+            sentences.add(name + ": POV-Ray counts the slope of its bumps across the surface, too");
+        }
+        if (material.shares().all().anyMatch(share -> share instanceof Material.ByPattern by && !PovPatterns.isTold(by.pattern()))) {
+            sentences.add(name + ": POV-Ray is not told a share of its material that goes by a picture, and takes the greatest");
         }
     }
 

@@ -6,7 +6,6 @@ import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
-import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -17,6 +16,7 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Sphere;
 import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.util.HashMap;
@@ -45,7 +45,7 @@ final class PovWriter {
                 text.line(line);
             }
         }
-        if (PovWarnings.materials(scene).stream().anyMatch(material -> PovPatterns.isNoise(material.pattern()))) {
+        if (PovWarnings.materials(scene).stream().anyMatch(material -> material.patterns().anyMatch(PovPatterns::isNoise))) {
             for (String line : PovPatterns.NOISE) {
                 text.line(line);
             }
@@ -83,7 +83,7 @@ final class PovWriter {
     }
 
     private void declare(String name, Material material) throws IOException {
-        if (material.pattern() instanceof Pattern.Checkerboard || material.pattern() instanceof Pattern.Picture) {
+        if (PovMaterials.isMapped(material)) {
             // How large they are depends on the figure they lie on.
             return;
         }
@@ -91,7 +91,7 @@ final class PovWriter {
                 .filter(c -> c < 128 && Character.isLetterOrDigit(c)).limit(40)
                 .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append).insert(0, '_');
         identifiers.put(name, identifier);
-        text.line("#declare " + identifier + " = " + PovMaterials.texture(material));
+        text.line("#declare " + identifier + " = " + PovMaterials.texture(material, new Sphere(1)));
     }
 
     /** @return an empty text for a material taken from above */

@@ -65,6 +65,16 @@ public final class Hit {
         sz = z;
     }
 
+    /** Sets the normal that light is reckoned with, from a vector of any length; it stays as it is if that is 0 or too large. */
+    public void bend(double x, double y, double z) {
+        double k = 1 / Math.sqrt(x * x + y * y + z * z);
+        if (k > 0 && k < Double.POSITIVE_INFINITY) {
+            sx = x * k;
+            sy = y * k;
+            sz = z * k;
+        }
+    }
+
     /** Turns the normals round. */
     public void turn() {
         nx = -nx;

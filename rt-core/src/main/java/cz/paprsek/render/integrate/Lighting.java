@@ -49,6 +49,7 @@ final class Lighting {
     private final Glows glows;
     private final Bodies.Finder finder;
     private final Contacts contacts;
+    private final Veils veils;
     private final Spans spans;
     private final Ray shadow;
     private final Arrival arrival = new Arrival();
@@ -102,6 +103,7 @@ final class Lighting {
         this.finder = intersector.finder;
         this.contacts = intersector.contacts;
         this.spans = spans;
+        this.veils = new Veils(parts, spans);
         this.shadow = new Ray(spans);
         this.lastOccluder = new Surface[maxDepth * lamps.length];
         this.towardsLamp = Stream.generate(() -> new Entries(MOST_ENTRIES)).limit(lamps.length).toArray(Entries[]::new);
@@ -228,6 +230,9 @@ final class Lighting {
     private boolean look(int depth, int light, boolean shines, Level level, Finish finish) {
         Hit hit = level.hit;
         double facing = hit.sx * arrival.x + hit.sy * arrival.y + hit.sz * arrival.z;
+        if (level.isBent) {
+            facing = Bent.facing(hit, arrival, facing);
+        }
         if (!shines) {
             arrival.light(0, 0, 0);
         }
@@ -384,7 +389,7 @@ final class Lighting {
             if (!isMet(i)) {
                 continue;
             }
-            double share = parts.finish(spans.part(i)).transparency;
+            double share = veils.transparency(shadow, spans, i);
             int at = count++;
             for (; at > 0 && shares[at - 1] > share; at--) {
                 shares[at] = shares[at - 1];

@@ -25,8 +25,8 @@ final class Offspring {
 
     /** A ray on the side of a hit from which that was seen. */
     void back(Level level, Level next, double x, double y, double z) {
-        start(level, next, x, y, z, level.leaving != level.ray.face < 0);
         next.beyond = false;
+        start(level, next, x, y, z, level.leaving != level.ray.face < 0);
         next.path = Sampler.mirrored(level.path);
         Lighting.backFrom(level, next.ray);
         if (footprints) {
@@ -38,8 +38,8 @@ final class Offspring {
 
     /** A ray beyond the surface of a hit. */
     void on(Level level, Level next, Finish finish, double x, double y, double z) {
-        start(level, next, x, y, z, level.leaving == level.ray.face < 0);
         next.beyond = true;
+        start(level, next, x, y, z, level.leaving == level.ray.face < 0);
         next.path = Sampler.refracted(level.path);
         double beyond = scene.enterBeyond(level, finish, next.media);
         if (footprints) {
@@ -50,7 +50,12 @@ final class Offspring {
 
     private static void start(Level level, Level next, double x, double y, double z, boolean outside) {
         Hit hit = level.hit;
-        next.ray.start(hit.px, hit.py, hit.pz, x, y, z, hit.size, Double.POSITIVE_INFINITY, level.ray.part, outside);
+        if (level.isBent) {
+            double fold = Bent.fold(hit, x, y, z, next.beyond);
+            next.ray.start(hit.px, hit.py, hit.pz, x + fold * hit.nx, y + fold * hit.ny, z + fold * hit.nz, hit.size, Double.POSITIVE_INFINITY, level.ray.part, outside);
+        } else {
+            next.ray.start(hit.px, hit.py, hit.pz, x, y, z, hit.size, Double.POSITIVE_INFINITY, level.ray.part, outside);
+        }
         next.isLit = false;
     }
 }

@@ -128,8 +128,7 @@ abstract class Shading extends Witness implements Integrator {
             glow(level);
             return;
         }
-        Finish finish = parts.finish(part);
-        color(level, finish);
+        Finish finish = color(level, parts.finish(part));
         face(level);
         level.light(ambientRed * level.colorRed, ambientGreen * level.colorGreen, ambientBlue * level.colorBlue);
         met(level);
@@ -150,15 +149,20 @@ abstract class Shading extends Witness implements Integrator {
     /** Adds to the level's light what its surface sends on of the light that falls on it. */
     abstract void scatter(Level level, int depth, Finish finish);
 
-    private void color(Level level, Finish finish) {
-        if (finish.paint.isMapped()) {
-            map(level);
-        }
+    /** Finds the colour, and what else the surface is at the hit. */
+    private Finish color(Level level, Finish finish) {
         if (footprints) {
             level.part = parts.part(level.ray.part);
             level.footprint.meet(level.ray, level.hit);
         }
+        if (!finish.isEven) {
+            return finish.at(level);
+        }
+        if (finish.paint.isMapped()) {
+            map(level);
+        }
         finish.paint.color(level);
+        return finish;
     }
 
     /** Turns the normals to the viewer, and finds the mirrored direction. */
@@ -169,11 +173,18 @@ abstract class Shading extends Witness implements Integrator {
         if (level.leaving) {
             hit.turn();
         }
+        level.isBent = hit.sx != hit.nx || hit.sy != hit.ny || hit.sz != hit.nz;
+        if (level.isBent) {
+            Bent.towardsViewer(ray, hit);
+        }
         double c = Math.abs(ray.dx * hit.sx + ray.dy * hit.sy + ray.dz * hit.sz);
         level.cosine = c;
         level.mirrorX = ray.dx + 2 * c * hit.sx;
         level.mirrorY = ray.dy + 2 * c * hit.sy;
         level.mirrorZ = ray.dz + 2 * c * hit.sz;
+        if (level.isBent) {
+            Bent.mirror(level);
+        }
     }
 
     /** Takes from the level's light what the substance takes that its ray comes through. */

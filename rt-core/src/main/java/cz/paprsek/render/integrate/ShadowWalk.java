@@ -31,6 +31,7 @@ public final class ShadowWalk {
     private final Contacts contacts;
     private final Spans spans = new Spans();
     private final Ray ray = new Ray(spans);
+    private final Veils veils;
     private final IntFunction<InScene<BodyAt>> path;
     private final Dimming dimming;
 
@@ -51,6 +52,7 @@ public final class ShadowWalk {
         this.parts = scene.parts();
         this.bodies = scene.bodies();
         this.gatherer = bodies.newGatherer(spans);
+        this.veils = new Veils(parts, spans);
         this.contacts = new Contacts(scene, bodies.newFinder(), spans);
         this.path = path;
         this.dimming = new Dimming(scene);
@@ -70,7 +72,7 @@ public final class ShadowWalk {
             if (spans.t(i) > reach) {
                 break;
             }
-            found.add(new Obstacle(path.apply(spans.part(i)), Math.max(0, spans.t(i)), parts.finish(spans.part(i)).transparency));
+            found.add(new Obstacle(path.apply(spans.part(i)), Math.max(0, spans.t(i)), veils.transparency(ray, spans, i)));
             if (isOpaque(i)) {
                 return found;
             }
@@ -119,6 +121,6 @@ public final class ShadowWalk {
     }
 
     private boolean isOpaque(int i) {
-        return parts.finish(spans.part(i)).transparency == 0;
+        return veils.transparency(ray, spans, i) == 0;
     }
 }

@@ -2,44 +2,56 @@ package cz.paprsek.render.surface;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.math.Affine;
+import cz.paprsek.render.texture.Textures;
 
-/** A material ready for shading. */
+/** A material ready for shading: never changed, but for that of a level, which says what it is at one point. */
 public final class Finish {
     /** From this α on a lobe is wide, about as the lamps of a room. */
     private static final double WIDE = 0.08;
 
-    public final Material material;
-    public final Paint paint;
-    public final double diffusion;
-    public final double specular;
+    public Material material = Material.DEFAULT;
+    public Paint paint = new TwoColors.Plain((Pattern.Plain) material.pattern(), true);
+    public double diffusion;
+    public double specular;
     /** The share of light that the highlight sends on, about: all of it, where no part of it is below the surface. */
-    public final double highlights;
-    public final double reflection;
-    public final double transparency;
-    public final double refractiveIndex;
-    public final Fresnel fresnel;
+    public double highlights;
+    public double reflection;
+    public double transparency;
+    public double refractiveIndex;
+    public Fresnel fresnel = Fresnel.FALSE;
     /** How far facets are spread; 0 if it is smooth. */
-    public final double alpha;
+    public double alpha;
     /**
      * Whether lights that rays can see are looked for all the same, and then not seen by the rays it sends: a wide lobe seldom meets a small lamp,
      * a narrow one is seldom met by a point of a large one.
      */
-    public final boolean looksForLamps;
-    public final boolean isThin;
+    public boolean looksForLamps;
+    public boolean isThin;
     /** Whether it mirrors and lets through the same shares at every angle: nearly all surfaces do, and are shaded by a shorter way. */
-    public final boolean isPlain;
+    public boolean isPlain;
+    /** Whether nothing but the colour differs from point to point, and nothing bends the normals: of all others, {@link #at} says what there is at one. */
+    public boolean isEven;
     /** Whether it gives off light of its own: {@link #red} and so on, linear. */
-    public final boolean glows;
-    public final double red;
-    public final double green;
-    public final double blue;
-    private final double shininess;
+    public boolean glows;
+    public double red;
+    public double green;
+    public double blue;
+    private double shininess;
     /** The exponent if it is a whole number, else −1. */
-    private final int wholeShininess;
+    private int wholeShininess;
+    private Variety variety = Variety.NONE;
 
-    public Finish(Material material, Paint paint) {
+    /** For a level. */
+    Finish() {}
+
+    /** @param toDeclared from the world to the space of the object that declares the material */
+    Finish(Material material, Affine toDeclared, Textures textures) {
         this.material = material;
-        this.paint = paint;
+        paint = Paint.of(material.pattern(), toDeclared, textures, true);
+        variety = Variety.of(material, toDeclared, textures);
+        isEven = variety.isNone();
         diffusion = material.diffusion();
         specular = material.specular();
         shininess = material.shininess();
@@ -49,14 +61,80 @@ public final class Finish {
         transparency = material.transparency();
         refractiveIndex = material.refractiveIndex();
         fresnel = material.fresnel();
-        alpha = material.roughness() * material.roughness();
-        looksForLamps = alpha >= WIDE;
+        rough(material.roughness());
         isThin = material.thin();
         isPlain = fresnel == Fresnel.FALSE && alpha == 0 && !isThin;
         red = material.emission().linearRed() * material.emissionStrength();
         green = material.emission().linearGreen() * material.emissionStrength();
         blue = material.emission().linearBlue() * material.emissionStrength();
         glows = red > 0 || green > 0 || blue > 0;
+    }
+
+    private void rough(double roughness) {
+        alpha = roughness * roughness;
+        looksForLamps = alpha >= WIDE;
+    }
+
+    /**
+     * What it is at the level's hit: there the colour is set, and the normal bent that light is reckoned with. The part that is hit and the
+     * footprint are known. Shares that depend on the point are, before, the greatest there are.
+     */
+    public Finish at(Level level) {
+        Finish own = level.own;
+        own.become(this);
+        if (variety.hasShares()) {
+            own.diffusion = variety.diffusion().share(level, diffusion);
+            own.specular = variety.specular().share(level, specular);
+            own.highlights = 2 * own.specular / (shininess + 1);
+            own.reflection = variety.reflection().share(level, reflection);
+            own.transparency = variety.transparency().share(level, transparency);
+            own.rough(variety.roughness().share(level, material.roughness()));
+        }
+        variety.bending().bend(level);
+        paint.ask(level);
+        return own;
+    }
+
+    /** The share of light that is let through at the level's hit, of which only the place and the part are known. */
+    public double transparencyAt(Level level) {
+        return variety.transparency().share(level, transparency);
+    }
+
+    /** Whether it lets through different shares of light at different points. */
+    public boolean isVeil() {
+        return variety.transparency().isByPattern();
+    }
+
+    private void become(Finish other) {
+        material = other.material;
+        paint = other.paint;
+        diffusion = other.diffusion;
+        specular = other.specular;
+        highlights = other.highlights;
+        reflection = other.reflection;
+        transparency = other.transparency;
+        refractiveIndex = other.refractiveIndex;
+        fresnel = other.fresnel;
+        alpha = other.alpha;
+        looksForLamps = other.looksForLamps;
+        isThin = other.isThin;
+        isPlain = other.isPlain;
+        glows = other.glows;
+        red = other.red;
+        green = other.green;
+        blue = other.blue;
+        shininess = other.shininess;
+        wholeShininess = other.wholeShininess;
+    }
+
+    /** Whether rays that meet it must know which part they meet, and their footprint. */
+    boolean asksForPlace() {
+        return paint.isPicture() || !isEven;
+    }
+
+    /** Whether what is made of a material depends on where in space that is declared. */
+    static boolean isPlaced(Material material) {
+        return !(material.relief() instanceof Material.Flat) || material.patterns().anyMatch(Paint::isPlaced);
     }
 
     /** Whether light that falls on it shows: if not, no shadow ray is needed. */

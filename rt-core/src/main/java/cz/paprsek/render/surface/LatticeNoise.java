@@ -56,6 +56,64 @@ public final class LatticeNoise {
         return sum;
     }
 
+    /** Sets the three numbers to how much {@link #sum} grows along x, y and z. */
+    public void slope(double x, double y, double z, double[] out) {
+        slope(x, y, z, false, out);
+    }
+
+    /** Sets the three numbers to how much {@link #sumOfSizes} grows along x, y and z. */
+    public void slopeOfSizes(double x, double y, double z, double[] out) {
+        slope(x, y, z, true, out);
+    }
+
+    private void slope(double x, double y, double z, boolean ofSizes, double[] out) {
+        out[0] = 0;
+        out[1] = 0;
+        out[2] = 0;
+        double factor = 1;
+        for (int i = 0; i < octaves; i++) {
+            double px = x * factor;
+            double py = y * factor;
+            double pz = z * factor;
+            if (Math.abs(px) < LARGEST && Math.abs(py) < LARGEST && Math.abs(pz) < LARGEST) {
+                addSlope(px, py, pz, i, ofSizes && noise(px, py, pz, i) < 0 ? -1 : 1, out);
+            }
+            factor *= 2;
+        }
+    }
+
+    /** Adds the derivative of the noise: of the rise from each corner of the cube times its weight there, by the rule of products. */
+    private void addSlope(double x, double y, double z, int octave, double sign, double[] out) {
+        double floorX = Math.floor(x);
+        double floorY = Math.floor(y);
+        double floorZ = Math.floor(z);
+        int j = wrapped(floorY) + shifts[3 * octave + 1];
+        int k = wrapped(floorZ) + shifts[3 * octave + 2];
+        for (int corner = 0; corner < 8; corner++) {
+            int cx = corner & 1;
+            int cy = corner >> 1 & 1;
+            int cz = corner >> 2;
+            int i = permuted(wrapped(floorX) + shifts[3 * octave] + cx);
+            double fx = x - floorX - cx;
+            double fy = y - floorY - cy;
+            double fz = z - floorZ - cz;
+            double weightX = cx == 0 ? 1 - fade(fx) : fade(fx + 1);
+            double weightY = cy == 0 ? 1 - fade(fy) : fade(fy + 1);
+            double weightZ = cz == 0 ? 1 - fade(fz) : fade(fz + 1);
+            double rise = slope(i, j + cy, k + cz, fx, fy, fz);
+            double weight = sign * weightX * weightY * weightZ;
+            out[0] += weight * slope(i, j + cy, k + cz, 1, 0, 0) + sign * rise * fadeSlope(fx + cx, cx) * weightY * weightZ;
+            out[1] += weight * slope(i, j + cy, k + cz, 0, 1, 0) + sign * rise * fadeSlope(fy + cy, cy) * weightX * weightZ;
+            out[2] += weight * slope(i, j + cy, k + cz, 0, 0, 1) + sign * rise * fadeSlope(fz + cz, cz) * weightX * weightY;
+        }
+    }
+
+    /** How fast the weight of the lower corner, 0, falls, or that of the upper one, 1, rises. */
+    private static double fadeSlope(double t, int corner) {
+        double steep = 30 * t * t * (t - 1) * (t - 1);
+        return corner == 0 ? -steep : steep;
+    }
+
     private double noise(double x, double y, double z, int octave) {
         // Not NaN either.
         if (!(Math.abs(x) < LARGEST && Math.abs(y) < LARGEST && Math.abs(z) < LARGEST)) {

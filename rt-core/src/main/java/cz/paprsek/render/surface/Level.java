@@ -10,10 +10,16 @@ import org.jspecify.annotations.Nullable;
 public final class Level {
     public final Ray ray;
     public final Hit hit = new Hit();
-    /** The part that is hit; kept only if there is a paint that is a picture. */
+    /** The part that is hit; kept only if some finish asks for it, as one with a picture. */
     public @Nullable Part part;
     /** For places beside the hit. */
     final Hit probe = new Hit();
+    /** How a picture lies around the hit. */
+    final Chart chart = new Chart();
+    /** How much a height grows along x, y and z of the world. */
+    final double[] slope = new double[3];
+    /** What the surface is there, if that depends on the point. */
+    final Finish own = new Finish();
     /** What the ray stands for; kept only if a paint asks for it. */
     public final Footprint footprint = new Footprint();
     public final Media media = new Media();
@@ -31,6 +37,8 @@ public final class Level {
     public boolean isNegative;
     /** Whether the hit's normals were turned round: the ray comes from inside. */
     public boolean leaving;
+    /** Whether the normal that light is reckoned with is not that of the surface itself. */
+    public boolean isBent;
     /** Cosine of the angle between the ray and the normal that light is reckoned with, 0–1. */
     public double cosine;
     /** The mirrored direction, of length 1. */

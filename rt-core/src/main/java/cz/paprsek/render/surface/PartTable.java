@@ -90,7 +90,7 @@ public final class PartTable {
         return end;
     }
 
-    /** Whether any paint is a picture. */
+    /** Whether any paint is a picture, or any finish asks for the place. */
     public boolean havePictures() {
         return hasPictures;
     }

@@ -1,5 +1,6 @@
 package cz.paprsek.render.surface;
 
+import cz.paprsek.material.Material.ColorChannel;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Affine;
 import cz.paprsek.ray.Hit;
@@ -44,6 +45,24 @@ final class PicturePaint extends Paint {
         level.colorRed = hit.red;
         level.colorGreen = hit.green;
         level.colorBlue = hit.blue;
+    }
+
+    /** By differences between neighbouring points of the picture, or over what a pixel covers if that is wider. */
+    @Override
+    void slope(Level level) {
+        Chart chart = level.chart;
+        chart.lay(level, mapping);
+        double du = Math.max(0.5 / texture.width(), chart.wideU() / 2);
+        double dv = Math.max(0.5 / texture.height(), chart.wideV() / 2);
+        double alongU = (height(level, du, 0) - height(level, -du, 0)) / (2 * du);
+        double alongV = (height(level, 0, dv) - height(level, 0, -dv)) / (2 * dv);
+        chart.slope(alongU, alongV, level.slope);
+    }
+
+    private double height(Level level, double du, double dv) {
+        Hit probe = level.probe;
+        level.chart.look(texture, filter, level.hit.u + du, level.hit.v + dv, probe);
+        return ColorChannel.LUMINANCE.of(probe.red, probe.green, probe.blue);
     }
 
     private void smooth(Level level, Part part, int face) {

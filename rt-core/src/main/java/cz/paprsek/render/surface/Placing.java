@@ -43,7 +43,7 @@ final class Placing {
     int last;
     /** Whether a part is rough. */
     boolean isRough;
-    /** Whether a part has a picture. */
+    /** Whether a part has a picture, or is not even. */
     boolean hasPictures;
     private final boolean areLater;
     /** The number of the next part. */
@@ -131,19 +131,19 @@ final class Placing {
             return inherited;
         }
         Material material = material(source);
-        if (Paint.isPlaced(material.pattern())) {
+        if (Finish.isPlaced(material)) {
             return placed(material, toWorld);
         }
         return source instanceof MaterialName reference ? named.computeIfAbsent(reference.name(), name -> anywhere(material)) : shared(material);
     }
 
     private Finish anywhere(Material material) {
-        return new Finish(material, Paint.of(material.pattern(), Affine.IDENTITY, textures));
+        return new Finish(material, Affine.IDENTITY, textures);
     }
 
     /** A pattern in space depends on where it is declared; all other finishes are shared. */
     private Finish placed(Material material, Affine toWorld) {
-        return new Finish(material, Paint.of(material.pattern(), toWorld.inverse(), textures));
+        return new Finish(material, toWorld.inverse(), textures);
     }
 
     /** Neighbours are mostly of one material: that saves hashing it. */
@@ -160,7 +160,7 @@ final class Placing {
         isRough |= finish.alpha > 0;
         objects[size] = object;
         finishes[size] = finish;
-        hasPictures |= finish.paint.isPicture();
+        hasPictures |= finish.asksForPlace();
         return size++;
     }
 

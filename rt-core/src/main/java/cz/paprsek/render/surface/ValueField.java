@@ -6,21 +6,20 @@ import cz.paprsek.material.Pattern;
 interface ValueField {
     double value(double x, double y, double z);
 
+    /** Sets the three numbers to how much the value grows along x, y and z: where it jumps, to what it is beside. */
+    void slope(double x, double y, double z, double[] out);
+
     static ValueField of(Pattern pattern) {
         if (pattern instanceof Pattern.Gradient) {
-            return (x, y, z) -> Math.min(1, Math.max(0, y));
+            return new Rising();
         } else if (pattern instanceof Pattern.Marble marble) {
-            LatticeNoise noise = new LatticeNoise(marble.octaves(), marble.seed());
-            return (x, y, z) -> triangle(marble.frequency() * x + marble.turbulence() * noise.sum(x, y, z));
+            return new Veins(marble, new LatticeNoise(marble.octaves(), marble.seed()));
         } else if (pattern instanceof Pattern.Wood wood) {
-            LatticeNoise noise = new LatticeNoise(wood.octaves(), wood.seed());
-            return (x, y, z) -> fraction(wood.frequency() * Math.sqrt(x * x + z * z) + wood.turbulence() * noise.sum(x, y, z));
+            return new Rings(wood, new LatticeNoise(wood.octaves(), wood.seed()));
         } else if (pattern instanceof Pattern.Granite granite) {
-            LatticeNoise noise = new LatticeNoise(granite.octaves(), granite.seed());
-            return (x, y, z) -> Math.min(1, noise.sumOfSizes(x, y, z));
+            return new Grains(new LatticeNoise(granite.octaves(), granite.seed()));
         } else if (pattern instanceof Pattern.Noise clouds) {
-            LatticeNoise noise = new LatticeNoise(clouds.octaves(), clouds.seed());
-            return (x, y, z) -> Math.min(1, Math.max(0, 0.5 + 0.5 * noise.sum(x, y, z)));
+            return new Clouds(new LatticeNoise(clouds.octaves(), clouds.seed()));
         }
         throw new IllegalStateException("a pattern without values: " + pattern.kind());
     }
@@ -32,9 +31,91 @@ interface ValueField {
                 : pattern instanceof Pattern.Granite granite ? granite.lay() : ((Pattern.Noise) pattern).lay();
     }
 
-    /** From 0 at whole numbers to 1 half way between; 0 for what is no number. */
-    private static double triangle(double t) {
-        return 1 - Math.abs(2 * fraction(t) - 1);
+    /** Of {@link Pattern.Gradient}. */
+    record Rising() implements ValueField {
+        @Override
+        public double value(double x, double y, double z) {
+            return Math.min(1, Math.max(0, y));
+        }
+
+        @Override
+        public void slope(double x, double y, double z, double[] out) {
+            set(out, 0, y > 0 && y < 1 ? 1 : 0, 0);
+        }
+    }
+
+    /** Of {@link Pattern.Marble}. */
+    record Veins(Pattern.Marble marble, LatticeNoise noise) implements ValueField {
+        @Override
+        public double value(double x, double y, double z) {
+            return 1 - Math.abs(2 * fraction(at(x, y, z)) - 1);
+        }
+
+        private double at(double x, double y, double z) {
+            return marble.frequency() * x + marble.turbulence() * noise.sum(x, y, z);
+        }
+
+        @Override
+        public void slope(double x, double y, double z, double[] out) {
+            noise.slope(x, y, z, out);
+            double steep = fraction(at(x, y, z)) < 0.5 ? 2 : -2;
+            double bent = steep * marble.turbulence();
+            set(out, steep * marble.frequency() + bent * out[0], bent * out[1], bent * out[2]);
+        }
+    }
+
+    /** Of {@link Pattern.Wood}. */
+    record Rings(Pattern.Wood wood, LatticeNoise noise) implements ValueField {
+        @Override
+        public double value(double x, double y, double z) {
+            return fraction(wood.frequency() * Math.sqrt(x * x + z * z) + wood.turbulence() * noise.sum(x, y, z));
+        }
+
+        @Override
+        public void slope(double x, double y, double z, double[] out) {
+            noise.slope(x, y, z, out);
+            double radius = Math.sqrt(x * x + z * z);
+            double outwards = radius > 0 ? wood.frequency() / radius : 0;
+            double bent = wood.turbulence();
+            set(out, outwards * x + bent * out[0], bent * out[1], outwards * z + bent * out[2]);
+        }
+    }
+
+    /** Of {@link Pattern.Granite}. */
+    record Grains(LatticeNoise noise) implements ValueField {
+        @Override
+        public double value(double x, double y, double z) {
+            return Math.min(1, noise.sumOfSizes(x, y, z));
+        }
+
+        @Override
+        public void slope(double x, double y, double z, double[] out) {
+            noise.slopeOfSizes(x, y, z, out);
+            if (noise.sumOfSizes(x, y, z) > 1) {
+                set(out, 0, 0, 0);
+            }
+        }
+    }
+
+    /** Of {@link Pattern.Noise}. */
+    record Clouds(LatticeNoise noise) implements ValueField {
+        @Override
+        public double value(double x, double y, double z) {
+            return Math.min(1, Math.max(0, 0.5 + 0.5 * noise.sum(x, y, z)));
+        }
+
+        @Override
+        public void slope(double x, double y, double z, double[] out) {
+            noise.slope(x, y, z, out);
+            double steep = Math.abs(noise.sum(x, y, z)) < 1 ? 0.5 : 0;
+            set(out, steep * out[0], steep * out[1], steep * out[2]);
+        }
+    }
+
+    private static void set(double[] out, double x, double y, double z) {
+        out[0] = x;
+        out[1] = y;
+        out[2] = z;
     }
 
     /** 0 for what is no number, or too large to have a fraction. */

@@ -1,0 +1,53 @@
+package cz.paprsek.render.surface;
+
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.ByPattern;
+import cz.paprsek.material.Material.ColorChannel;
+import cz.paprsek.math.Affine;
+import cz.paprsek.render.texture.Textures;
+import java.util.Optional;
+
+/**
+ * What of a material differs from point to point, beside the colour.
+ *
+ * @param hasShares whether any share does
+ */
+record Variety(Share diffusion, Share specular, Share reflection, Share transparency, Share roughness, boolean hasShares, Bending bending) {
+    private static final Share EVEN = new Share(ColorChannel.LUMINANCE, Optional.empty());
+    /** Nothing. */
+    static final Variety NONE = new Variety(EVEN, EVEN, EVEN, EVEN, EVEN, false, Bending.NONE);
+
+    /** How a share depends on the point; not at all without a paint. */
+    record Share(ColorChannel channel, Optional<Paint> paint) {
+        /** At the level's hit, whose colour is changed. */
+        double share(Level level, double even) {
+            if (paint.isEmpty()) {
+                return even;
+            }
+            paint.get().ask(level);
+            // A picture may be brighter than white.
+            return Math.max(0, Math.min(1, channel.of(level.colorRed, level.colorGreen, level.colorBlue)));
+        }
+
+        boolean isByPattern() {
+            return paint.isPresent();
+        }
+    }
+
+    boolean isNone() {
+        return !hasShares && bending == Bending.NONE;
+    }
+
+    static Variety of(Material material, Affine toDeclared, Textures textures) {
+        Material.Shares shares = material.shares();
+        boolean hasShares = shares.all().anyMatch(ByPattern.class::isInstance);
+        return !hasShares && material.relief() instanceof Material.Flat ? NONE : new Variety(
+                share(shares.diffusion(), toDeclared, textures), share(shares.specular(), toDeclared, textures), share(shares.reflection(), toDeclared, textures),
+                share(shares.transparency(), toDeclared, textures), share(shares.roughness(), toDeclared, textures), hasShares,
+                Bending.of(material.relief(), toDeclared, textures));
+    }
+
+    private static Share share(Material.Share share, Affine toDeclared, Textures textures) {
+        return share instanceof ByPattern by ? new Share(by.channel(), Optional.of(Paint.of(by.pattern(), toDeclared, textures, false))) : EVEN;
+    }
+}
