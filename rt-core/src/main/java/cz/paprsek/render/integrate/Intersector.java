@@ -25,7 +25,7 @@ final class Intersector {
     Intersector(World scene, Spans spans) {
         bodies = scene.bodies();
         parts = scene.parts();
-        glows = scene.glows();
+        glows = scene.glows().forOneWorker();
         finder = bodies.newFinder();
         contacts = new Contacts(scene, finder, spans);
     }

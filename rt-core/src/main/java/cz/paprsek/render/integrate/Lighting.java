@@ -99,7 +99,7 @@ final class Lighting {
         this.parts = scene.parts();
         this.lamps = scene.lamps();
         this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1) || scene.isRough() || isPath;
-        this.glows = scene.glows();
+        this.glows = scene.glows().forOneWorker();
         this.finder = intersector.finder;
         this.contacts = intersector.contacts;
         this.spans = spans;

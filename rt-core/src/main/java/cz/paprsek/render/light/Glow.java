@@ -14,6 +14,7 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Surface;
 import java.util.Optional;
 import java.util.function.IntFunction;
@@ -25,12 +26,15 @@ final class Glow {
     final int lamp;
     final Surface surface;
     private final Part part;
+    /** Of the part. */
+    private final int number;
     private final double red;
     private final double green;
     private final double blue;
 
-    private Glow(int lamp, Light light, double radiance, Surface surface, Part part) {
+    private Glow(int lamp, Light light, double radiance, Surface surface, Part part, int number) {
         this.lamp = lamp;
+        this.number = number;
         this.surface = surface;
         this.part = part;
         double k = Math.min(radiance, Lamp.MOST) * light.intensity();
@@ -64,7 +68,18 @@ final class Glow {
     private static Glow of(int lamp, PlacedLight light, double radiance, Shape shape, Affine toWorld, int number) {
         Single single = new Single(number);
         Surface surface = shape.place(toWorld, single);
-        return new Glow(lamp, light, radiance, surface, single.part());
+        return new Glow(lamp, light, radiance, surface, single.part(), number);
+    }
+
+    /** Makes this light the ray's hit, unless something else is met before, or a later light in the same place. */
+    void nearest(Ray ray, int firstPart) {
+        int before = ray.part;
+        double max = ray.max;
+        boolean isOfLaterLight = before >= firstPart && before > number;
+        // Of hits in one place that of the lowest part counts.
+        ray.part = before < 0 ? before : isOfLaterLight ? 0 : Integer.MAX_VALUE;
+        surface.nearest(ray);
+        ray.part = isOfLaterLight ? ray.max < max ? number : before : ray.part == Integer.MAX_VALUE ? before : ray.part;
     }
 
     /** Says where the surface was hit. */

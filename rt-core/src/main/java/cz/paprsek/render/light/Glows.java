@@ -10,18 +10,24 @@ import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The lights of a scene that are seen: bodies, each of one part, numbered after those of the objects; and suns, behind everything. They are few, and
- * every ray looks at each. Where one lies in one place with an object, it is the light that is met. Immutable.
+ * every ray looks at each, or else there is a tree of them. Where one lies in one place with an object, it is the light that is met; of several the
+ * last in the file. Immutable.
  */
-public final class Glows {
+public class Glows {
     /** In place of the number of a light: there is none. */
     public static final int NONE = -1;
 
-    private final int firstPart;
-    private final Glow[] bodies;
+    /** So many are looked at one by one as fast as in a tree, or faster. */
+    static final int FEW = 16;
+
+    final int firstPart;
+    final Glow[] bodies;
     private final Sun[] suns;
+    private final Optional<GlowTree> tree;
 
     private record Sun(int lamp, Vec3 towards, double cosine, double red, double green, double blue) {}
 
@@ -29,6 +35,19 @@ public final class Glows {
         this.firstPart = firstPart;
         this.bodies = bodies;
         this.suns = suns;
+        this.tree = bodies.length > FEW ? Optional.of(GlowTree.of(bodies)) : Optional.empty();
+    }
+
+    Glows(Glows same) {
+        this.firstPart = same.firstPart;
+        this.bodies = same.bodies;
+        this.suns = same.suns;
+        this.tree = same.tree;
+    }
+
+    /** The same for a single worker, who may have scratch for it. */
+    public Glows forOneWorker() {
+        return tree.<Glows>map(one -> new ManyGlows(this, one)).orElse(this);
     }
 
     /** @param firstPart the number of parts that objects have */
@@ -60,11 +79,7 @@ public final class Glows {
     /** Makes the first light that the ray meets its hit, unless something else is met before. */
     public void nearest(Ray ray) {
         for (Glow glow : bodies) {
-            int before = ray.part;
-            // Of hits in one place that of the lowest part counts: it is to be the light's.
-            ray.part = before < 0 ? before : Integer.MAX_VALUE;
-            glow.surface.nearest(ray);
-            ray.part = ray.part == Integer.MAX_VALUE ? before : ray.part;
+            glow.nearest(ray, firstPart);
         }
     }
 
