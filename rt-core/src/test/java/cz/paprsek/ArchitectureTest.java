@@ -57,7 +57,7 @@ class ArchitectureTest {
             .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "explain", "worked", "words", "drawing", "xml", "pov", "standard", "warning", "format")
             .whereLayer("query").mayNotBeAccessedByAnyLayer()
             .whereLayer("image").mayOnlyBeAccessedByLayers("asset", "render", "drawing", "pov")
-            .whereLayer("asset").mayOnlyBeAccessedByLayers("render")
+            .whereLayer("asset").mayOnlyBeAccessedByLayers("render", "format")
             .whereLayer("explain").mayOnlyBeAccessedByLayers("render", "worked", "drawing")
             .whereLayer("worked").mayOnlyBeAccessedByLayers("drawing")
             .whereLayer("words").mayOnlyBeAccessedByLayers("worked", "drawing")
@@ -65,7 +65,8 @@ class ArchitectureTest {
             .whereLayer("render").mayOnlyBeAccessedByLayers("drawing", "pov")
             .whereLayer("xml").mayNotBeAccessedByAnyLayer()
             .whereLayer("text").mayOnlyBeAccessedByLayers("xml")
-            .whereLayer("pov").mayNotBeAccessedByAnyLayer();
+            .whereLayer("pov").mayNotBeAccessedByAnyLayer()
+            .whereLayer("format").mayOnlyBeAccessedByLayers("render");
 
     @ArchTest
     static final ArchRule MATH_KNOWS_NOTHING = noClasses().that().resideInAPackage("cz.paprsek.math")

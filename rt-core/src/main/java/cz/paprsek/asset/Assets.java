@@ -4,14 +4,17 @@ import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.StoredImage;
 import cz.paprsek.io.PlainText;
 import cz.paprsek.math.Require;
+import java.io.BufferedInputStream;
 import java.io.ByteArrayInputStream;
 import java.io.FileNotFoundException;
 import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HashMap;
@@ -53,6 +56,19 @@ public final class Assets {
          * @throws IOException with a sentence that need not repeat the name, if there is no such file or it cannot be read
          */
         InputStream open(String name) throws IOException;
+    }
+
+    /** Makes something of a file. */
+    @FunctionalInterface
+    public interface Decoder<T> {
+        /**
+         * Reads a file as far as it is needed.
+         *
+         * @param name of the file, in its normal form: that of a file beside it begins with the same folders
+         * @param size how many bytes there are; {@link Long#MAX_VALUE} if nobody knows
+         * @throws IOException with a sentence that need not repeat the name
+         */
+        T decode(String name, InputStream input, long size) throws IOException;
     }
 
     private Assets(Source source, long largest, long largestTogether) {
@@ -118,6 +134,16 @@ public final class Assets {
         return entry(name).picture();
     }
 
+    /**
+     * A file as what a decoder makes of it, which is kept, while its bytes are not: for large ones, of which any has as many bytes as all files
+     * together.
+     *
+     * @param decoder always the very same object for the same kind of thing
+     */
+    public <T> T decoded(String name, Decoder<T> decoder) throws IOException {
+        return entry(name).decoded(Objects.requireNonNull(decoder, "decoder"));
+    }
+
     /** The SHA-256 of a file's content, as 64 hexadecimal digits. */
     public String digest(String name) throws IOException {
         return sha256(entry(name).bytes());
@@ -156,6 +182,21 @@ public final class Assets {
         }
     }
 
+    /** What a decoder makes of a file, and the digest of all its bytes. */
+    private <T> Map.Entry<T, String> decode(String name, Decoder<T> decoder) throws IOException {
+        try (InputStream opened = Objects.requireNonNull(source.open(name), () -> "the source of assets gave null for " + quoted(name))) {
+            long size = opened instanceof Sized file ? file.size : Long.MAX_VALUE;
+            require(size == Long.MAX_VALUE || size <= largestTogether, "is larger than the " + largestTogether + " bytes that such a file may have here");
+            MessageDigest digest = sha256();
+            InputStream input = new DigestInputStream(new Limited(opened, largestTogether), digest);
+            T made = decoder.decode(name, new BufferedInputStream(input, 1 << 16), size);
+            input.transferTo(OutputStream.nullOutputStream());
+            return Map.entry(made, HexFormat.of().formatHex(digest.digest()));
+        } catch (IOException e) {
+            throw named(name, e);
+        }
+    }
+
     private static void require(boolean condition, String sentence) throws IOException {
         if (!condition) {
             throw new IOException(sentence);
@@ -179,8 +220,12 @@ public final class Assets {
     }
 
     private static String sha256(byte[] bytes) {
+        return HexFormat.of().formatHex(sha256().digest(bytes));
+    }
+
+    private static MessageDigest sha256() {
         try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+            return MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every Java has SHA-256", e);
         }
@@ -196,12 +241,43 @@ public final class Assets {
         }
     }
 
+    /** A stream that is refused when it turns out to be too long. */
+    private static final class Limited extends FilterInputStream {
+        private final long most;
+        private long read;
+
+        Limited(InputStream input, long most) {
+            super(input);
+            this.most = most;
+        }
+
+        @Override
+        public int read() throws IOException {
+            int value = super.read();
+            count(value < 0 ? 0 : 1);
+            return value;
+        }
+
+        @Override
+        public int read(byte[] into, int from, int length) throws IOException {
+            int count = super.read(into, from, length);
+            count(Math.max(0, count));
+            return count;
+        }
+
+        private void count(int bytes) throws IOException {
+            read += bytes;
+            require(read <= most, "is larger than the " + most + " bytes that such a file may have here");
+        }
+    }
+
     /** One file, read when it is asked for. What could not be read is tried again the next time. */
     private final class Entry {
         private final String name;
         private byte @Nullable [] bytes;
         private volatile @Nullable String digest;
         private @Nullable StoredImage picture;
+        private final Map<Decoder<?>, Object> decoded = new HashMap<>();
 
         Entry(String name) {
             this.name = name;
@@ -229,6 +305,18 @@ public final class Assets {
                 picture = known;
             }
             return known;
+        }
+
+        @SuppressWarnings("unchecked")
+        synchronized <T> T decoded(Decoder<T> decoder) throws IOException {
+            Object known = decoded.get(decoder);
+            if (known == null) {
+                Map.Entry<T, String> made = decode(name, decoder);
+                known = made.getKey();
+                digest = made.getValue();
+                decoded.put(decoder, known);
+            }
+            return (T) known;
         }
 
         Optional<String> digest() {

@@ -13,7 +13,6 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Shape;
-import cz.paprsek.shape.Solid;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
@@ -76,7 +75,7 @@ final class PovMaterials {
 
     /** What is inside of an object: nothing special, unless light shines through. */
     static String interior(Scene scene, SceneObject object) {
-        boolean isSolid = object.shape() instanceof Solid;
+        boolean isSolid = object.shape().hasInside();
         return PovWarnings.materials(scene, object).stream()
                 .filter(material -> material.transparency() > 0 ? isSolid : material.fresnel() == Fresnel.TRUE)
                 .max(Comparator.comparing(material -> material.transparency() > 0))

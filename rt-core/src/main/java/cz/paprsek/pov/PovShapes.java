@@ -11,6 +11,7 @@ import cz.paprsek.shape.CustomSolid;
 import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Ellipsoid;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
@@ -51,6 +52,9 @@ final class PovShapes {
                     + vector(r.minX(), r.maxY(), 0) + ", " + first;
         } else if (shape instanceof Disc d) {
             return "disc { " + ORIGIN + ", z, " + text(d.radius());
+        }
+        if (shape instanceof Mesh mesh) {
+            return PovMesh.of(mesh);
         }
         if (shape instanceof CustomSolid || shape instanceof CustomShape) {
             throw MadeInCode.refusedBy("a scene for POV-Ray", shape.kind(), "shape");

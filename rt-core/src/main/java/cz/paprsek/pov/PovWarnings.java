@@ -22,7 +22,6 @@ import cz.paprsek.scene.SphereLight;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
-import cz.paprsek.shape.Solid;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
@@ -151,7 +150,7 @@ final class PovWarnings {
     private void checkOverlap() {
         List<Bounds> glass = new ArrayList<>();
         for (SceneObject object : scene.objects()) {
-            if (object.shape() instanceof Solid && !transparent(scene, object).isEmpty()) {
+            if (object.shape().hasInside() && !transparent(scene, object).isEmpty()) {
                 glass.add(bounds(object));
             }
         }
@@ -216,7 +215,7 @@ final class PovWarnings {
         checkMaterials(name, object);
         List<Material> materials = transparent(scene, object);
         List<Double> indices = new ArrayList<>(materials.stream().map(Material::refractiveIndex).distinct().toList());
-        boolean solid = object.shape() instanceof Solid;
+        boolean solid = object.shape().hasInside();
         if (solid && indices.size() > 1) {
             sentences.add(name + " has surfaces of several refractive indices; POV-Ray knows one inside only and is told "
                     + text(indices.get(0)));

@@ -13,8 +13,8 @@ import cz.paprsek.render.show.LayerTracer;
 import cz.paprsek.render.show.ModeTracer;
 import cz.paprsek.render.work.Desk;
 import cz.paprsek.render.work.Workers;
-import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
+import cz.paprsek.scene.RenderSettings;
 import java.io.IOException;
 import java.math.BigInteger;
 import java.util.List;
@@ -49,7 +49,7 @@ final class RenderJob implements Workers.Work {
     private @Nullable Throwable fault;
     private int faultColumn = NOWHERE;
     private int faultRow = NOWHERE;
-    private RenderStats total = RenderStats.NONE;
+    private RenderResult.Stats total = RenderResult.Stats.NONE;
 
     RenderJob(RenderScene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
         this.scene = scene;
@@ -151,8 +151,8 @@ final class RenderJob implements Workers.Work {
         }
     }
 
-    synchronized RenderStats stats(double buildSeconds, double traceSeconds) {
-        return new RenderStats(total.primary(), total.reflected(), total.refracted(), total.shadow(), total.hits(),
+    synchronized RenderResult.Stats stats(double buildSeconds, double traceSeconds) {
+        return new RenderResult.Stats(total.primary(), total.reflected(), total.refracted(), total.shadow(), total.hits(),
                 buildSeconds, traceSeconds);
     }
 
@@ -173,7 +173,7 @@ final class RenderJob implements Workers.Work {
     }
 
     private synchronized void add(Integrator.Work work) {
-        total = new RenderStats(total.primary() + work.primary(), total.reflected() + work.reflected(),
+        total = new RenderResult.Stats(total.primary() + work.primary(), total.reflected() + work.reflected(),
                 total.refracted() + work.refracted(), total.shadow() + work.shadows(), total.hits() + work.hits(), 0, 0);
     }
 

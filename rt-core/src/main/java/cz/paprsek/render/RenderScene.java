@@ -1,6 +1,7 @@
 package cz.paprsek.render;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.format.MeshFiles;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay;
@@ -14,6 +15,8 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -51,16 +54,24 @@ public final class RenderScene {
     }
 
     /**
-     * Prepares a scene with pictures unless the monitor cancels.
+     * Prepares a scene with pictures and meshes unless the monitor cancels.
      *
-     * @param assets where its pictures come from
+     * @param assets where its pictures and meshes come from
      * @throws java.io.UncheckedIOException if one of them cannot be read: with a sentence that says its name
      * @throws CancellationException as {@link #of(Scene, RenderMonitor)}
      * @throws IllegalStateException as there
      */
     public static RenderScene of(Scene scene, Assets assets, RenderMonitor monitor) {
         Textures textures = new Textures(Objects.requireNonNull(assets, "assets"));
-        return prepared(scene, monitor, stop -> new World(scene, textures, stop));
+        return prepared(scene, monitor, stop -> new World(read(scene, assets), textures, stop));
+    }
+
+    private static Scene read(Scene scene, Assets assets) {
+        try {
+            return MeshFiles.read(scene, assets);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e.getMessage(), e);
+        }
     }
 
     private static RenderScene prepared(Scene scene, RenderMonitor monitor, Function<BooleanSupplier, World> how) {
@@ -85,7 +96,7 @@ public final class RenderScene {
      * @throws IllegalStateException as there
      */
     public RenderScene changedTo(Scene changed, RenderMonitor monitor) {
-        return prepared(changed, monitor, stop -> world.changedTo(changed, stop));
+        return prepared(changed, monitor, stop -> world.changedTo(read(changed, world.assets()), stop));
     }
 
     /** The scene this was made of. */

@@ -93,7 +93,7 @@ public final class Renderer implements AutoCloseable {
             Thread.currentThread().interrupt();
         }
         job.throwFailure();
-        RenderStats stats = job.stats(scene.buildSeconds(), (System.nanoTime() - begin) / 1e9);
+        RenderResult.Stats stats = job.stats(scene.buildSeconds(), (System.nanoTime() - begin) / 1e9);
         return new RenderResult(job.image(), job.layers(), stats, job.isComplete() ? Outcome.DONE : Outcome.CANCELLED);
     }
 
@@ -125,7 +125,7 @@ public final class Renderer implements AutoCloseable {
             return render(RenderScene.of(scene, assets, monitor), options, monitor, store);
         } catch (CancellationException cancelled) {
             Image black = new Image(options.region().width(), options.region().height());
-            return new RenderResult(black, Layers.ofSize(black.width(), black.height()), RenderStats.NONE, Outcome.CANCELLED);
+            return new RenderResult(black, Layers.ofSize(black.width(), black.height()), RenderResult.Stats.NONE, Outcome.CANCELLED);
         }
     }
 

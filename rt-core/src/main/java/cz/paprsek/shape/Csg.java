@@ -110,10 +110,25 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
         for (int i = 0; i < placed.length; i++) {
             TreeBuilder.stopIfAsked(i, parts::isCancelled);
             Operand operand = operands.get(i);
+            refuseOpen(operand.solid());
             Affine operandToWorld = toWorld.after(operand.placement().toParent());
             placed[i] = operand.solid().place(operandToWorld, parts.within(operand.material(), operandToWorld));
         }
         return placed.length == 1 ? placed[0] : new Placed(operation, placed, parts::isCancelled);
+    }
+
+    /**
+     * Looks whether a solid can be an operand, which a mesh shows only when its triangles are there.
+     *
+     * @throws IllegalArgumentException if it is a mesh with open edges, saying how many
+     */
+    public void refuseOpen(Solid solid) {
+        Objects.requireNonNull(solid, "solid");
+        if (solid instanceof Mesh mesh && !mesh.hasInside()) {
+            int open = mesh.triangles().openEdges();
+            throw new IllegalArgumentException("the mesh " + (mesh.file().isEmpty() ? "made in code" : '"' + mesh.file() + '"') + " has no inside, so <" + kind()
+                    + "> cannot use it: " + (open == 1 ? "1 of its edges is open" : open + " of its edges are open"));
+        }
     }
 
     private static Operand[] operands(Solid[] solids) {

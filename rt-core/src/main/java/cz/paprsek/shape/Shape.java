@@ -45,6 +45,11 @@ public sealed interface Shape permits Solid, Rectangle, Disc, CustomShape {
         return Face.ONLY;
     }
 
+    /** Whether it encloses space, so that it can be an operand and have a medium inside: of a {@link Mesh} that depends on its triangles. */
+    default boolean hasInside() {
+        return this instanceof Solid;
+    }
+
     /** The box around the shape in its own space; may be unbounded. */
     Bounds bounds();
 

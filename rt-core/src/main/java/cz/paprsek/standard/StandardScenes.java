@@ -16,10 +16,12 @@ import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Ellipsoid;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.mesh.Triangles;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -100,6 +102,34 @@ public final class StandardScenes {
             spheres[i] = Operand.of(new Sphere(1.5 * radius)).at(-2 + (2 * i + 1) * radius, 0, 0);
         }
         return threeLights(empty("chain" + operands, new Vec3(0, 1, 4), Vec3.ZERO).plus(SceneObject.of(Csg.union(spheres)).madeOf(GREY)));
+    }
+
+    /** A ring with waves, of about so many triangles, all of one mesh, over a floor; three lights. */
+    public static Scene mesh(int triangles) {
+        Require.within("triangles", triangles, 100, 50_000_000);
+        int tube = (int) Math.round(Math.sqrt(triangles / 8.0));
+        int around = 4 * tube;
+        Triangles.Builder out = Triangles.builder().expect(around * tube, 2 * around * tube);
+        for (int i = 0; i < around; i++) {
+            double a = 2 * Math.PI * i / around;
+            for (int j = 0; j < tube; j++) {
+                double b = 2 * Math.PI * j / tube;
+                double radius = 0.45 + 0.03 * StrictMath.sin(40 * a) * StrictMath.cos(10 * b) + 0.01 * StrictMath.sin(190 * a + 40 * b);
+                double rho = 1.2 + radius * StrictMath.cos(b);
+                out.vertex(rho * StrictMath.cos(a), 0.6 + radius * StrictMath.sin(b), rho * StrictMath.sin(a));
+            }
+        }
+        for (int i = 0; i < around; i++) {
+            int here = i * tube;
+            int there = (i + 1) % around * tube;
+            for (int j = 0; j < tube; j++) {
+                int next = (j + 1) % tube;
+                out.triangle(here + j, here + next, there + next);
+                out.triangle(here + j, there + next, there + j);
+            }
+        }
+        return threeLights(empty("mesh" + triangles, new Vec3(0, 2.4, 3.6), new Vec3(0, 0.4, 0)).withObjects(List.of(floor(6, 0.15),
+                SceneObject.of(Mesh.of(out.build())).madeOf(mirror(new Rgb(200, 170, 120), 0.2)))));
     }
 
     private static Scene empty(String name, Vec3 eye, Vec3 target) {

@@ -43,7 +43,7 @@ class BallsTest {
         RenderScene ready = RenderScene.of(scene);
         RenderOptions shallow = RenderOptions.of(scene.settings().withMaxDepth(1));
         assertThat(Renderer.render(ready, shallow, RenderMonitor.NONE).stats().hits()).as("eye rays that hit").isEqualTo(263_169);
-        RenderStats stats = Renderer.render(ready, RenderOptions.of(scene), RenderMonitor.NONE).stats();
+        RenderResult.Stats stats = Renderer.render(ready, RenderOptions.of(scene), RenderMonitor.NONE).stats();
         assertThat(stats.reflected()).as("reflected rays").isCloseTo(175_095, withinPercentage(1));
         assertThat(stats.refracted()).as("refracted rays").isZero();
         assertThat(stats.shadow()).as("shadow rays").isCloseTo(954_368, withinPercentage(1));

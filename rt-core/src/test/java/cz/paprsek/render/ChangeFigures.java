@@ -90,7 +90,7 @@ class ChangeFigures {
             long begin = machine.getProcessCpuTime();
             long rays = 0;
             for (int k = 0; k < 4; k++) {
-                RenderStats stats = Renderer.render(scene, options, RenderMonitor.NONE).stats();
+                RenderResult.Stats stats = Renderer.render(scene, options, RenderMonitor.NONE).stats();
                 rays += stats.primary() + stats.reflected() + stats.refracted() + stats.shadow();
             }
             least = Math.min(least, (machine.getProcessCpuTime() - begin) / (double) rays);

@@ -16,8 +16,8 @@ import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Light;
-import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SphereLight;
@@ -301,7 +301,7 @@ class RendererTest {
 
     @Test
     void statisticsCountEveryRay() {
-        RenderStats stats = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(SCENE), RenderMonitor.NONE).stats();
+        RenderResult.Stats stats = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(SCENE), RenderMonitor.NONE).stats();
         assertThat(stats.primary()).isEqualTo(101 * 67);
         assertThat(stats.hits()).isBetween(1L, stats.primary() + stats.reflected() + stats.refracted());
         assertThat(stats.rays()).isEqualTo(stats.primary() + stats.reflected() + stats.refracted() + stats.shadow());

@@ -1,6 +1,7 @@
 package cz.paprsek.shape;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.mesh.Meshes;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -17,6 +18,7 @@ public final class Examples {
             Map.entry(Cylinder.class, new Cylinder(0.7, 1.5)),
             Map.entry(Cone.class, new Cone(1.1, 0.3, 1.4)),
             Map.entry(Torus.class, new Torus(1, 0.35)),
+            Map.entry(Mesh.class, Mesh.of("cube.stl").read(new Mesh.Whole("cube.stl", Meshes.cube(0.9), Map.of()))),
             Map.entry(Rectangle.class, new Rectangle(-1, -0.5, 1.2, 0.9)),
             Map.entry(Disc.class, new Disc(1.1)),
             Map.entry(Csg.class, Csg.difference(
@@ -50,6 +52,8 @@ public final class Examples {
             return largest(rho - c.radius() - (c.topRadius() - c.radius()) * p.y() / c.height(), -p.y(), p.y() - c.height());
         } else if (solid instanceof Torus t) {
             return Math.hypot(rho - t.majorRadius(), p.y()) - t.minorRadius();
+        } else if (solid instanceof Mesh) {
+            return largest(Math.abs(p.x()), Math.abs(p.y()), Math.abs(p.z())) - 0.9;
         }
         Csg csg = (Csg) solid;
         double value = insideOperand(csg.operands().get(0), p);

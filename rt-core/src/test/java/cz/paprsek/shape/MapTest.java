@@ -177,7 +177,7 @@ class MapTest {
     }
 
     private static boolean isRound(Shape shape) {
-        return shape instanceof Sphere || shape instanceof Ellipsoid || shape instanceof Cylinder || shape instanceof Cone || shape instanceof Torus;
+        return shape instanceof Sphere || shape instanceof Mesh || shape instanceof Ellipsoid || shape instanceof Cylinder || shape instanceof Cone || shape instanceof Torus;
     }
 
     /** There u and v may change as fast as they like. */

@@ -24,6 +24,7 @@ final class BenchScenes implements Iterable<String> {
         scenes.put("flake5", () -> StandardScenes.flake(5));
         scenes.put("cloud100k", () -> StandardScenes.cloud(100_000));
         scenes.put("cloud1M", () -> StandardScenes.cloud(1_000_000));
+        scenes.put("mesh1M", () -> StandardScenes.mesh(1_000_000));
         scenes.put("csg1000", () -> StandardScenes.carved(1000));
         scenes.put("csgn1000", () -> StandardScenes.pierced(1000));
         return Collections.unmodifiableMap(scenes);

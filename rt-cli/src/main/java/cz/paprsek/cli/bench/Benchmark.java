@@ -3,8 +3,8 @@ package cz.paprsek.cli.bench;
 import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.RenderScene;
-import cz.paprsek.render.RenderStats;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
@@ -38,7 +38,7 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
      * @param least the least ratio of a single round
      * @param most the greatest
      */
-    record Result(String name, int objects, RenderStats rays, long bytes, double build, double trace, double cpu, double opponentCpu,
+    record Result(String name, int objects, RenderResult.Stats rays, long bytes, double build, double trace, double cpu, double opponentCpu,
             double least, double most) {
         double raysPerSecond() {
             return rays.rays() / Math.max(trace, 1e-9);
@@ -71,7 +71,7 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
         double[] trace = new double[rounds];
         double[] cpu = new double[rounds];
         double[] theirs = new double[rounds];
-        RenderStats rays = RenderStats.NONE;
+        RenderResult.Stats rays = RenderResult.Stats.NONE;
         for (int i = -WARM_UP; i < rounds; i++) {
             CpuTime time = new CpuTime(stop);
             rays = Renderer.render(ready, options, time).stats();

@@ -1,5 +1,7 @@
 package cz.paprsek.cli.input;
 
+import cz.paprsek.asset.Assets;
+import cz.paprsek.format.MeshFiles;
 import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.OriginalText;
@@ -7,28 +9,41 @@ import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
 /**
  * What a file has in it: scenes, or problems.
  *
- * @param scenes one, or those of a database; empty if there are problems
+ * @param scenes one, or those of a database, with the triangles of their meshes; empty if the file is no scene
  * @param problems empty if the file is valid
- * @param text empty if there are problems
+ * @param text empty if the file is no scene
  */
 public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems, Optional<OriginalText> text) {
 
     public static SceneReading of(Path file) {
         try {
             OriginalText text = Incoming.text(file);
-            return new SceneReading(file, text.contents().scenes(), List.of(), Optional.of(text));
+            return withMeshes(file, text, Incoming.isOnce(file) ? Assets.none() : Assets.beside(file));
         } catch (SceneFileException e) {
             return refused(file, e.problems());
         } catch (IOException e) {
             String sentence = Failures.sentence(file.toString(), e);
             return refused(file, List.of(new Problem(file.toString(), 0, 0, sentence.substring(file.toString().length() + 2))));
         }
+    }
+
+    /** With the triangles of meshes; one that is not to be had is a problem at the attribute that names its file. */
+    private static SceneReading withMeshes(Path file, OriginalText text, Assets assets) {
+        List<Problem> problems = new ArrayList<>();
+        List<Scene> scenes = new ArrayList<>();
+        for (Scene scene : text.contents().scenes()) {
+            int number = scenes.size();
+            scenes.add(MeshFiles.read(scene, assets, (place, problem) ->
+                    problems.add(text.pointer().at(number, Optional.of(place), "file", String.valueOf(problem.getMessage())))));
+        }
+        return new SceneReading(file, scenes, problems, Optional.of(text));
     }
 
     private static SceneReading refused(Path file, List<Problem> problems) {

@@ -3,7 +3,7 @@ package cz.paprsek.cli.output;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.io.Json;
-import cz.paprsek.render.RenderStats;
+import cz.paprsek.render.RenderResult;
 import java.util.List;
 import java.util.Locale;
 
@@ -14,7 +14,7 @@ public interface Report {
      *
      * @param totalSeconds reading, rendering and writing
      */
-    void done(Target target, String scene, int width, int height, RenderStats stats, double totalSeconds);
+    void done(Target target, String scene, int width, int height, RenderResult.Stats stats, double totalSeconds);
 
     /** A scene has no picture; the user has been told why. */
     void failed(Target target, Outcome outcome, List<String> problems);
@@ -45,7 +45,7 @@ public interface Report {
     /** A line for each picture. */
     record AsText(Terminal terminal, boolean quiet) implements Report {
         @Override
-        public void done(Target target, String scene, int width, int height, RenderStats stats, double totalSeconds) {
+        public void done(Target target, String scene, int width, int height, RenderResult.Stats stats, double totalSeconds) {
             String line = String.format(Locale.ROOT, "%s -> %s  %dx%d  %.2f s  %.1f Mray/s", target.source().label(), target.shown(), width, height,
                     totalSeconds, stats.rays() / 1e6 / Math.max(stats.traceSeconds(), 1e-9));
             if (!quiet && target.file().isPresent()) {
@@ -62,7 +62,7 @@ public interface Report {
     /** An object for each scene, one a line. */
     record AsJson(Terminal terminal) implements Report {
         @Override
-        public void done(Target target, String scene, int width, int height, RenderStats stats, double totalSeconds) {
+        public void done(Target target, String scene, int width, int height, RenderResult.Stats stats, double totalSeconds) {
             terminal.result(begin(target, Outcome.DONE)
                     .with("scene", scene)
                     .with("format", target.format().extension())

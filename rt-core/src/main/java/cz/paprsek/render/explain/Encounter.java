@@ -71,10 +71,25 @@ public record Encounter(
     }
 
     /**
+     * Where in a triangle of a mesh.
+     *
+     * @param number of the triangle, from 0, in the order of the file
+     * @param part the name of the file's part that it belongs to; empty if that has none
+     * @param shares how much of each of its three corners is in the point, 0–1, together 1
+     */
+    public record Triangle(int number, String part, Vec3 shares) {
+        public Triangle {
+            Objects.requireNonNull(part, "part");
+            Objects.requireNonNull(shares, "shares");
+        }
+    }
+
+    /**
      * Where a ray has hit a surface.
      *
      * @param surface whose: an object's, or within an operation that of a primitive
      * @param face which of its faces
+     * @param triangle which triangle of a mesh; empty for what is not made of triangles
      * @param flipped whether a difference turned the surface inside out: it is the wall of a hole
      * @param fromInside whether the ray comes from inside the body, or on the −z side of a flat figure
      * @param distance from the ray's origin
@@ -89,6 +104,7 @@ public record Encounter(
     public record Place(
             InScene<BodyAt> surface,
             Shape.Face face,
+            Optional<Triangle> triangle,
             boolean flipped,
             boolean fromInside,
             double distance,
@@ -102,6 +118,7 @@ public record Encounter(
         public Place {
             Objects.requireNonNull(surface, "surface");
             Objects.requireNonNull(face, "face");
+            Objects.requireNonNull(triangle, "triangle");
             Objects.requireNonNull(point, "point");
             Objects.requireNonNull(normal, "normal");
             Objects.requireNonNull(towardsViewer, "towardsViewer");

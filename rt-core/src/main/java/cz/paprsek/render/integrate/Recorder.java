@@ -27,6 +27,7 @@ import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Ray;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -38,7 +39,6 @@ import java.util.Optional;
 
 /** The tracer that renders pictures, writing down what it does as a tree of rays. */
 public final class Recorder extends Whitted {
-    private final World scene;
     private final int maxDepth;
     private final LinearRgb ambient;
     private final ShadowWalk shadowWalk;
@@ -56,7 +56,6 @@ public final class Recorder extends Whitted {
 
     public Recorder(World scene, int maxDepth, Sampling sampling) {
         super(scene, maxDepth, sampling);
-        this.scene = scene;
         this.maxDepth = maxDepth;
         this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());
         this.shadowWalk = new ShadowWalk(scene, this::surface);
@@ -96,7 +95,10 @@ public final class Recorder extends Whitted {
         InScene<BodyAt> surface = surface(ray.part);
         boolean flipped = ray.face < 0;
         Vec3 outwards = new Vec3(hit.nx, hit.ny, hit.nz);
-        Encounter.Place place = new Encounter.Place(surface, face(surface, scene.parts().part(ray.part).ownFace(flipped ? ~ray.face : ray.face)), flipped, level.leaving,
+        Part part = scene.parts().part(ray.part);
+        int own = flipped ? ~ray.face : ray.face;
+        Encounter.Place place = new Encounter.Place(surface, face(surface, part.ownFace(own)),
+                part.corners(own, hit).map(at -> new Encounter.Triangle(at.triangle(), at.part(), at.shares())), flipped, level.leaving,
                 ray.max, new Vec3(hit.px, hit.py, hit.pz), level.leaving ? outwards.negated() : outwards, new Vec3(hit.sx, hit.sy, hit.sz),
                 hit.u, hit.v, level.cosine, new Vec3(level.mirrorX, level.mirrorY, level.mirrorZ));
         open.push(new Draft(begin(level), place, scene.parts().finish(ray.part).material,

@@ -1,7 +1,6 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.scene.SceneObject;
-import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.TreeBuilder;
 import java.util.function.BooleanSupplier;
@@ -50,7 +49,7 @@ final class PlacedObjects {
                     int place = placing.size;
                     surfaces[i] = placing.place(from + i, object, firsts[i]);
                     opaque[i] = placing.isOpaque(place);
-                    solid[i] = object.shape() instanceof Solid;
+                    solid[i] = object.shape().hasInside();
                     absorbing[i] = solid[i] ? placing.absorbing(place) : null;
                     absorb |= absorbing[i] != null;
                 }

@@ -9,9 +9,9 @@ import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
-import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Surface;
@@ -81,7 +81,7 @@ final class Placing {
     Surface place(int number, SceneObject object, int first) {
         next = first;
         Affine toWorld = object.placement().toParent();
-        return object.shape().place(toWorld, new Scope(number, own(object.material(), toWorld, standard)));
+        return object.shape().place(toWorld, new Scope(number, own(object.material(), toWorld, standard), object.material() != Inherited.INHERITED));
     }
 
     /** Whether no light gets through any part from the {@code from}-th that was registered on. */
@@ -96,7 +96,7 @@ final class Placing {
 
     /** Whether light gets through a solid, or through a part of it. */
     boolean isMedium(SceneObject object) {
-        return object.shape() instanceof Solid && letsLightThrough(object.material(), object.shape());
+        return object.shape().hasInside() && letsLightThrough(object.material(), object.shape());
     }
 
     private boolean letsLightThrough(MaterialSource material, Shape shape) {
@@ -108,7 +108,10 @@ final class Placing {
             }
             return false;
         }
-        return material != Inherited.INHERITED && material(material).transparency() > 0;
+        if (material == Inherited.INHERITED) {
+            return shape instanceof Mesh mesh && mesh.materials().stream().anyMatch(own -> own.transparency() > 0);
+        }
+        return material(material).transparency() > 0;
     }
 
     /** What the inside takes of the parts from the {@code from}-th that was registered on: one body has one, that of its first part which light gets through. */
@@ -178,10 +181,12 @@ final class Placing {
     private final class Scope implements Parts {
         private final int object;
         private final Finish finish;
+        private final boolean given;
 
-        Scope(int object, Finish finish) {
+        Scope(int object, Finish finish, boolean given) {
             this.object = object;
             this.finish = finish;
+            this.given = given;
         }
 
         @Override
@@ -199,7 +204,12 @@ final class Placing {
 
         @Override
         public Parts within(MaterialSource material, Affine toWorld) {
-            return new Scope(object, own(material, toWorld, finish));
+            return new Scope(object, own(material, toWorld, finish), given || material != Inherited.INHERITED);
+        }
+
+        @Override
+        public Parts unlessGiven(Material material, Affine toWorld) {
+            return given ? this : new Scope(object, own(material, toWorld, finish), true);
         }
 
         @Override

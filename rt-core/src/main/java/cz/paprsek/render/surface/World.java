@@ -1,5 +1,6 @@
 package cz.paprsek.render.surface;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.light.Lamp;
@@ -50,6 +51,11 @@ public final class World {
     /** The scene this was made of. */
     public Scene scene() {
         return scene;
+    }
+
+    /** Where its pictures and meshes come from. */
+    public Assets assets() {
+        return placed.textures.assets();
     }
 
     public PartTable parts() {

@@ -193,6 +193,24 @@ final class Edges {
         return count;
     }
 
+    /** What is done with an edge: two sides of triangles that are on it, the second −1 if it has not just two. */
+    @FunctionalInterface
+    interface Visitor {
+        void visit(int side, int other);
+    }
+
+    /** Visits every edge once. */
+    void each(Visitor visitor) {
+        for (int p = 0; p + 1 < start.length; p++) {
+            int i = start[p];
+            while (i < start[p + 1]) {
+                int end = end(i, start[p + 1]);
+                visitor.visit(side(i), end - i == 2 ? side(i + 1) : NONE);
+                i = end;
+            }
+        }
+    }
+
     private int side(int i) {
         return passage[i] < 0 ? ~passage[i] : passage[i];
     }

@@ -4,6 +4,9 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Volume;
+import java.lang.ref.SoftReference;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -11,6 +14,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.BooleanSupplier;
+import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -34,6 +39,10 @@ public final class Triangles {
     private final Bounds bounds;
     /** What is known of its edges; looked for when it is first asked for, and always the same. */
     private volatile @Nullable Shells shells;
+    /** Made when the mesh is first placed. */
+    private @Nullable Facets facets;
+    /** Made when it is first drawn, and kept while there is memory. */
+    private SoftReference<Sketch> sketch = new SoftReference<>(null);
 
     /** Takes over arrays that nobody else knows. */
     Triangles(double[] places, int[] corners, float[] normals, float[] map, List<String> partNames, int[] partNumbers) {
@@ -209,6 +218,15 @@ public final class Triangles {
         return known.isOriented() ? this : turned(known.turned()).knowing(new Shells(known.openEdges(), new BitSet()));
     }
 
+    /**
+     * The same with normals made anew, so that it looks smooth but for edges at which triangles are bent by more than an angle.
+     *
+     * @param angleDegrees 0–180
+     */
+    public Triangles smoothed(double angleDegrees) {
+        return Smoothing.of(this, Require.within("smooth-angle", angleDegrees, 0, 180)).knowing(shells);
+    }
+
     /** Only the triangles of one part, with all vertices they need. */
     public Triangles onlyPart(int part) {
         Objects.checkIndex(part, partNames.size());
@@ -252,6 +270,45 @@ public final class Triangles {
             round[3 * t + 2] = corners[3 * t + 1];
         }
         return new Triangles(places, round, normals, map, partNames, partNumbers);
+    }
+
+    /** The lines that draw it as seen along a direction: its rim, its sharp edges, and those between what looks here and what looks away. Not all, if there are too many to be seen apart. */
+    public List<List<Vec3>> outline(Vec3 along) {
+        Objects.requireNonNull(along, "along");
+        return sketch().lines(along);
+    }
+
+    /**
+     * Made ready for rays, as {@code cz.paprsek.shape.Mesh} asks: the triangles go into a tree once, wherever they are placed.
+     *
+     * @param parts where its parts are registered, in their order
+     */
+    public Volume place(Affine toWorld, IntFunction<Parts> parts) {
+        Facets known = facets(parts.apply(0)::isCancelled);
+        Affine toLocal = toWorld.inverse();
+        MeshPart[] placed = new MeshPart[partNames.size()];
+        for (int i = 0; i < placed.length; i++) {
+            placed[i] = parts.apply(i).add(number -> new MeshPart(number, this, toLocal));
+        }
+        return new PlacedMesh(this, known, toWorld, placed);
+    }
+
+    private synchronized Sketch sketch() {
+        Sketch known = sketch.get();
+        if (known == null) {
+            known = new Sketch(this);
+            sketch = new SoftReference<>(known);
+        }
+        return known;
+    }
+
+    private synchronized Facets facets(BooleanSupplier stop) {
+        Facets known = facets;
+        if (known == null) {
+            known = new Facets(this, stop);
+            facets = known;
+        }
+        return known;
     }
 
     private Shells shells() {

@@ -1,6 +1,8 @@
 package cz.paprsek.shape.placed;
 
+import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
+import java.util.Optional;
 
 /** One primitive as placed in the world, alone or within a CSG body: what a boundary belongs to. */
 public interface Part {
@@ -15,6 +17,20 @@ public interface Part {
     default int ownFace(int face) {
         return face;
     }
+
+    /** The triangle that a face is, of a hit whose point is set; empty for what is not made of triangles. */
+    default Optional<Corners> corners(int face, Hit hit) {
+        return Optional.empty();
+    }
+
+    /**
+     * Where in a triangle of a mesh a point lies.
+     *
+     * @param triangle its number, from 0
+     * @param part the name of the mesh's part that it belongs to; empty if that has none
+     * @param shares how much of each of its corners is in the point, together 1
+     */
+    record Corners(int triangle, String part, Vec3 shares) {}
 
     /**
      * Writes u, v and the tangent of a hit whose point is set: only where somebody asks for it, for that takes long.

@@ -1,5 +1,6 @@
 package cz.paprsek.shape.placed;
 
+import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
 import java.util.function.IntFunction;
@@ -24,6 +25,11 @@ public interface Parts {
 
     /** Where the parts of an operand of the given material are to be registered. */
     Parts within(MaterialSource material, Affine toWorld);
+
+    /** Where the parts are to be registered that have a material of their own unless the scene has given one. */
+    default Parts unlessGiven(Material material, Affine toWorld) {
+        return this;
+    }
 
     /** Whether to give up; asked while many operands are placed. */
     default boolean isCancelled() {

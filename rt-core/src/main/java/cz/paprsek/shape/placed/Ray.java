@@ -3,6 +3,7 @@ package cz.paprsek.shape.placed;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.ray.Line;
+import cz.paprsek.tree.Search;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -60,6 +61,8 @@ public final class Ray {
     /** The operands, of all operations being evaluated, that the ray meets. */
     public final IntStack met = new IntStack();
     Operands.@Nullable Finder finder;
+    /** Scratch of a surface that looks through a tree of its own. */
+    public @Nullable Search<Ray> search;
     public final double[] breaks = new double[3];
     public final Spans spans;
 

@@ -6,6 +6,7 @@ import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Ellipsoid;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
@@ -117,6 +118,19 @@ final class ShapeBeans {
         @Override
         Shape toShape(Problems problems) {
             return new Cone(radius, topRadius, height);
+        }
+    }
+
+    @XmlRootElement(name = "mesh")
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class MeshBean extends ShapeBean {
+        @XmlAttribute(required = true) String file = "";
+        @XmlAttribute String part = "";
+        @XmlAttribute(name = "smooth-angle") double smoothAngle;
+
+        @Override
+        Shape toShape(Problems problems) {
+            return new Mesh(file, part, smoothAngle, Mesh.Content.UNREAD);
         }
     }
 

@@ -3,6 +3,7 @@ package cz.paprsek.xml.quick;
 import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
@@ -41,7 +42,7 @@ record ShapeForm(Name name, TagForm tag, boolean isSolid, boolean isOperation, M
         }
         RecordForm<? extends Record> shape = new RecordForm<>(type);
         return Stream.of(of(ElementTable.name(type), shape.slots(), Solid.class.isAssignableFrom(type), false,
-                (values, operands) -> (Shape) shape.make(values, MEASURES_AT)));
+                (values, operands) -> (Shape) shape.make(values, MEASURES_AT, Mesh.Content.UNREAD)));
     }
 
     private static ShapeForm of(String name, List<Slot> measures, boolean isSolid, boolean isOperation, Maker maker) {

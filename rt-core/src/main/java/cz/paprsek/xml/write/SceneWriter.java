@@ -25,6 +25,7 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.CustomShape;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.text.MadeInCode;
 import cz.paprsek.xml.format.SceneFormat;
@@ -224,7 +225,7 @@ public final class SceneWriter {
     }
 
     private void body(String name, Shape shape, Placement placement, MaterialSource material) {
-        if (shape instanceof CustomShape) {
+        if (shape instanceof CustomShape || (shape instanceof Mesh mesh && mesh.file().isEmpty())) {
             throw MadeInCode.refusedBy(HERE, shape.kind(), "shape");
         }
         String element = shape.kind();

@@ -79,6 +79,20 @@ public final class Meshes {
         return out.build();
     }
 
+    /** All but one of the triangles. */
+    public static Triangles without(Triangles mesh, int triangle) {
+        Triangles.Builder out = Triangles.builder();
+        for (int v = 0; v < mesh.vertexCount(); v++) {
+            out.vertex(mesh.x(v), mesh.y(v), mesh.z(v));
+        }
+        for (int t = 0; t < mesh.count(); t++) {
+            if (t != triangle) {
+                out.triangle(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+            }
+        }
+        return out.build();
+    }
+
     /** Both together; the second moved, and turned inside out if asked. */
     public static Triangles both(Triangles one, Triangles other, double moveX, boolean insideOut) {
         Triangles.Builder out = Triangles.builder();

@@ -20,6 +20,7 @@ import cz.paprsek.scene.SphereLight;
 import cz.paprsek.scene.SpotLight;
 import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Cone;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
@@ -155,6 +156,7 @@ class SchemaTest {
                     : component == Camera.Aim.class ? new Camera.Direction(Vec3.X)
                     : component == Material.Shares.class ? Material.Shares.EVEN
                     : component == Material.Relief.class ? Material.Relief.FLAT
+                    : component == Mesh.Content.class ? Mesh.Content.UNREAD
                     : component == Lens.class ? Lens.Perspective.DEFAULT
                     : Rgb.WHITE;
         }

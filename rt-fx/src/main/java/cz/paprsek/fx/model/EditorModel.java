@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.format.MeshFiles;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import java.util.LinkedHashSet;
@@ -118,7 +119,7 @@ public final class EditorModel {
     public void editState(Label label, UnaryOperator<EditorState> change) {
         commitGesture();
         EditorState before = state();
-        EditorState after = change.apply(before);
+        EditorState after = withMeshes(change.apply(before));
         boolean isStep = isStep(before, after);
         if (isStep) {
             history.did(label, before, after);
@@ -177,9 +178,10 @@ public final class EditorModel {
     public void open(Scene fresh) {
         commitGesture();
         history.clear();
-        saved = fresh;
+        EditorState read = withMeshes(EditorState.of(fresh));
+        saved = read.scene();
         openings.set(openings.get() + 1);
-        show(EditorState.of(fresh));
+        show(read);
     }
 
     /** Takes another scene which counts as unsaved, such as one recovered; the history is forgotten. */
@@ -199,6 +201,12 @@ public final class EditorModel {
     public void saved(Scene value) {
         saved = value;
         show(state());
+    }
+
+    /** With the triangles of meshes, where their files can be read; else the picture says what is wrong with them. */
+    private EditorState withMeshes(EditorState next) {
+        Scene read = MeshFiles.read(next.scene(), assets, (place, problem) -> {});
+        return next.withScene(read);
     }
 
     boolean isOpen(Gesture candidate) {

@@ -78,6 +78,12 @@ public final class TreeJson {
     }
 
     private static Json of(Encounter.Place place) {
+        Json json = surface(place);
+        place.triangle().ifPresent(triangle -> json.with("triangle", new Json().with("number", triangle.number()).with("part", triangle.part()).with("shares", triangle.shares())));
+        return json;
+    }
+
+    private static Json surface(Encounter.Place place) {
         return new Json()
                 .with("surface", of(place.surface()))
                 .with("face", place.face().text())

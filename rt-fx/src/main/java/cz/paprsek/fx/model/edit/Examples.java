@@ -22,7 +22,12 @@ public final class Examples {
 
     /** One of each kind, of about the given size. */
     public static List<Shape> ofSize(double size) {
-        return ElementTable.of(Shape.class).filter(type -> type != Csg.class).map(type -> make(type, size)).toList();
+        return ElementTable.of(Shape.class).filter(type -> type != Csg.class && !needsFile(type)).map(type -> make(type, size)).toList();
+    }
+
+    /** What a file holds nobody can make up. */
+    private static boolean needsFile(Class<? extends Record> type) {
+        return Described.of(type).stream().anyMatch(one -> one.says().value() == Kind.FILE && one.isRequired());
     }
 
     private static Shape make(Class<? extends Record> type, double size) {

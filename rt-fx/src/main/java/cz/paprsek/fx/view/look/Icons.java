@@ -22,6 +22,7 @@ public final class Icons {
             Map.entry("cylinder", "mdi2c-cylinder"),
             Map.entry("cone", "mdi2c-cone"),
             Map.entry("torus", "mdi2c-circle-double"),
+            Map.entry("mesh", "mdi2v-vector-triangle"),
             Map.entry("rectangle", "mdi2r-rectangle-outline"),
             Map.entry("disc", "mdi2c-circle-outline"),
             Map.entry("union", "mdi2v-vector-union"),

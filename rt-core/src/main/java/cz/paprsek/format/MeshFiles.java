@@ -1,0 +1,152 @@
+package cz.paprsek.format;
+
+import cz.paprsek.asset.Assets;
+import cz.paprsek.format.model.Model;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Mesh;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Solid;
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.BiConsumer;
+
+/** Reads the files of a scene's meshes. */
+public final class MeshFiles {
+    private MeshFiles() {}
+
+    /**
+     * The same scene with the triangles of its meshes, as far as they can be read; itself if there is nothing to read.
+     *
+     * @param assets where files come from; each is read once
+     * @param problems told of every mesh that cannot be read, or has open edges and is an operand all the same: where it is, and why in one sentence
+     */
+    public static Scene read(Scene scene, Assets assets, BiConsumer<BodyAt, IOException> problems) {
+        Objects.requireNonNull(assets, "assets");
+        Objects.requireNonNull(problems, "problems");
+        List<SceneObject> objects = null;
+        for (int i = 0; i < scene.objects().size(); i++) {
+            SceneObject object = scene.objects().get(i);
+            Shape shape = object.shape();
+            if (shape instanceof Mesh || shape instanceof Csg) {
+                Shape read = read(shape, ScenePath.body(i), assets, problems);
+                if (read != shape) {
+                    objects = objects == null ? new ArrayList<>(scene.objects()) : objects;
+                    objects.set(i, new SceneObject(object.name(), read, object.placement(), object.material()));
+                }
+            }
+        }
+        return objects == null ? scene : scene.withObjects(objects);
+    }
+
+    /**
+     * As {@link #read(Scene, Assets, BiConsumer)}, or not at all.
+     *
+     * @throws IOException if there is any problem: the first
+     */
+    public static Scene read(Scene scene, Assets assets) throws IOException {
+        List<IOException> found = new ArrayList<>();
+        Scene read = read(scene, assets, (place, problem) -> found.add(problem));
+        if (!found.isEmpty()) {
+            throw found.get(0);
+        }
+        return read;
+    }
+
+    private static Shape read(Shape shape, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
+        if (shape instanceof Mesh mesh) {
+            return read(mesh, at, assets, problems);
+        }
+        return shape instanceof Csg csg ? read(csg, at, assets, problems) : shape;
+    }
+
+    private static Mesh read(Mesh mesh, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
+        if (mesh.isRead()) {
+            return mesh;
+        }
+        try {
+            Mesh read = mesh.read(whole(mesh.file(), assets));
+            read.triangles();
+            return read;
+        } catch (IllegalArgumentException refused) {
+            problems.accept(at, new IOException(refused.getMessage(), refused));
+        } catch (IOException e) {
+            problems.accept(at, e);
+        }
+        return mesh;
+    }
+
+    private static Csg read(Csg csg, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
+        List<Operand> operands = new ArrayList<>();
+        boolean same = true;
+        for (int i = 0; i < csg.operands().size(); i++) {
+            Operand operand = csg.operands().get(i);
+            Solid read = (Solid) read(operand.solid(), at.child(i), assets, problems);
+            try {
+                csg.refuseOpen(read);
+            } catch (IllegalArgumentException open) {
+                problems.accept(at.child(i), new IOException(open.getMessage(), open));
+            }
+            same &= read == operand.solid();
+            operands.add(new Operand(operand.name(), read, operand.placement(), operand.material()));
+        }
+        return same ? csg : new Csg(csg.operation(), operands);
+    }
+
+    /**
+     * What is in a file.
+     *
+     * @throws IOException with a sentence that begins with the name, if it cannot be read
+     */
+    public static Mesh.Whole whole(String file, Assets assets) throws IOException {
+        Model model = assets.decoded(file, new Decoder(assets));
+        Map<String, Material> materials = new HashMap<>();
+        model.materialOf().forEach((part, name) -> {
+            Material material = model.materials().get(name);
+            if (material != null) {
+                materials.put(part, beside(file, material, model));
+            }
+        });
+        return new Mesh.Whole(file, model.triangles(), materials);
+    }
+
+    /** A material whose picture is found from the scene's folder; what lies within the file itself is none of the scene's. */
+    private static Material beside(String file, Material material, Model model) {
+        if (!(material.pattern() instanceof Pattern.Picture picture)) {
+            return material;
+        }
+        return material.withPattern(model.pictures().containsKey(picture.file()) ? new Pattern.Plain(Rgb.WHITE)
+                : new Pattern.Picture(folder(file) + picture.file(), picture.filter(), picture.mapping(), picture.lay()));
+    }
+
+    private static String folder(String file) {
+        return file.substring(0, file.lastIndexOf('/') + 1);
+    }
+
+    /** Those for the same assets are equal. */
+    private record Decoder(Assets assets) implements Assets.Decoder<Model> {
+        @Override
+        public Model decode(String name, InputStream input, long size) throws IOException {
+            InputStream again = new BufferedInputStream(input, ForeignFormat.HEAD);
+            again.mark(ForeignFormat.HEAD);
+            byte[] head = again.readNBytes(ForeignFormat.HEAD);
+            again.reset();
+            ForeignFormat format = ForeignFormat.of(name, head).filter(ForeignFormat::isMesh)
+                    .orElseThrow(() -> new IOException("this is none of the files that hold meshes: STL, OBJ, PLY, glTF"));
+            return ForeignFiles.model(format, again, size, other -> assets.bytes(folder(name) + Objects.requireNonNull(other, "other")));
+        }
+    }
+}

@@ -1,0 +1,217 @@
+package cz.paprsek.shape;
+
+import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.Kind;
+import cz.paprsek.material.Material;
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.mesh.Triangles;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Volume;
+import java.lang.ref.WeakReference;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Triangles, from a file of another program or made in code. A solid if they are closed; else a surface, seen from both sides, that takes no part in
+ * CSG. A file's triangles are not there before somebody has {@linkplain #read read} them: renderer and editor do, from the scene's assets.
+ *
+ * @param file where they come from, relative to the scene's folder; empty if they were made in code
+ * @param part of the file's parts only the one of this name; empty for all
+ * @param smoothAngle neighbours bent by no more than this many degrees look smooth; 0 for the normals that come with the triangles, or flat ones
+ * @param content the triangles
+ */
+@Element("Triangles from a file beside the scene's: a solid if they are closed, else a surface without an inside.")
+public record Mesh(
+        @Attribute(value = Kind.FILE, means = "STL, OBJ, PLY or glTF, beside the scene's file; its axes stay as they are") String file,
+        @Attribute(value = Kind.NAME, means = "Of the file's parts only the one of this name", otherwise = Attribute.NOTHING) String part,
+        @Attribute(value = Kind.DISC_ANGLE, means = "Neighbours bent by no more than this look smooth; 0 for the normals that the file has, or flat ones", otherwise = "0")
+        double smoothAngle, Content content) implements Solid {
+    public Mesh {
+        Objects.requireNonNull(file, "file");
+        Objects.requireNonNull(part, "part");
+        Require.within("mesh smooth-angle", smoothAngle, 0, 180);
+        Require.that(content.isMadeInCode() || !file.isBlank(), "mesh file must not be blank");
+        content = content.of(file, part, smoothAngle);
+    }
+
+    /** Triangles made in code, with their own normals or flat; such a mesh can be rendered, but no scene file can hold it. */
+    public static Mesh of(Triangles triangles) {
+        return new Mesh("", "", 0, new Content(new Whole("", true, triangles, Map.of()), "", 0));
+    }
+
+    /** All of a file's triangles, which have not been read yet. */
+    public static Mesh of(String file) {
+        return new Mesh(file, "", 0, Content.UNREAD);
+    }
+
+    public Mesh withPart(String value) {
+        return new Mesh(file, value, smoothAngle, content);
+    }
+
+    public Mesh withSmoothAngle(double degrees) {
+        return new Mesh(file, part, degrees, content);
+    }
+
+    /** With the content of its file. */
+    public Mesh read(Whole whole) {
+        return new Mesh(file, part, smoothAngle, new Content(Objects.requireNonNull(whole, "whole"), "", 0));
+    }
+
+    /** Whether its triangles are there. */
+    public boolean isRead() {
+        return content.whole != null;
+    }
+
+    /**
+     * Its triangles: only those of its part, turned so that they fit, with its normals.
+     *
+     * @throws IllegalStateException if they have not been {@linkplain #isRead read}
+     * @throws IllegalArgumentException if the file has no part of that name
+     */
+    public Triangles triangles() {
+        return content.triangles();
+    }
+
+    /** Whether it is closed; of one that has not been read it is taken for granted. */
+    @Override
+    public boolean hasInside() {
+        return !isRead() || triangles().isClosed();
+    }
+
+    /** What the file's parts are made of that are in this mesh, and have a material. */
+    public Collection<Material> materials() {
+        Whole whole = content.whole;
+        return whole == null ? List.of() : triangles().parts().stream().map(whole.materials::get).filter(Objects::nonNull).toList();
+    }
+
+    @Override
+    public Bounds bounds() {
+        return isRead() ? triangles().bounds() : Bounds.EMPTY;
+    }
+
+    @Override
+    public List<Curve> outline(Vec3 along, int steps) {
+        Objects.requireNonNull(along, "along");
+        return isRead() ? triangles().outline(along).stream().map(Curve::new).toList() : List.of();
+    }
+
+    /** @throws IllegalStateException if the triangles have not been read */
+    @Override
+    public Volume place(Affine toWorld, Parts parts) {
+        Triangles triangles = triangles();
+        return triangles.place(toWorld, number -> {
+            Whole whole = content.whole;
+            Material own = whole == null ? null : whole.materials.get(triangles.parts().get(number));
+            return own == null ? parts : parts.unlessGiven(own, toWorld);
+        });
+    }
+
+    /** All that a file holds, shared by the meshes that show it or a part of it. */
+    public static final class Whole {
+        private final String file;
+        private final boolean madeInCode;
+        private final Triangles triangles;
+        private final Map<String, Material> materials;
+        /** What has been made of it and is still in use. */
+        private final Map<String, WeakReference<Triangles>> made = new ConcurrentHashMap<>();
+
+        /**
+         * The content of a file.
+         *
+         * @param file its name, as meshes have it
+         * @param materials what parts are made of, by their names, where the scene gives a mesh no material
+         */
+        public Whole(String file, Triangles triangles, Map<String, Material> materials) {
+            this(file, false, triangles, materials);
+        }
+
+        private Whole(String file, boolean madeInCode, Triangles triangles, Map<String, Material> materials) {
+            this.file = Objects.requireNonNull(file, "file");
+            this.madeInCode = madeInCode;
+            this.triangles = Objects.requireNonNull(triangles, "triangles");
+            this.materials = Map.copyOf(materials);
+        }
+
+        private synchronized Triangles made(String part, double smoothAngle) {
+            String key = part + '\n' + smoothAngle;
+            WeakReference<Triangles> known = made.get(key);
+            Triangles ready = known == null ? null : known.get();
+            if (ready == null) {
+                Triangles cut = part.isEmpty() ? triangles : triangles.onlyPart(number(part));
+                Triangles fitting = cut.oriented();
+                ready = smoothAngle > 0 ? fitting.smoothed(smoothAngle) : fitting;
+                made.put(key, new WeakReference<>(ready));
+            }
+            return ready;
+        }
+
+        private int number(String part) {
+            int number = triangles.parts().indexOf(part);
+            Require.that(number >= 0, "there is no part \"" + part + "\" in \"" + file + "\"" + (triangles.parts().equals(List.of("")) ? ", which has no parts"
+                    : "; it has " + String.join(", ", triangles.parts().stream().limit(10).map(name -> '"' + name + '"').toList())));
+            return number;
+        }
+    }
+
+    /** The triangles of one mesh, worked out when they are first asked for. Contents of files are told apart by the names of these alone. */
+    public static final class Content {
+        /** Nothing has been read yet. */
+        public static final Content UNREAD = new Content(null, "", 0);
+
+        private final @Nullable Whole whole;
+        private final String part;
+        private final double smoothAngle;
+        private volatile @Nullable Triangles triangles;
+
+        private Content(@Nullable Whole whole, String part, double smoothAngle) {
+            this.whole = whole;
+            this.part = part;
+            this.smoothAngle = smoothAngle;
+        }
+
+        private boolean isMadeInCode() {
+            return whole != null && whole.madeInCode;
+        }
+
+        private Content of(String itsFile, String itsPart, double itsAngle) {
+            return whole == null || !whole.file.equals(itsFile) ? UNREAD
+                    : part.equals(itsPart) && smoothAngle == itsAngle ? this : new Content(whole, itsPart, itsAngle);
+        }
+
+        private Triangles triangles() {
+            Triangles known = triangles;
+            if (known == null) {
+                if (whole == null) {
+                    throw new IllegalStateException("the file of a mesh has not been read");
+                }
+                known = whole.made(part, smoothAngle);
+                triangles = known;
+            }
+            return known;
+        }
+
+        @Override
+        public boolean equals(@Nullable Object other) {
+            return this == other || (other instanceof Content o && isMadeInCode() == o.isMadeInCode()
+                    && (!isMadeInCode() || Objects.requireNonNull(whole).triangles.equals(Objects.requireNonNull(o.whole).triangles)));
+        }
+
+        @Override
+        public int hashCode() {
+            return Boolean.hashCode(isMadeInCode());
+        }
+
+        @Override
+        public String toString() {
+            return whole == null ? "not read" : whole.triangles.toString();
+        }
+    }
+}

@@ -1,0 +1,58 @@
+package cz.paprsek.shape.mesh;
+
+import cz.paprsek.math.Bounds;
+import cz.paprsek.tree.Tree;
+import cz.paprsek.tree.TreeBuilder;
+import java.util.Arrays;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Triangles in a tree, in their own space, ready for rays: wherever a mesh stands, and however often, it is made once. Immutable.
+ */
+final class Facets {
+    /** By so much of the mesh's largest coordinate boxes are grown, far more than rounding moves a crossing. */
+    private static final double MARGIN = 1e-12;
+
+    final double[] places;
+    /** In the order of the tree's leaves: the corners of each triangle, as where their coordinates begin, and its number. */
+    final int[] corners;
+    final int[] numbers;
+    final Tree tree;
+    /** The box around all, grown likewise. */
+    final Bounds box;
+
+    /** @throws java.util.concurrent.CancellationException if it was to stop */
+    Facets(Triangles mesh, BooleanSupplier stop) {
+        places = mesh.places();
+        int[] vertices = mesh.corners();
+        int count = mesh.count();
+        double margin = MARGIN * mesh.bounds().magnitude();
+        box = mesh.bounds().grown(margin);
+        double[] boxes = new double[6 * count];
+        numbers = new int[count];
+        for (int t = 0; t < count; t++) {
+            TreeBuilder.stopIfAsked(t, stop);
+            numbers[t] = t;
+            int a = 3 * vertices[3 * t];
+            int b = 3 * vertices[3 * t + 1];
+            int c = 3 * vertices[3 * t + 2];
+            for (int k = 0; k < 3; k++) {
+                double p = places[a + k];
+                double q = places[b + k];
+                double r = places[c + k];
+                boxes[6 * t + k] = (p < q ? p < r ? p : r : q < r ? q : r) - margin;
+                boxes[6 * t + 3 + k] = (p > q ? p > r ? p : r : q > r ? q : r) + margin;
+            }
+        }
+        float[] cost = new float[count];
+        Arrays.fill(cost, 1);
+        // Building puts the numbers into the order of the leaves.
+        tree = new TreeBuilder(boxes, numbers, cost, stop).build();
+        corners = new int[3 * count];
+        for (int i = 0; i < count; i++) {
+            for (int k = 0; k < 3; k++) {
+                corners[3 * i + k] = 3 * vertices[3 * numbers[i] + k];
+            }
+        }
+    }
+}

@@ -1,0 +1,322 @@
+package cz.paprsek.shape.mesh;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.ray.Line;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.tree.Search;
+import java.util.Arrays;
+
+/**
+ * Scratch of a ray: looks for the triangles that its line crosses, in the space of a mesh.
+ *
+ * <p>Space is sheared so that the line becomes the z axis; then a triangle is crossed if the origin lies on the same side of all its sides. Two
+ * triangles with a common side work that out from the same numbers, with opposite signs, so that a line never slips between them. If it passes
+ * right through a side or corner, it counts as moved aside by an infinitely small step, always the same one: of triangles around a corner it
+ * crosses exactly those that the moved line would, so that it enters what is closed as often as it leaves.
+ *
+ * @source Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013; Edelsbrunner, Mücke, Simulation of Simplicity, ACM TOG 9(1), 1990
+ */
+final class MeshSearch extends Search<Ray> {
+    /** The sides from which triangles are met, as bits. */
+    static final int FRONT = 1;
+    static final int BACK = 2;
+    static final int BOTH = FRONT | BACK;
+
+    /** No triangle. */
+    private static final int NONE = Integer.MAX_VALUE;
+
+    private Facets facets;
+    private double ox;
+    private double oy;
+    private double oz;
+    private double dx;
+    private double dy;
+    private double dz;
+    /** Which axes become x, y and z, the last the one along which the line goes fastest; where it starts along them, and the shear. */
+    private int kx;
+    private int ky;
+    private int kz;
+    private double atX;
+    private double atY;
+    private double atZ;
+    private double shearX;
+    private double shearY;
+    private double shearZ;
+    /** The stretch of the line within the mesh's box: the tree counts t from its beginning. */
+    private double begin;
+    private double end;
+
+    /** What is looked for: all crossings, or the nearest. */
+    private boolean all;
+    /** Between which t crossings count, and from which sides; those at most so far from 0 do not if they are of a side that is passed over. */
+    private double above;
+    private double below;
+    private int sides;
+    private double near;
+    private int passed;
+    /** The nearest one: of those in one place that of the lowest triangle. */
+    private double best;
+    private int bestNumber;
+    private boolean bestFront;
+
+    /** All, with the numbers of triangles, complemented if met from behind. */
+    private double[] t = new double[16];
+    private int[] number = new int[16];
+    private int count;
+
+    MeshSearch(Facets facets) {
+        this.facets = facets;
+    }
+
+    /** Takes over a line; whether it meets the box of the mesh. */
+    boolean start(Facets mesh, Affine toLocal, Ray ray) {
+        if (facets != mesh) {
+            facets = mesh;
+        }
+        Line line = ray.in(toLocal);
+        ox = line.ox;
+        oy = line.oy;
+        oz = line.oz;
+        dx = line.dx;
+        dy = line.dy;
+        dz = line.dz;
+        Bounds box = mesh.box;
+        begin = Double.NEGATIVE_INFINITY;
+        end = Double.POSITIVE_INFINITY;
+        clip(box.minX(), box.maxX(), ox, dx);
+        clip(box.minY(), box.maxY(), oy, dy);
+        clip(box.minZ(), box.maxZ(), oz, dz);
+        return begin <= end;
+    }
+
+    private void clip(double low, double high, double o, double d) {
+        double r = reciprocal(d);
+        double first = ((r < 0 ? high : low) - o) * r;
+        double last = ((r < 0 ? low : high) - o) * r;
+        begin = first > begin ? first : begin;
+        end = last < end ? last : end;
+    }
+
+    /** A crossing within {@code near} of t = 0, of one of the {@code passed} sides, is where the ray starts, and none. */
+    private boolean limit(double from, double to, int fromSides, double nearStart, int passedSides) {
+        above = from;
+        below = to;
+        sides = fromSides;
+        near = nearStart;
+        passed = passedSides;
+        double slack = 1e-9 * (Math.abs(begin) + Math.abs(end));
+        begin = Math.max(begin - slack, from);
+        end = Math.min(end + slack, to);
+        return begin <= end;
+    }
+
+    /** Whether there is a crossing between two values of t; the nearest is known then. */
+    boolean nearest(Ray ray, double from, double to, int fromSides, double nearStart, int passedSides) {
+        best = Double.POSITIVE_INFINITY;
+        bestNumber = NONE;
+        all = false;
+        if (!limit(from, to, fromSides, nearStart, passedSides)) {
+            return false;
+        }
+        shear();
+        facets.tree.nearest(this, ray, facets.tree.whole(), end - begin);
+        return bestNumber != NONE;
+    }
+
+    /** Whether there is any crossing between two values of t. */
+    boolean any(Ray ray, double from, double to, int fromSides) {
+        best = Double.POSITIVE_INFINITY;
+        bestNumber = NONE;
+        all = false;
+        if (!limit(from, to, fromSides, 0, 0)) {
+            return false;
+        }
+        shear();
+        return facets.tree.any(this, ray, facets.tree.whole());
+    }
+
+    /** Gathers all crossings between two values of t, in order: where they are in one place, those that enter first, then the lower triangles. */
+    void gather(Ray ray, double from, double to, double nearStart, int passedSides) {
+        count = 0;
+        all = true;
+        if (limit(from, to, BOTH, nearStart, passedSides)) {
+            shear();
+            facets.tree.any(this, ray, facets.tree.whole());
+            sort();
+        }
+    }
+
+    double nearestT() {
+        return best;
+    }
+
+    int nearestNumber() {
+        return bestNumber;
+    }
+
+    /** Whether it is met from in front: its normal is towards the start of the line. */
+    boolean nearestIsFront() {
+        return bestFront;
+    }
+
+    int size() {
+        return count;
+    }
+
+    double t(int i) {
+        return t[i];
+    }
+
+    /** The triangle of a crossing, and whether it is met from in front. */
+    int number(int i) {
+        return number[i] < 0 ? ~number[i] : number[i];
+    }
+
+    boolean isFront(int i) {
+        return number[i] >= 0;
+    }
+
+    private void shear() {
+        double x = Math.abs(dx);
+        double y = Math.abs(dy);
+        double z = Math.abs(dz);
+        kz = x > y ? x > z ? 0 : 2 : y > z ? 1 : 2;
+        kx = kz == 2 ? 0 : kz + 1;
+        ky = kx == 2 ? 0 : kx + 1;
+        double along = axis(kz, dx, dy, dz);
+        if (along < 0) {
+            int other = kx;
+            kx = ky;
+            ky = other;
+        }
+        atX = axis(kx, ox, oy, oz);
+        atY = axis(ky, ox, oy, oz);
+        atZ = axis(kz, ox, oy, oz);
+        shearX = axis(kx, dx, dy, dz) / along;
+        shearY = axis(ky, dx, dy, dz) / along;
+        shearZ = 1 / along;
+    }
+
+    private static double axis(int k, double x, double y, double z) {
+        return k == 0 ? x : k == 1 ? y : z;
+    }
+
+    @Override
+    protected void aim(Ray ray) {
+        along(ox + begin * dx, oy + begin * dy, oz + begin * dz, reciprocal(dx), reciprocal(dy), reciprocal(dz), 0, end - begin);
+    }
+
+    private static double reciprocal(double d) {
+        double r = 1 / d;
+        return Math.abs(r) <= Double.MAX_VALUE ? r : Math.copySign(Double.MAX_VALUE, d);
+    }
+
+    @Override
+    protected double meet(Ray ray, int first, int last) {
+        for (int i = first; i < last; i++) {
+            cross(i);
+        }
+        return Math.min(best, end) - begin;
+    }
+
+    @Override
+    protected boolean stopsAt(Ray ray, int first, int last) {
+        for (int i = first; i < last; i++) {
+            cross(i);
+        }
+        return !all && bestNumber != NONE;
+    }
+
+    /** Notes where the line crosses a triangle, by its place in the tree. */
+    private void cross(int i) {
+        double[] at = facets.places;
+        int a = facets.corners[3 * i];
+        int b = facets.corners[3 * i + 1];
+        int c = facets.corners[3 * i + 2];
+        double az = at[a + kz] - atZ;
+        double bz = at[b + kz] - atZ;
+        double cz = at[c + kz] - atZ;
+        double ax = at[a + kx] - atX - shearX * az;
+        double ay = at[a + ky] - atY - shearY * az;
+        double bx = at[b + kx] - atX - shearX * bz;
+        double by = at[b + ky] - atY - shearY * bz;
+        double cx = at[c + kx] - atX - shearX * cz;
+        double cy = at[c + ky] - atY - shearY * cz;
+        double u = cx * by - cy * bx;
+        double v = ax * cy - ay * cx;
+        double w = bx * ay - by * ax;
+        if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) {
+            return;
+        }
+        if ((u == 0 || v == 0 || w == 0) && !isCrossedAside(u, v, w, ax, ay, bx, by, cx, cy)) {
+            return;
+        }
+        double sum = u + v + w;
+        double where = (u * az + v * bz + w * cz) * shearZ / sum;
+        if (where > above && where < below) {
+            note(where, facets.numbers[i], sum > 0);
+        }
+    }
+
+    /** Whether a line that passes through sides crosses the triangle if it is moved by an infinitely small step along x, and one much smaller along y. */
+    private static boolean isCrossedAside(double u, double v, double w, double ax, double ay, double bx, double by, double cx, double cy) {
+        int atU = sign(u, cy - by, bx - cx);
+        int atV = sign(v, ay - cy, cx - ax);
+        int atW = sign(w, by - ay, ax - bx);
+        return atU != 0 && atU == atV && atU == atW;
+    }
+
+    private static int sign(double side, double alongX, double alongY) {
+        double deciding = side != 0 ? side : alongX != 0 ? alongX : alongY;
+        return deciding > 0 ? 1 : deciding < 0 ? -1 : 0;
+    }
+
+    private void note(double where, int triangle, boolean front) {
+        int side = front ? FRONT : BACK;
+        if ((sides & side) == 0 || ((passed & side) != 0 && Math.abs(where) <= near)) {
+            return;
+        }
+        if (all) {
+            add(where, front ? triangle : ~triangle);
+        } else if (where < best || (where == best && triangle < bestNumber)) {
+            best = where;
+            bestNumber = triangle;
+            bestFront = front;
+        }
+    }
+
+    private void add(double where, int triangle) {
+        if (count == t.length) {
+            t = Arrays.copyOf(t, 2 * count);
+            number = Arrays.copyOf(number, 2 * count);
+        }
+        t[count] = where;
+        number[count++] = triangle;
+    }
+
+    /** By gaps that shrink: mostly there are a handful, but there may be thousands. */
+    private void sort() {
+        int gap = 1;
+        while (gap < count / 3) {
+            gap = 3 * gap + 1;
+        }
+        for (; gap > 0; gap /= 3) {
+            for (int i = gap; i < count; i++) {
+                double where = t[i];
+                int triangle = number[i];
+                int j = i;
+                for (; j >= gap && isAfter(t[j - gap], number[j - gap], where, triangle); j -= gap) {
+                    t[j] = t[j - gap];
+                    number[j] = number[j - gap];
+                }
+                t[j] = where;
+                number[j] = triangle;
+            }
+        }
+    }
+
+    private static boolean isAfter(double t, int triangle, double other, int otherTriangle) {
+        return t > other || (t == other && ((triangle < 0) == (otherTriangle < 0) ? (triangle < 0 ? ~triangle > ~otherTriangle : triangle > otherTriangle) : triangle < 0));
+    }
+}

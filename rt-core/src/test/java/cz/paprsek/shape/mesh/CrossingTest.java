@@ -1,0 +1,171 @@
+package cz.paprsek.shape.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Solid;
+import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.Torus;
+import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Volume;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** Lines through meshes: through corners and sides, through what overlaps, and as the same bodies in closed form have them. */
+class CrossingTest {
+    /** Corners at whole numbers, so that nothing is rounded: a lattice of 8 × 8 × 8 fields, its outer faces cut along alternating diagonals. */
+    private static Triangles lattice() {
+        Triangles.Builder out = Triangles.builder();
+        for (int axis = 0; axis < 3; axis++) {
+            for (int side = 0; side < 2; side++) {
+                for (int i = 0; i < 8; i++) {
+                    for (int j = 0; j < 8; j++) {
+                        int[] v = new int[4];
+                        for (int k = 0; k < 4; k++) {
+                            double[] at = new double[3];
+                            at[axis] = side == 0 ? -4 : 4;
+                            at[(axis + 1) % 3] = i - 4 + (k == 1 || k == 2 ? 1 : 0);
+                            at[(axis + 2) % 3] = j - 4 + (k >= 2 ? 1 : 0);
+                            v[k] = out.vertex(at[0], at[1], at[2]);
+                        }
+                        int turn = (i + j) % 2;
+                        triangle(out, side, v[turn], v[turn + 1], v[(turn + 2) % 4]);
+                        triangle(out, side, v[turn], v[(turn + 2) % 4], v[(turn + 3) % 4]);
+                    }
+                }
+            }
+        }
+        return out.build();
+    }
+
+    private static void triangle(Triangles.Builder out, int side, int a, int b, int c) {
+        out.triangle(a, side == 0 ? c : b, side == 0 ? b : c);
+    }
+
+    @Test
+    void aMillionLinesThroughCornersAndSidesEnterOnceAndLeaveOnce() {
+        Triangles mesh = lattice();
+        assertThat(mesh.openEdges()).isZero();
+        assertThat(mesh.volume()).isEqualTo(512);
+        Volume volume = place(mesh, Affine.IDENTITY);
+        SplittableRandom random = new SplittableRandom(1);
+        Ray ray = new Ray(new Spans());
+        int wrong = 0;
+        for (int n = 0; n < 1_000_000; n++) {
+            // Through a corner or the middle of a side, strictly inside of the cube's outline from anywhere: in steps of a half.
+            Vec3 through = new Vec3(half(random, 7), half(random, 7), half(random, 7));
+            Vec3 way = new Vec3(half(random, 12), half(random, 12), half(random, 12));
+            if (way.equals(Vec3.ZERO)) {
+                continue;
+            }
+            Vec3 d = n % 2 == 0 ? way : n % 4 == 1 ? new Vec3(0, 0, way.x() < 0 ? -1 : 1) : new Vec3(way.y() < 0 ? -1 : 1, 0, 0);
+            Vec3 o = through.minus(d.times(16));
+            ray.start(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+            Spans spans = ray.spans;
+            volume.spans(ray, spans);
+            wrong += spans.size() == 2 ? 0 : 1;
+            spans.release(0);
+            ray.start(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+            volume.nearest(ray);
+            wrong += ray.part == 0 && ray.max < 16 ? 0 : 1;
+        }
+        assertThat(wrong).isZero();
+    }
+
+    private static double half(SplittableRandom random, int most) {
+        return random.nextInt(-most, most + 1) / 2.0;
+    }
+
+    /** Where numbers are rounded: towards corners and points of sides of a ball, from outside; each is entered as often as left, and not missed. */
+    @Test
+    void linesTowardsCornersAndSidesOfABallNeverSlipThrough() {
+        Triangles mesh = Meshes.ball(1, 24);
+        SplittableRandom random = new SplittableRandom(2);
+        for (Affine map : new Affine[] {Affine.IDENTITY, new Placement(new Vec3(1e3, -20, 7), new Vec3(10, 20, 30), new Vec3(2, 0.3, -1)).toParent(),
+            new Placement(new Vec3(0, 3e-9, 0), Vec3.ZERO, new Vec3(1e-8, 1e-8, 1e-8)).toParent()}) {
+            Volume volume = place(mesh, map);
+            Ray ray = new Ray(new Spans());
+            for (int n = 0; n < 300_000; n++) {
+                int t = random.nextInt(mesh.count());
+                Vec3 a = mesh.place(mesh.corner(t, 0));
+                Vec3 b = mesh.place(mesh.corner(t, 1));
+                Vec3 aim = n % 2 == 0 ? a : a.plus(b.minus(a).times(random.nextDouble()));
+                Vec3 from = new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5).normalized().times(3);
+                if (from.dot(aim) < 1.8) {
+                    continue;
+                }
+                Vec3 o = map.point(from);
+                Vec3 d = map.point(aim).minus(o).normalized();
+                ray.start(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+                volume.spans(ray, ray.spans);
+                assertThat(ray.spans.size()).isEqualTo(2);
+                ray.spans.release(0);
+                volume.nearest(ray);
+                assertThat(ray.part).isZero();
+            }
+        }
+    }
+
+    @Test
+    void whatOverlapsIsOneBodyAndHollowsAreHollow() {
+        Volume two = place(Meshes.both(Meshes.cube(1), Meshes.cube(1), 1.2, false), Affine.IDENTITY);
+        assertThat(along(two, new Vec3(-5, 0.2, 0.3), Vec3.X)).containsExactly(new double[] {4, 7.2}, within(1e-14));
+        Volume hollow = place(Meshes.both(Meshes.cube(2), Meshes.cube(1), 0, true), Affine.IDENTITY);
+        assertThat(along(hollow, new Vec3(-5, 0.2, 0.3), Vec3.X)).containsExactly(new double[] {3, 4, 6, 7}, within(1e-14));
+        assertThat(hollow.contains(new Vec3(1.5, 0, 0))).isTrue();
+        assertThat(hollow.contains(Vec3.ZERO)).isFalse();
+        // Who starts inside of what is wound around twice leaves through the outermost wall.
+        Ray ray = new Ray(new Spans());
+        ray.start(0.6, 0.2, 0.3, 1, 0, 0);
+        two.nearest(ray);
+        assertThat(ray.max).isCloseTo(1.6, within(1e-14));
+    }
+
+    private static double[] along(Volume volume, Vec3 o, Vec3 d) {
+        Ray ray = new Ray(new Spans());
+        ray.start(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+        volume.spans(ray, ray.spans);
+        double[] all = new double[ray.spans.size()];
+        for (int i = 0; i < all.length; i++) {
+            all[i] = ray.spans.t(i);
+        }
+        return all;
+    }
+
+    /** Of the crossings, those that both have lie within what the fields cut off; a line may miss one of them only beside the rim. */
+    @Test
+    void ballAndTorusAreCrossedWhereTheyAreInClosedForm() {
+        compare(Meshes.ball(1, 300), new Sphere(1), 1e-4);
+        compare(Meshes.torus(1, 0.4, 600, 300), new Torus(1, 0.4), 1e-4);
+    }
+
+    private static void compare(Triangles mesh, Solid exact, double depth) {
+        Volume fine = place(mesh, Affine.IDENTITY);
+        Volume smooth = exact.place(Affine.IDENTITY, Parts.UNTOLD);
+        SplittableRandom random = new SplittableRandom(3);
+        int different = 0;
+        for (int n = 0; n < 20_000; n++) {
+            Vec3 o = new Vec3(random.nextDouble(-3, 3), random.nextDouble(-3, 3), random.nextDouble(-3, 3));
+            Vec3 d = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1)).minus(o).normalized();
+            double[] a = along(fine, o, d);
+            double[] b = along(smooth, o, d);
+            if (a.length != b.length) {
+                different++;
+                continue;
+            }
+            for (int i = 0; i < a.length; i++) {
+                different += Math.abs(a[i] - b[i]) > 100 * depth ? 1 : 0;
+            }
+        }
+        assertThat(different).isLessThan(40);
+    }
+
+    private static Volume place(Triangles mesh, Affine map) {
+        return mesh.place(map, part -> Parts.UNTOLD);
+    }
+}
