@@ -9,6 +9,7 @@ import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.input.Wishes;
 import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.cli.process.Interruption;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
@@ -32,6 +33,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -114,6 +116,9 @@ final class ExplainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        if (json) {
+            stop.oweLastWords();
+        }
         Wishes wishes = new Wishes(size, maxDepth, rays, light, Optional.empty(), Optional.empty());
         try {
             Scene scene = seen(scene());
@@ -123,6 +128,11 @@ final class ExplainCommand implements Callable<Integer> {
                 return ExitCode.FAILED;
             }
             return stop.requested() ? ExitCode.INTERRUPTED : ExitCode.DONE;
+        } catch (CancellationException interrupted) {
+            return Interruption.told(terminal, json);
+        } catch (IllegalStateException e) {
+            terminal.message(file + ": " + e.getMessage());
+            return ExitCode.FAILED;
         } catch (SceneFileException e) {
             e.problems().forEach(problem -> terminal.message(problem.toString()));
             return ExitCode.BAD_SCENE;
@@ -154,8 +164,14 @@ final class ExplainCommand implements Callable<Integer> {
     }
 
     private Pixel pixel(Scene scene, Wishes wishes) throws IOException {
+        RenderMonitor monitor = new RenderMonitor() {
+            @Override
+            public boolean cancelled() {
+                return stop.requested();
+            }
+        };
         try {
-            return RenderScene.of(scene, pictures.read(file, scene), RenderMonitor.NONE).explain(wishes.applyTo(scene.settings()), place.column(), place.row());
+            return RenderScene.of(scene, pictures.read(file, scene), monitor).explain(wishes.applyTo(scene.settings()), place.column(), place.row(), monitor);
         } catch (UncheckedIOException unreadable) {
             throw new IOException(unreadable.getMessage(), unreadable);
         } catch (IllegalArgumentException refused) {

@@ -59,6 +59,11 @@ class ExplainCommandTest {
         assertThat(Run.cli("explain", file, "16,0").code()).isEqualTo(ExitCode.WRONG_USAGE);
         assertThat(Run.cli("explain", file, "16,0").err()).contains("pixel 16,0 must lie inside the picture of 16 × 8 pixels");
         assertThat(Run.cli("explain", file, "8;4").err()).contains("expected COLUMN,ROW of a pixel such as 320,180, but found '8;4'");
+        Path deep = Scenes.scene(folder.resolve("deep.xml"), "<material name=\"m\" reflection=\"0.5\" transparency=\"0.5\" refractive-index=\"1.2\"/>"
+                + "<sphere radius=\"1\" material=\"m\"/><sphere radius=\"9\" material=\"m\"/>");
+        Run tooMany = Run.cli("explain", deep, "8,4", "--max-depth", "60");
+        assertThat(tooMany.code()).isEqualTo(ExitCode.WRONG_USAGE);
+        assertThat(tooMany.err()).contains("deep.xml: there are more than 100000 rays, too many to explain; ask for a lower max-depth or fewer samples");
         assertThat(Run.cli("explain", folder.resolve("no.xml"), "1,1").code()).isEqualTo(ExitCode.BAD_SCENE);
         assertThat(Run.cli("explain", Scenes.broken(folder.resolve("bad.xml")), "1,1").err()).contains("bad.xml:2:");
     }

@@ -22,6 +22,11 @@ final class Memory {
         return exceeded("a scene of " + bodies + (bodies == 1 ? " body" : " bodies") + " takes " + size(bodies * BODY), bodies * BODY, "", cause);
     }
 
+    /** For rays that could not be written down. */
+    static IllegalStateException exceededByRays(OutOfMemoryError cause) {
+        return exceeded("what is written down of these rays takes more", 0, ", or explain fewer levels or samples", cause);
+    }
+
     /** For a picture that could not be rendered. */
     static IllegalStateException exceeded(Scene scene, RenderOptions options, OutOfMemoryError cause) {
         if (String.valueOf(cause.getMessage()).contains("thread")) {

@@ -75,16 +75,24 @@ public final class RenderScene {
     }
 
     private static RenderScene prepared(Scene scene, RenderMonitor monitor, Function<BooleanSupplier, World> how) {
-        Preparation preparation = new Preparation(monitor);
         long begin = System.nanoTime();
+        return new RenderScene(watched(monitor, how, exhausted -> Memory.exceeded(scene, exhausted)), (System.nanoTime() - begin) / 1e9);
+    }
+
+    private static <T> T watched(RenderMonitor monitor, Function<BooleanSupplier, T> work, Function<OutOfMemoryError, IllegalStateException> exceeded) {
+        Preparation watch = new Preparation(monitor);
         try {
-            return new RenderScene(how.apply(preparation::cancelled), (System.nanoTime() - begin) / 1e9);
+            return work.apply(watch::cancelled);
         } catch (CancellationException cancelled) {
-            preparation.throwFault();
+            watch.throwFault();
             throw cancelled;
         } catch (OutOfMemoryError exhausted) {
-            throw Memory.exceeded(scene, exhausted);
+            throw exceeded.apply(exhausted);
         }
+    }
+
+    private static <T> T explained(RenderMonitor monitor, Function<BooleanSupplier, T> work) {
+        return watched(monitor, work, Memory::exceededByRays);
     }
 
     /**
@@ -117,19 +125,28 @@ public final class RenderScene {
     /**
      * Why a pixel has its colour, in a picture of these settings.
      *
-     * @throws IllegalArgumentException if there is no such pixel
+     * @throws IllegalArgumentException if there is no such pixel, or if more than 100 000 rays or a million shadow rays are behind it
+     * @throws CancellationException if the calling thread is interrupted meanwhile; it stays interrupted
+     * @throws IllegalStateException if there is too little memory
      */
     public Pixel explain(RenderSettings settings, int column, int row) {
-        return Explainer.pixel(world, settings, false, column, row);
+        return explained(RenderMonitor.NONE, stop -> Explainer.pixel(world, settings, false, column, row, stop));
     }
 
     /**
      * Why a pixel has its colour, in the picture that would be rendered with these options: of them, size, depth and what is said of samples counts.
      *
-     * @throws IllegalArgumentException if there is no such pixel
+     * @throws IllegalArgumentException as {@link #explain(RenderSettings, int, int)}
+     * @throws CancellationException as there, or if the monitor cancels
+     * @throws IllegalStateException as there, or if the monitor throws anything
      */
+    public Pixel explain(RenderOptions options, int column, int row, RenderMonitor monitor) {
+        return explained(monitor, stop -> Explainer.pixel(world, options.settings(), options.fixedSampler(), column, row, stop));
+    }
+
+    /** As {@link #explain(RenderOptions, int, int, RenderMonitor)}, without a monitor. */
     public Pixel explain(RenderOptions options, int column, int row) {
-        return Explainer.pixel(world, options.settings(), options.fixedSampler(), column, row);
+        return explain(options, column, row, RenderMonitor.NONE);
     }
 
     /**
@@ -139,7 +156,7 @@ public final class RenderScene {
      * @param y in pixels from the top
      */
     public TracedRay explainPoint(RenderSettings settings, double x, double y) {
-        return Explainer.point(world, settings, x, y);
+        return explained(RenderMonitor.NONE, stop -> Explainer.point(world, settings, x, y, stop));
     }
 
     /**
@@ -150,7 +167,7 @@ public final class RenderScene {
      * @param maxDepth levels of rays, this one being level 1
      */
     public TracedRay explainRay(Vec3 origin, Vec3 direction, int maxDepth) {
-        return Explainer.ray(world, origin, direction, maxDepth);
+        return explained(RenderMonitor.NONE, stop -> Explainer.ray(world, origin, direction, maxDepth, stop));
     }
 
     World world() {

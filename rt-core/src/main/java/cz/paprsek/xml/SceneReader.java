@@ -48,6 +48,14 @@ final class SceneReader {
 
     /** The stream that was listened to last is read to its end. */
     static Contents read(Source source, Listening listening, String file) throws SceneFileException, IOException {
+        try {
+            return readAll(source, listening, file);
+        } catch (OutOfMemoryError tooLarge) {
+            throw new IOException(file + ": not enough memory for what is in this file; give Java more with -Xmx", tooLarge);
+        }
+    }
+
+    private static Contents readAll(Source source, Listening listening, String file) throws SceneFileException, IOException {
         InputStream first = new LimitedInput(listening.to(source.fromStart()), file, SceneFiles.LARGEST);
         Optional<FileScenes> quick = QuickReader.read(first);
         if (quick.isPresent()) {

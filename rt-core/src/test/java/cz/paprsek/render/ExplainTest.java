@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.ShippedPictures;
 import cz.paprsek.image.Image;
+import cz.paprsek.material.Material;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.LightTerm;
@@ -18,11 +19,13 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -156,5 +159,31 @@ class ExplainTest {
         RenderScene prepared = RenderScene.of(Scenes.empty());
         assertThatThrownBy(() -> prepared.explain(33, 0)).isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("pixel 33,0 must lie inside the picture of 33 × 25 pixels");
+    }
+
+    @Test
+    void moreRaysThanAnybodyReadsAreRefused_andWhoWaitsCanGiveUp() {
+        Material half = Material.DEFAULT.withTransparency(0.5, 1.2).withReflection(0.5);
+        Scene scene = Scenes.empty().plus(SceneObject.of(new Sphere(1)).madeOf(half), SceneObject.of(new Sphere(9)).madeOf(half));
+        RenderScene prepared = RenderScene.of(scene);
+        RenderSettings deep = scene.settings().withMaxDepth(60);
+        assertThatThrownBy(() -> prepared.explain(deep, 16, 12)).isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("there are more than 100000 rays, too many to explain; ask for a lower max-depth or fewer samples");
+        assertThatThrownBy(() -> prepared.explainRay(new Vec3(0, 0, 5), new Vec3(0, 0, -1), 60)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> prepared.explain(RenderOptions.of(deep), 16, 12, new RenderMonitor() {
+            private int asked;
+
+            @Override
+            public boolean cancelled() {
+                return ++asked > 100;
+            }
+        })).isInstanceOf(CancellationException.class);
+        Thread.currentThread().interrupt();
+        try {
+            assertThatThrownBy(() -> prepared.explain(deep, 16, 12)).isInstanceOf(CancellationException.class);
+        } finally {
+            assertThat(Thread.interrupted()).isTrue();
+        }
+        assertThat(prepared.explain(16, 12).rays()).hasSize(1);
     }
 }

@@ -5,7 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.standard.StandardScenes;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -13,6 +17,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -42,6 +47,13 @@ class MemoryTest {
         assertThat(Integer.parseInt(advice.group(3))).isGreaterThanOrEqualTo(96);
     }
 
+    @Test
+    void aFileThatMemoryCannotHoldIsToldLikeOneThatCannotBeRead(@TempDir Path folder) throws Exception {
+        Path file = Files.writeString(folder.resolve("s.xml"), "<scene xmlns='urn:paprsek:scene:1'><camera position='0 0 5' target='0 0 0'/>"
+                + "<sphere radius='1' position='0 1 0'/>".repeat(200_000) + "</scene>");
+        assertThat(run(file.toString(), "-Xmx24m")).isEqualTo(file + ": not enough memory for what is in this file; give Java more with -Xmx");
+    }
+
     private static String run(String what, String limit) throws Exception {
         Process process = new ProcessBuilder(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), limit,
                 "-Dstdout.encoding=UTF-8", "-Dsun.stdout.encoding=UTF-8", "-cp", System.getProperty("java.class.path"), Hungry.class.getName(), what)).redirectErrorStream(true).start();
@@ -61,10 +73,11 @@ class MemoryTest {
                 switch (what[0]) {
                     case "picture" -> Renderer.render(few.withSettings(new RenderSettings(6000, 3000, 1, 1))).toArgb();
                     case "scene" -> Renderer.render(StandardScenes.cloud(200_000).withSettings(small));
-                    default -> beside(new byte[35 << 20], few.withSettings(new RenderSettings(1500, 1500, 1, 1)));
+                    case "rest" -> beside(new byte[35 << 20], few.withSettings(new RenderSettings(1500, 1500, 1, 1)));
+                    default -> SceneFiles.read(Path.of(what[0]));
                 }
                 System.out.println("done");
-            } catch (IllegalStateException told) {
+            } catch (IllegalStateException | IOException | SceneFileException told) {
                 System.out.println(told.getCause() instanceof OutOfMemoryError ? told.getMessage() : told);
             }
         }

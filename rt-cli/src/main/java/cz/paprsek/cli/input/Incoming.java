@@ -1,6 +1,7 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.ReadMonitor;
 import cz.paprsek.xml.SceneFileException;
@@ -19,13 +20,36 @@ public final class Incoming {
     /** Reads what is in a file or comes in, once. */
     public static Contents read(Path file) throws SceneFileException, IOException {
         Foreign.refuse(file);
-        return isStandardInput(file) ? SceneFiles.contents(System.in, STANDARD_INPUT) : SceneFiles.contents(file, ReadMonitor.NONE);
+        return reading(() -> isStandardInput(file) ? SceneFiles.contents(System.in, STANDARD_INPUT) : SceneFiles.contents(file, ReadMonitor.NONE));
+    }
+
+    /** Reads a file with one scene. */
+    static Scene scene(Path file) throws SceneFileException, IOException {
+        Foreign.refuse(file);
+        return reading(() -> SceneFiles.read(file));
     }
 
     /** As {@link #read}, with the text, to tell where in it something is, or to take it elsewhere. */
     public static OriginalText text(Path file) throws SceneFileException, IOException {
         Foreign.refuse(file);
-        return isStandardInput(file) ? OriginalText.read(System.in, STANDARD_INPUT) : OriginalText.read(file);
+        return reading(() -> isStandardInput(file) ? OriginalText.read(System.in, STANDARD_INPUT) : OriginalText.read(file));
+    }
+
+    /** That memory does not suffice is told with how to give this program more, and is no fault of the file. */
+    private static <T> T reading(Reading<T> reading) throws SceneFileException, IOException {
+        try {
+            return reading.read();
+        } catch (IOException failed) {
+            if (failed.getCause() instanceof OutOfMemoryError exhausted) {
+                throw exhausted;
+            }
+            throw failed;
+        }
+    }
+
+    @FunctionalInterface
+    private interface Reading<T> {
+        T read() throws SceneFileException, IOException;
     }
 
     /** Whether a second reading would find nothing. */

@@ -28,10 +28,7 @@ public record SceneSource(Path file, String label, String name, Reading reading)
 
     /** A file that is read when its turn comes. */
     public static SceneSource of(Path file) {
-        return new SceneSource(file, file.toString(), Incoming.nameOf(file), () -> {
-            Foreign.refuse(file);
-            return SceneFiles.read(file);
-        });
+        return new SceneSource(file, file.toString(), Incoming.nameOf(file), () -> Incoming.scene(file));
     }
 
     /**

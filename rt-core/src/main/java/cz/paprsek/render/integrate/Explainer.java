@@ -12,18 +12,20 @@ import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.RenderSettings;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 
 /** Traces single pixels and rays as a picture would, with everything written down. */
 public final class Explainer {
     private Explainer() {}
 
-    public static Pixel pixel(World scene, RenderSettings settings, boolean fixed, int column, int row) {
+    /** @param stop whether to give up, which throws a {@link java.util.concurrent.CancellationException} */
+    public static Pixel pixel(World scene, RenderSettings settings, boolean fixed, int column, int row, BooleanSupplier stop) {
         Require.that(column >= 0 && column < settings.width() && row >= 0 && row < settings.height(),
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
         Eye eye = eye(scene, settings);
         Sampling sampling = Sampling.of(settings, fixed);
-        Recorder recorder = new Recorder(scene, settings.maxDepth(), sampling);
+        Recorder recorder = new Recorder(scene, settings.maxDepth(), sampling, stop);
         recorder.lookThrough(eye);
         PixelSums sums = recorder.pixel(eye, column, row);
         List<Double> weights = IntStream.range(0, sums.count()).mapToObj(i -> sums.isNegative(i) ? sums.negativeWeight : sums.weight).toList();
@@ -39,8 +41,8 @@ public final class Explainer {
         }).toList();
     }
 
-    public static TracedRay point(World scene, RenderSettings settings, double x, double y) {
-        Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.grid(1));
+    public static TracedRay point(World scene, RenderSettings settings, double x, double y, BooleanSupplier stop) {
+        Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.grid(1), stop);
         Eye eye = eye(scene, settings);
         recorder.lookThrough(eye);
         recorder.startAlone(eye, x, y);
@@ -48,9 +50,9 @@ public final class Explainer {
         return recorder.trees().get(0);
     }
 
-    public static TracedRay ray(World scene, Vec3 origin, Vec3 direction, int maxDepth) {
+    public static TracedRay ray(World scene, Vec3 origin, Vec3 direction, int maxDepth, BooleanSupplier stop) {
         Require.within("max-depth", maxDepth, 1, RenderSettings.DEEPEST);
-        Recorder recorder = new Recorder(scene, maxDepth, Sampling.grid(1));
+        Recorder recorder = new Recorder(scene, maxDepth, Sampling.grid(1), stop);
         recorder.startAlone(origin, direction.normalized());
         recorder.traceAlone();
         return recorder.trees().get(0);

@@ -1,5 +1,6 @@
 package cz.paprsek.render.integrate;
 
+import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
@@ -36,12 +37,21 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 
 /** The tracer that renders pictures, writing down what it does as a tree of rays. */
 public final class Recorder extends Whitted {
+    /** How many rays are written down, and how many shadow rays: more than anybody reads, and about as many as fit into the memory that Java takes by itself. */
+    private static final int MOST_RAYS = 100_000;
+    private static final int MOST_SHADOW_RAYS = 1_000_000;
+
     private final int maxDepth;
     private final LinearRgb ambient;
     private final ShadowWalk shadowWalk;
+    private final BooleanSupplier stop;
+    private int rays;
+    private int shadowRays;
     private final Map<Integer, List<BodyAt>> paths = new HashMap<>();
     private final List<TracedRay> trees = new ArrayList<>();
     private final Deque<Draft> open = new ArrayDeque<>();
@@ -54,8 +64,10 @@ public final class Recorder extends Whitted {
     /** What makes the rays, if an eye does. */
     private Optional<Eye> eye = Optional.empty();
 
-    public Recorder(World scene, int maxDepth, Sampling sampling) {
+    /** @param stop whether to give up, which throws a {@link CancellationException} */
+    public Recorder(World scene, int maxDepth, Sampling sampling, BooleanSupplier stop) {
         super(scene, maxDepth, sampling);
+        this.stop = stop;
         this.maxDepth = maxDepth;
         this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());
         this.shadowWalk = new ShadowWalk(scene, this::surface);
@@ -121,6 +133,7 @@ public final class Recorder extends Whitted {
 
     @Override
     public void sought(int lamp, Arrival arrival, double facing, double visibility) {
+        shadowRays = counted(shadowRays, MOST_SHADOW_RAYS, "shadow rays");
         Draft draft = open.element();
         Vec3 direction = new Vec3(arrival.x, arrival.y, arrival.z);
         boolean isSent = (facing > 0 || visibility > 0) && (arrival.red > 0 || arrival.green > 0 || arrival.blue > 0);
@@ -195,7 +208,16 @@ public final class Recorder extends Whitted {
         return taken;
     }
 
+    private int counted(int soFar, int most, String what) {
+        if (stop.getAsBoolean()) {
+            throw new CancellationException();
+        }
+        Require.that(soFar < most, "there are more than " + most + " " + what + ", too many to explain; ask for a lower max-depth or fewer samples");
+        return soFar + 1;
+    }
+
     private TracedRay begin(Level level) {
+        rays = counted(rays, MOST_RAYS, "rays");
         Ray ray = level.ray;
         int around = level.media.innermost();
         return new TracedRay(kind, open.size() + 1, weight, new Vec3(ray.ox, ray.oy, ray.oz), new Vec3(ray.dx, ray.dy, ray.dz),

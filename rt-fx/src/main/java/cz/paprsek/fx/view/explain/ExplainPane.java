@@ -43,6 +43,8 @@ import javafx.scene.layout.VBox;
 public final class ExplainPane extends BorderPane {
     /** Rays of a smaller share in the pixel are left out. */
     static final double SMALLEST_SHARE = 0.002;
+    /** Up to so many levels one ray of a pixel is explained at once. */
+    private static final int SHALLOW = 16;
 
     private final Texts texts;
     private final Words words;
@@ -61,7 +63,7 @@ public final class ExplainPane extends BorderPane {
     private Optional<Pixel> pixel = Optional.empty();
     /** The pixel that is to be explained: for some of many rays that takes a while. */
     private Optional<PicturePoint> asked = Optional.empty();
-    private boolean busy;
+    private Optional<Task<Pixel>> running = Optional.empty();
     /** Whether whoever follows what is chosen is to be told as soon as the pixel is explained. */
     private boolean tells;
     /** Whether it stays at a pixel that was clicked, wherever the mouse goes. */
@@ -149,8 +151,8 @@ public final class ExplainPane extends BorderPane {
         pinned = !pinned;
         show(point);
         if (pinned) {
-            tells = busy;
-            if (!busy) {
+            tells = running.isPresent();
+            if (!tells) {
                 tellChosen();
             }
         }
@@ -163,43 +165,36 @@ public final class ExplainPane extends BorderPane {
             return;
         }
         asked = Optional.of(point);
-        if (point.settings().mostRays() == 1) {
-            show(point, explanation(point));
-        } else if (!busy) {
+        running.ifPresent(Task::cancel);
+        running = Optional.empty();
+        if (point.settings().mostRays() == 1 && point.settings().maxDepth() <= SHALLOW) {
+            show(point, point.scene().explain(point.settings(), point.column(), point.row()));
+        } else {
             explain(point);
         }
     }
 
-    private static Pixel explanation(PicturePoint point) {
-        return point.scene().explain(point.settings(), point.column(), point.row());
-    }
-
-    /** In the background, as the rays of a pixel may be thousands; then what has been asked for meanwhile. */
+    /** In the background, as the rays of a pixel may be thousands, until something else is asked for. */
     private void explain(PicturePoint point) {
-        busy = true;
         Task<Pixel> task = new Task<>() {
             @Override
             protected Pixel call() {
-                return explanation(point);
+                return point.scene().explain(point.settings(), point.column(), point.row());
             }
         };
-        task.setOnSucceeded(event -> {
-            busy = false;
-            Optional<PicturePoint> next = asked;
-            if (next.equals(Optional.of(point))) {
-                show(point, task.getValue());
-            } else {
-                asked = Optional.empty();
-                next.ifPresent(this::show);
-            }
-        });
-        task.setOnFailed(event -> {
-            busy = false;
-            throw new IllegalStateException("a pixel could not be explained", task.getException());
-        });
+        running = Optional.of(task);
+        task.setOnSucceeded(event -> end(task, () -> show(point, task.getValue())));
+        task.setOnFailed(event -> end(task, () -> message.setText(String.valueOf(task.getException().getMessage()))));
         Thread thread = new Thread(task, "paprsek-explain");
         thread.setDaemon(true);
         thread.start();
+    }
+
+    private void end(Task<Pixel> task, Runnable then) {
+        if (running.equals(Optional.of(task))) {
+            running = Optional.empty();
+            then.run();
+        }
     }
 
     private void show(PicturePoint point, Pixel fresh) {
