@@ -2,13 +2,18 @@ package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.SceneReading;
+import cz.paprsek.cli.output.Beside;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.format.ForeignScene;
+import cz.paprsek.format.MeshWriter;
+import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
 import cz.paprsek.pov.PovFiles;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.shape.mesh.Triangles;
 import cz.paprsek.text.Similar;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
@@ -29,19 +34,21 @@ import picocli.CommandLine.Parameters;
         description = {
             "Writes a scene in another form; what form, is told by the ending of the new file:",
             ".pov is for POV-Ray 3.7, which computes the same picture from it. What it cannot show exactly is told in a warning.",
-            ".xml is our own, in standard order and layout, for tidying up a file written by hand."
+            ".xml is our own, in standard order and layout, for tidying up a file written by hand; of a file of another program, with its meshes beside it.",
+            ".obj and .stl are triangles as the file of another program has them, axes and all."
         },
-        footer = {"", "Examples:", "  paprsek convert showcase.xml showcase.pov", "  paprsek convert mine.xml tidy.xml"})
+        footer = {"", "Examples:", "  paprsek convert showcase.xml showcase.pov", "  paprsek convert mine.xml tidy.xml",
+            "  paprsek convert thing.csg thing.xml", "  paprsek convert part.stl part.obj"})
 final class ConvertCommand implements Callable<Integer> {
-    private static final List<String> ENDINGS = List.of("pov", "xml");
+    private static final List<String> ENDINGS = List.of("pov", "xml", "obj", "stl");
 
     private final Terminal terminal;
     private final Stop stop;
 
-    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file; - is standard input.")
+    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file, or one of another program; - is standard input.")
     private Path scene;
 
-    @Parameters(index = "1", paramLabel = "FILE", description = "The file to write, ending in .pov or .xml.")
+    @Parameters(index = "1", paramLabel = "FILE", description = "The file to write, ending in .pov, .xml, .obj or .stl.")
     private Path target;
 
     @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
@@ -60,7 +67,7 @@ final class ConvertCommand implements Callable<Integer> {
         String name = target.toString();
         String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
         if (!ENDINGS.contains(ending)) {
-            throw new WrongUsage("cannot tell what form '" + name + "' is to have: let it end in .pov or .xml"
+            throw new WrongUsage("cannot tell what form '" + name + "' is to have: let it end in .pov, .xml, .obj or .stl"
                     + Similar.suggestion(ending, ENDINGS));
         }
         SceneReading reading = SceneReading.of(scene);
@@ -71,20 +78,38 @@ final class ConvertCommand implements Callable<Integer> {
         if (reading.scenes().size() != 1) {
             throw new WrongUsage(scene + " is a database of " + reading.scenes().size() + " scenes; give a file of one");
         }
-        return write(Cameras.through(reading.scenes().get(0), camera), ending.equals("pov"));
+        if (!quiet) {
+            reading.notes().forEach(terminal::message);
+        }
+        return write(reading, Cameras.through(reading.scenes().get(0), camera), ending);
     }
 
-    private int write(Scene content, boolean isPov) {
+    private void mesh(SceneReading reading, boolean isObj) throws IOException {
+        Triangles mesh = reading.foreign().flatMap(ForeignScene::triangles)
+                .orElseThrow(() -> new WrongUsage("only what holds triangles and nothing else can become OBJ or STL: files such as STL, OBJ, PLY and glTF"));
+        AtomicFile.write(target, out -> {
+            if (isObj) {
+                MeshWriter.obj(mesh, out);
+            } else {
+                MeshWriter.stl(mesh, out);
+            }
+        });
+    }
+
+    private int write(SceneReading reading, Scene content, String ending) {
         List<String> warnings = new ArrayList<>();
         try {
             if (Files.exists(target) && Files.exists(scene) && Files.isSameFile(scene, target)) {
                 throw new WrongUsage("the new file would overwrite the scene " + scene + " itself");
             }
             stop.guard(() -> {
-                if (isPov) {
-                    warnings.addAll(PovFiles.write(content, target));
-                } else {
-                    SceneFiles.write(content, target);
+                switch (ending) {
+                    case "pov" -> warnings.addAll(PovFiles.write(content, target));
+                    case "xml" -> {
+                        Beside.write(reading, target);
+                        SceneFiles.write(content, target);
+                    }
+                    default -> mesh(reading, ending.equals("obj"));
                 }
             });
         } catch (IOException e) {

@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.describe.ModelSummary;
 import cz.paprsek.cli.describe.SceneSummary;
 import cz.paprsek.cli.describe.SummaryAsJson;
 import cz.paprsek.cli.describe.SummaryAsText;
@@ -9,9 +10,12 @@ import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Interruption;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.format.ForeignScene;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.shape.mesh.Triangles;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -20,8 +24,9 @@ import picocli.CommandLine.Parameters;
 /** Says what is in scene files. */
 @Command(
         name = "info",
-        description = "Says what is in scene files and databases: picture, camera, lights, materials, objects by kind, and the space they take.",
-        footer = {"", "Examples:", "  paprsek info showcase.xml", "  paprsek info 'scenes/*.xml' --json"})
+        description = "Says what is in scene files and databases: picture, camera, lights, materials, objects by kind, and the space they take; "
+                + "and what files of triangles hold: whether they are closed, their volume, area and bounds.",
+        footer = {"", "Examples:", "  paprsek info showcase.xml", "  paprsek info 'scenes/*.xml' --json", "  paprsek info part.stl"})
 final class InfoCommand implements Callable<Integer> {
     private final Terminal terminal;
     private final Stop stop;
@@ -50,12 +55,26 @@ final class InfoCommand implements Callable<Integer> {
                 return Interruption.told(terminal, json);
             }
             reading.sentences().forEach(terminal::message);
-            for (int i = 0; i < reading.scenes().size(); i++) {
+            if (!json) {
+                reading.notes().forEach(terminal::message);
+            }
+            Optional<Triangles> mesh = reading.foreign().flatMap(ForeignScene::triangles);
+            mesh.ifPresent(triangles -> show(file, reading.foreign().orElseThrow(), triangles));
+            for (int i = 0; i < reading.scenes().size() && mesh.isEmpty(); i++) {
                 show(file, reading.label(i), reading.scenes().get(i));
             }
             worst = Math.max(worst, reading.isValid() ? ExitCode.DONE : ExitCode.BAD_SCENE);
         }
         return worst;
+    }
+
+    private void show(Path file, ForeignScene model, Triangles mesh) {
+        if (json) {
+            terminal.result(ModelSummary.json(file.toString(), model, mesh).toString());
+        } else {
+            terminal.result(file.toString());
+            ModelSummary.lines(model, mesh).forEach(terminal::result);
+        }
     }
 
     private void show(Path file, String label, Scene scene) {

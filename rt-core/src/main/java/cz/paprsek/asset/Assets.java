@@ -144,6 +144,11 @@ public final class Assets {
         return entry(name).decoded(Objects.requireNonNull(decoder, "decoder"));
     }
 
+    /** Takes in what was found within another file, to be read under a name of its own from now on. The bytes are not copied. */
+    public void supply(String name, byte[] content) throws IOException {
+        entry(name).supply(Objects.requireNonNull(content, "content"));
+    }
+
     /** The SHA-256 of a file's content, as 64 hexadecimal digits. */
     public String digest(String name) throws IOException {
         return sha256(entry(name).bytes());
@@ -291,6 +296,11 @@ public final class Assets {
                 digest = sha256(known);
             }
             return known;
+        }
+
+        synchronized void supply(byte[] content) {
+            bytes = content;
+            digest = sha256(content);
         }
 
         synchronized StoredImage picture() throws IOException {

@@ -45,11 +45,6 @@ public final class ForeignFiles {
         }
     }
 
-    /** As {@link #model(String, ForeignFormat, InputStream, long, Companions)}, of a file whose own pictures nobody asks for. */
-    public static Model model(ForeignFormat format, InputStream input, long size, Companions companions) throws IOException {
-        return model("file", format, input, size, companions);
-    }
-
     private static byte[] all(InputStream input) throws IOException {
         byte[] bytes = input.readNBytes((int) LARGEST_IN_MEMORY + 1);
         if (bytes.length > LARGEST_IN_MEMORY) {

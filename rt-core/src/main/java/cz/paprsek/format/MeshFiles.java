@@ -4,7 +4,6 @@ import cz.paprsek.asset.Assets;
 import cz.paprsek.format.model.Model;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
-import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
@@ -112,7 +111,10 @@ public final class MeshFiles {
      * @throws IOException with a sentence that begins with the name, if it cannot be read
      */
     public static Mesh.Whole whole(String file, Assets assets) throws IOException {
-        Model model = assets.decoded(file, new Decoder(assets));
+        Model model = model(file, assets);
+        for (Map.Entry<String, byte[]> within : model.pictures().entrySet()) {
+            assets.supply(within.getKey(), within.getValue());
+        }
         Map<String, Material> materials = new HashMap<>();
         model.materialOf().forEach((part, name) -> {
             Material material = model.materials().get(name);
@@ -123,13 +125,22 @@ public final class MeshFiles {
         return new Mesh.Whole(file, model.triangles(), materials);
     }
 
-    /** A material whose picture is found from the scene's folder; what lies within the file itself is none of the scene's. */
+    /** The pictures that are within a file, by the names that its materials have for them. */
+    public static Map<String, byte[]> pictures(String file, Assets assets) throws IOException {
+        return model(file, assets).pictures();
+    }
+
+    /** All that is in a file, as {@link #whole} reads it. */
+    static Model model(String file, Assets assets) throws IOException {
+        return assets.decoded(file, new Decoder(assets));
+    }
+
+    /** A material whose picture is found from the scene's folder; one within the file itself has a name that begins there already. */
     private static Material beside(String file, Material material, Model model) {
         if (!(material.pattern() instanceof Pattern.Picture picture)) {
             return material;
         }
-        return material.withPattern(model.pictures().containsKey(picture.file()) ? new Pattern.Plain(Rgb.WHITE)
-                : new Pattern.Picture(folder(file) + picture.file(), picture.filter(), picture.mapping(), picture.lay()));
+        return model.pictures().containsKey(picture.file()) ? material : material.withPattern(new Pattern.Picture(folder(file) + picture.file(), picture.filter(), picture.mapping(), picture.lay()));
     }
 
     private static String folder(String file) {
@@ -146,7 +157,7 @@ public final class MeshFiles {
             again.reset();
             ForeignFormat format = ForeignFormat.of(name, head).filter(ForeignFormat::isMesh)
                     .orElseThrow(() -> new IOException("this is none of the files that hold meshes: STL, OBJ, PLY, glTF"));
-            return ForeignFiles.model(format, again, size, other -> assets.bytes(folder(name) + Objects.requireNonNull(other, "other")));
+            return ForeignFiles.model(name, format, again, size, other -> assets.bytes(folder(name) + Objects.requireNonNull(other, "other")));
         }
     }
 }

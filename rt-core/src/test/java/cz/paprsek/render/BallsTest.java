@@ -3,6 +3,8 @@ package cz.paprsek.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
+import cz.paprsek.format.model.Notes;
+import cz.paprsek.format.nff.NffReader;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Affine;
@@ -12,10 +14,15 @@ import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -46,6 +53,43 @@ class BallsTest {
         RenderResult.Stats stats = Renderer.render(ready, RenderOptions.of(scene), RenderMonitor.NONE).stats();
         assertThat(stats.reflected()).as("reflected rays").isCloseTo(175_095, withinPercentage(1));
         assertThat(stats.refracted()).as("refracted rays").isZero();
+        assertThat(stats.shadow()).as("shadow rays").isCloseTo(954_368, withinPercentage(1));
+    }
+
+    /** As the database's own program writes them, six digits each. */
+    @Test
+    void theFileOfItGivesTheSameNumbers() throws IOException {
+        grow(Vec3.ZERO, 0.5, Vec3.Z, 4);
+        StringBuilder file = new StringBuilder("""
+                v
+                from 2.1 1.3 1.7
+                at 0 0 0
+                up 0 0 1
+                angle 45
+                hither 1
+                resolution 513 513
+                b 0.078 0.361 0.753
+                l 4 3 2
+                l 1 -4 4
+                l -3 1 5
+                f 1 0.75 0.33 0.8 0 0 0 1
+                p 4
+                12 12 -0.5
+                -12 12 -0.5
+                -12 -12 -0.5
+                12 -12 -0.5
+                f 1 0.9 0.7 0.5 0.5 37 0 0
+                """);
+        for (SceneObject ball : objects) {
+            Vec3 centre = ball.placement().position();
+            file.append(String.format(Locale.ROOT, "s %g %g %g %g%n", centre.x(), centre.y(), centre.z(), ((Sphere) ball.shape()).radius()));
+        }
+        Notes notes = new Notes();
+        Scene scene = NffReader.read(new ByteArrayInputStream(file.toString().getBytes(StandardCharsets.US_ASCII)), notes, Mesh::of);
+        assertThat(notes.toList()).isEmpty();
+        assertThat(scene.objects()).hasSize(7382);
+        RenderResult.Stats stats = Renderer.render(RenderScene.of(scene), RenderOptions.of(scene), RenderMonitor.NONE).stats();
+        assertThat(stats.reflected()).as("reflected rays").isCloseTo(175_095, withinPercentage(1));
         assertThat(stats.shadow()).as("shadow rays").isCloseTo(954_368, withinPercentage(1));
     }
 

@@ -10,18 +10,16 @@ import java.util.Optional;
 
 /** Files that are no scenes but look as if somebody hoped they were, by the ending of their names. */
 public final class Foreign {
-    private static final String MESH = "; meshes are not read yet, only scenes in Paprsek's own XML";
+    private static final String MESH = ", which is not read; export it as glTF, OBJ, STL or PLY";
     private static final String PICTURE = "; if the picture is to be written there, say -o before it";
     private static final String POV = ", which is written here (paprsek convert) but not read";
     private static final String PACKED = "; unpack it first";
     private static final Map<String, String> KINDS = Map.ofEntries(
-            Map.entry("obj", "a mesh of Wavefront's (OBJ)" + MESH), Map.entry("stl", "a mesh (STL)" + MESH), Map.entry("ply", "a mesh (PLY)" + MESH),
-            Map.entry("glb", "a glTF model" + MESH), Map.entry("gltf", "a glTF model" + MESH), Map.entry("fbx", "an FBX model" + MESH),
+            Map.entry("fbx", "an FBX model" + MESH),
             Map.entry("3ds", "a model of 3D Studio's" + MESH), Map.entry("dae", "a COLLADA model" + MESH), Map.entry("x3d", "an X3D model" + MESH),
             Map.entry("usd", "a USD scene" + MESH), Map.entry("usdz", "a USD scene" + MESH), Map.entry("3mf", "a 3MF model" + MESH),
             Map.entry("blend", "a file of Blender's" + MESH), Map.entry("step", "a CAD model (STEP)" + MESH), Map.entry("stp", "a CAD model (STEP)" + MESH),
-            Map.entry("scad", "an OpenSCAD model, which is not read yet; its CSG can be written as union, difference and intersection"),
-            Map.entry("csg", "an OpenSCAD model, which is not read yet; its CSG can be written as union, difference and intersection"),
+            Map.entry("scad", "an OpenSCAD program; what it makes is read: openscad -o model.csg model.scad"),
             Map.entry("pov", "a scene of POV-Ray's" + POV), Map.entry("inc", "a part of a POV-Ray scene" + POV),
             Map.entry("png", "a picture" + PICTURE), Map.entry("jpg", "a picture" + PICTURE), Map.entry("jpeg", "a picture" + PICTURE),
             Map.entry("bmp", "a picture" + PICTURE), Map.entry("tif", "a picture" + PICTURE), Map.entry("tiff", "a picture" + PICTURE),
@@ -60,16 +58,20 @@ public final class Foreign {
             return false;
         }
         try (InputStream input = Files.newInputStream(file)) {
-            // Past a byte-order mark, and in any encoding.
-            for (byte letter : input.readNBytes(16)) {
-                if (letter == '<') {
-                    return true;
-                }
-            }
-            return false;
+            return isMarkup(input.readNBytes(16));
         } catch (IOException unreadable) {
             // Whoever reads it will say why.
             return true;
         }
+    }
+
+    /** Past a byte-order mark, and in any encoding. */
+    static boolean isMarkup(byte[] head) {
+        for (int i = 0; i < Math.min(16, head.length); i++) {
+            if (head[i] == '<') {
+                return true;
+            }
+        }
+        return false;
     }
 }

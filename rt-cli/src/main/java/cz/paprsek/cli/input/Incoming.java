@@ -1,6 +1,7 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.format.ForeignFormat;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.ReadMonitor;
@@ -10,6 +11,8 @@ import cz.paprsek.xml.SceneFiles.Contents;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 
 /** What can be read once only: standard input, for which the word is {@code -}, pipes and devices. */
 public final class Incoming {
@@ -17,9 +20,13 @@ public final class Incoming {
 
     private Incoming() {}
 
-    /** Reads what is in a file or comes in, once. */
+    /** Reads what is in a file or comes in, once; the file may be another program's. */
     public static Contents read(Path file) throws SceneFileException, IOException {
         Foreign.refuse(file);
+        Optional<ForeignFormat> format = Models.format(file);
+        if (format.isPresent()) {
+            return new Contents(List.of(Models.read(file, format.get()).scene()), false);
+        }
         return reading(() -> isStandardInput(file) ? SceneFiles.contents(System.in, STANDARD_INPUT) : SceneFiles.contents(file, ReadMonitor.NONE));
     }
 

@@ -1,6 +1,8 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.format.ForeignFormat;
+import cz.paprsek.format.ForeignScene;
 import cz.paprsek.format.MeshFiles;
 import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
@@ -18,12 +20,18 @@ import java.util.Optional;
  *
  * @param scenes one, or those of a database, with the triangles of their meshes; empty if the file is no scene
  * @param problems empty if the file is valid
- * @param text empty if the file is no scene
+ * @param text empty if the file is no scene of ours
+ * @param foreign what a file of another program holds
  */
-public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems, Optional<OriginalText> text) {
+public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems, Optional<OriginalText> text, Optional<ForeignScene> foreign) {
 
     public static SceneReading of(Path file) {
         try {
+            Optional<ForeignFormat> format = Models.format(file);
+            if (format.isPresent()) {
+                ForeignScene read = Models.read(file, format.get());
+                return new SceneReading(file, List.of(read.scene()), List.of(), Optional.empty(), Optional.of(read));
+            }
             OriginalText text = Incoming.text(file);
             return withMeshes(file, text, Incoming.isOnce(file) ? Assets.none() : Assets.beside(file));
         } catch (SceneFileException e) {
@@ -43,11 +51,16 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
             scenes.add(MeshFiles.read(scene, assets, (place, problem) ->
                     problems.add(text.pointer().at(number, Optional.of(place), "file", String.valueOf(problem.getMessage())))));
         }
-        return new SceneReading(file, scenes, problems, Optional.of(text));
+        return new SceneReading(file, scenes, problems, Optional.of(text), Optional.empty());
     }
 
     private static SceneReading refused(Path file, List<Problem> problems) {
-        return new SceneReading(file, List.of(), problems, Optional.empty());
+        return new SceneReading(file, List.of(), problems, Optional.empty(), Optional.empty());
+    }
+
+    /** What is in a file of another program but not taken along. */
+    public List<String> notes() {
+        return foreign.map(read -> read.notes().stream().map(note -> file + ": note: " + note).toList()).orElse(List.of());
     }
 
     public boolean isValid() {

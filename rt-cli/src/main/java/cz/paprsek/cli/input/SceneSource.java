@@ -1,5 +1,7 @@
 package cz.paprsek.cli.input;
 
+import cz.paprsek.format.ForeignFormat;
+import cz.paprsek.format.ForeignScene;
 import cz.paprsek.query.Filter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
@@ -24,11 +26,42 @@ public record SceneSource(Path file, String label, String name, Reading reading)
     /** How to come by a scene. */
     public interface Reading {
         Scene read() throws SceneFileException, IOException;
+
+        /** What was met in the file but not taken along, after it has been read. */
+        default List<String> notes() {
+            return List.of();
+        }
     }
 
     /** A file that is read when its turn comes. */
     public static SceneSource of(Path file) {
-        return new SceneSource(file, file.toString(), Incoming.nameOf(file), () -> Incoming.scene(file));
+        Optional<ForeignFormat> format = Models.format(file);
+        return new SceneSource(file, file.toString(), Incoming.nameOf(file),
+                format.isPresent() ? new ModelReading(file, format.get()) : () -> Incoming.scene(file));
+    }
+
+    /** A file of another program. */
+    private static final class ModelReading implements Reading {
+        private final Path file;
+        private final ForeignFormat format;
+        private List<String> notes = List.of();
+
+        ModelReading(Path file, ForeignFormat format) {
+            this.file = file;
+            this.format = format;
+        }
+
+        @Override
+        public Scene read() throws IOException {
+            ForeignScene read = Models.read(file, format);
+            notes = read.notes();
+            return read.scene();
+        }
+
+        @Override
+        public List<String> notes() {
+            return notes;
+        }
     }
 
     /**
@@ -69,7 +102,7 @@ public record SceneSource(Path file, String label, String name, Reading reading)
 
     private static boolean isDatabase(Path file) {
         try {
-            return Foreign.kind(file).isEmpty() && SceneFiles.isDatabase(file);
+            return Models.format(file).isEmpty() && Foreign.kind(file).isEmpty() && SceneFiles.isDatabase(file);
         } catch (IOException unreadable) {
             // Whoever reads it will say so.
             return false;

@@ -51,6 +51,9 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         try {
             long begin = System.nanoTime();
             Scene read = target.source().read();
+            if (progress != Progress.Maker.SILENT) {
+                target.source().reading().notes().forEach(note -> terminal.message(file + ": note: " + note));
+            }
             Scene seen = view.of(read);
             return render(target, read, seen, pictures.read(target.source().file(), seen), begin);
         } catch (WrongUsage e) {

@@ -18,9 +18,8 @@ class ForeignTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "m.obj   | v 0 0 0        | this is a mesh of Wavefront's (OBJ); meshes are not read yet",
-        "m.STL   | solid x        | this is a mesh (STL)",
-        "m.glb   | glTF           | this is a glTF model",
+        "m.fbx   | Kaydara       | this is an FBX model, which is not read; export it as glTF, OBJ, STL or PLY",
+        "m.scad  | cube(1);      | this is an OpenSCAD program; what it makes is read: openscad -o model.csg model.scad",
         "m.pov   | #include \"x\" | this is a scene of POV-Ray's, which is written here (paprsek convert) but not read",
         "m.blend | BLENDER-v279   | this is a file of Blender's",
         "m.dae   | <COLLADA/>     | this is a COLLADA model",

@@ -1,0 +1,44 @@
+package cz.paprsek.cli.describe;
+
+import cz.paprsek.format.ForeignScene;
+import cz.paprsek.io.Json;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.shape.mesh.Triangles;
+import cz.paprsek.text.Numbers;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What is said of a file of triangles: whether it is a body, and how large. Numbers are those of the file. */
+public final class ModelSummary {
+    private static final int MOST_PARTS = 20;
+
+    private ModelSummary() {}
+
+    public static List<String> lines(ForeignScene model, Triangles mesh) {
+        Bounds bounds = mesh.bounds();
+        String unit = model.convention().unit();
+        List<String> lines = new ArrayList<>();
+        lines.add("  triangles   " + mesh.count() + ", vertices " + mesh.vertexCount());
+        lines.add("  closed      " + (mesh.isClosed() ? "yes" : "no, " + mesh.openEdges() + (mesh.openEdges() == 1 ? " edge is open" : " edges are open")));
+        if (mesh.isClosed()) {
+            lines.add("  volume      " + Numbers.text(mesh.volume()) + (unit.isEmpty() ? "" : " " + unit + "³"));
+        }
+        lines.add("  area        " + Numbers.text(mesh.area()) + (unit.isEmpty() ? "" : " " + unit + "²"));
+        lines.add("  bounds      " + Numbers.text(bounds.minX()) + " " + Numbers.text(bounds.minY()) + " " + Numbers.text(bounds.minZ())
+                + " to " + Numbers.text(bounds.maxX()) + " " + Numbers.text(bounds.maxY()) + " " + Numbers.text(bounds.maxZ()));
+        lines.add("  unit        " + (unit.isEmpty() ? "not said" : unit) + ", " + (model.convention().isZUp() ? "z" : "y") + " is up");
+        if (mesh.parts().size() > 1 || !mesh.parts().get(0).isEmpty()) {
+            lines.add("  parts       " + mesh.parts().size() + ": " + String.join(", ", mesh.parts().stream().limit(MOST_PARTS).toList())
+                    + (mesh.parts().size() > MOST_PARTS ? ", …" : ""));
+        }
+        return lines;
+    }
+
+    public static Json json(String file, ForeignScene model, Triangles mesh) {
+        Bounds bounds = mesh.bounds();
+        return new Json().with("file", file).with("triangles", mesh.count()).with("vertices", mesh.vertexCount()).with("closed", mesh.isClosed())
+                .with("open-edges", mesh.openEdges()).with("volume", mesh.isClosed() ? mesh.volume() : Double.NaN).with("area", mesh.area())
+                .with("bounds", new Json().withNumbers("min", bounds.minX(), bounds.minY(), bounds.minZ()).withNumbers("max", bounds.maxX(), bounds.maxY(), bounds.maxZ()))
+                .with("unit", model.convention().unit()).with("up", model.convention().isZUp() ? "z" : "y").withTexts("parts", mesh.parts()).withTexts("notes", model.notes());
+    }
+}
