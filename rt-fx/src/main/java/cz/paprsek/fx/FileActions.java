@@ -1,5 +1,8 @@
 package cz.paprsek.fx;
 
+import cz.paprsek.asset.Assets;
+import cz.paprsek.format.ForeignFormat;
+import cz.paprsek.format.ForeignScene;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.file.Document;
 import cz.paprsek.fx.model.file.KeptText;
@@ -21,6 +24,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 
 /** New, open, save and reload. What is asked, and what goes wrong, is said here; the files themselves are the model's business. */
 final class FileActions {
@@ -62,11 +66,28 @@ final class FileActions {
         dialogs.fileToOpen(folder).ifPresent(this::open);
     }
 
-    /** Opens a file; if something is wrong with it, says what, and stays with the scene there is. */
+    /** Opens a file; if something is wrong with it, says what, and stays with the scene there is. One of another program becomes a scene that is not saved. */
     void open(Path file) {
         if (mayLeave()) {
-            load(() -> read(file), file);
+            String name = String.valueOf(file.getFileName());
+            Optional<ForeignFormat> foreign = ForeignFormat.ofName(name);
+            if (foreign.isPresent()) {
+                bring(file, name, foreign.get());
+            } else {
+                load(() -> read(file), file);
+            }
         }
+    }
+
+    private void bring(Path file, String name, ForeignFormat format) {
+        notices.say(texts.get().of("file.opening", name));
+        Assets assets = Assets.beside(file);
+        Background.run("paprsek-open", () -> ForeignScene.read(name, format, assets), read -> {
+            forgetCopy();
+            document.brought(read.scene(), assets);
+            notices.quiet();
+            notices.say(String.join("; ", Stream.concat(Stream.of(texts.get().of("file.opened", name)), read.notes().stream()).toList()));
+        }, fault -> failed(file, fault));
     }
 
     /** Opens a scene that is kept in a database, as it was read from there. */

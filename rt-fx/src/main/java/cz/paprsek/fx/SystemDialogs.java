@@ -1,5 +1,6 @@
 package cz.paprsek.fx;
 
+import cz.paprsek.format.ForeignFormat;
 import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.fx.view.library.LibraryFiles;
 import cz.paprsek.fx.view.picture.PictureChooser;
@@ -9,6 +10,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -20,8 +22,8 @@ import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.TextArea;
 import javafx.scene.input.InputEvent;
-import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
+import javafx.stage.FileChooser;
 import javafx.stage.Modality;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
@@ -58,8 +60,12 @@ final class SystemDialogs implements Dialogs {
         FileChooser chooser = new FileChooser();
         chooser.setTitle(title);
         chooser.getExtensionFilters().addAll(
-                new ExtensionFilter(texts.get().of("dialog.scenes"), "*.xml"), new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
+                new ExtensionFilter(texts.get().of("dialog.scenes"), "*.xml"), new ExtensionFilter(texts.get().of("dialog.models"), models()), new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
         return chooser;
+    }
+
+    private static List<String> models() {
+        return Arrays.stream(ForeignFormat.values()).flatMap(format -> format.endings().stream()).map(ending -> "*." + ending).toList();
     }
 
     @Override

@@ -69,6 +69,21 @@ class FilesTest {
     }
 
     @Test
+    void aModelOfAnotherProgramIsOpenedAndSavedWithItsMeshes() throws IOException, SceneFileException {
+        Path model = Files.writeString(folder.resolve("thing.csg"), "cube(size=[1,1,1]);\nlinear_extrude(height=1,twist=90,slices=9,scale=[1,1]) { square(size=[1,1]); }\n");
+        editor.dialogs.open = Optional.of(model);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.O);
+        editor.gui.until("the model is open", () -> editor.model().scene().name().equals("thing"));
+        assertThat(editor.model().scene().objects()).extracting(object -> object.shape().kind()).containsExactly("block", "mesh", "plane");
+        assertThat(editor.gui.stage().getTitle()).startsWith("●");
+        Path file = folder.resolve("saved.xml");
+        editor.dialogs.save = Optional.of(file);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        assertThat(folder.resolve("thing-1.obj")).exists();
+        assertThat(SceneFiles.read(file)).isEqualTo(editor.model().scene());
+    }
+
+    @Test
     void commentsStayWhereTheyWereAndUndoGivesTheOldFileBack() throws IOException, SceneFileException {
         String text = """
                 <!-- exam 3 -->

@@ -57,6 +57,16 @@ public final class Document {
         model.open(scene);
     }
 
+    /** Takes a scene that was made of another program's file, and is in none of its own yet. */
+    public void brought(Scene scene, Assets assets) {
+        source.set(Optional.empty());
+        stamp = Optional.empty();
+        known = Optional.empty();
+        text = KeptText.NONE;
+        model.setAssets(assets);
+        model.openUnsaved(scene);
+    }
+
     /** Takes a scene that was to be saved at a source, or at none, and was not. */
     public void recovered(Optional<SceneSource> from, Scene scene) {
         text = from.equals(source.get()) ? text : KeptText.NONE;
@@ -68,7 +78,7 @@ public final class Document {
     }
 
     /**
-     * Saves the scene where it is kept from now on. If that is in another folder, the pictures that it names are taken along.
+     * Saves the scene where it is kept from now on. If that is in another folder, the pictures and meshes that it names are taken along.
      *
      * @throws IOException if it cannot be written; the old file is still there
      * @throws SceneFileException if it is to go into a file that others have changed and that is not valid
