@@ -49,6 +49,9 @@ public final class ProjectionPane extends Region {
     /** All on which the lower canvas depends, besides the objects. What a gesture changes is drawn above, and apart from the rest. */
     private record Look(Viewport view, Theme theme, Set<ScenePath> apart, Set<ScenePath> hidden) {}
 
+    /** How far names of cameras are apart at least, pixels. */
+    private static final double PLATE = 16;
+
     private final EditorModel model;
     private final Texts texts;
     private final Axes axes;
@@ -346,9 +349,17 @@ public final class ProjectionPane extends Region {
         for (int i = 1; i <= count; i++) {
             int camera = (state.eye() + i) % count;
             if (!state.isHidden(ScenePath.camera(camera))) {
-                painter.camera(state, camera, count > 1 ? PathNames.of(state.scene(), ScenePath.camera(camera), texts) : "");
+                painter.camera(state, camera, count > 1 && !isCovered(state, camera) ? PathNames.of(state.scene(), ScenePath.camera(camera), texts) : "");
             }
         }
+    }
+
+    /** Whether another camera stands so near that its name would lie on this one's: that of the one looked through, or selected, or first. */
+    private boolean isCovered(EditorState state, int camera) {
+        Point2D own = toPane(state.scene().cameras().get(camera).position());
+        return camera != state.eye() && IntStream.range(0, state.scene().cameras().size())
+                .filter(i -> i == state.eye() || i < camera || state.selection().contains(ScenePath.camera(i)))
+                .anyMatch(i -> i != camera && !state.isHidden(ScenePath.camera(i)) && toPane(state.scene().cameras().get(i).position()).distance(own) < PLATE);
     }
 
     private Segment segment(Vec3 from, Vec3 to) {
