@@ -21,6 +21,11 @@ public final class Hit {
     public double sx;
     public double sy;
     public double sz;
+    /**
+     * Whether the surface is made of flat pieces that stand for a round one, of which the normal for light is: a piece that is turned away from a
+     * light where the round one is not yet is lit all the same.
+     */
+    public boolean isRounded;
     /** The place in a picture that covers the surface: 0–1 to the right and up, as seen from outside; beyond on a surface without end. */
     public double u;
     public double v;
@@ -63,6 +68,7 @@ public final class Hit {
         sx = x;
         sy = y;
         sz = z;
+        isRounded = false;
     }
 
     /** Sets the normal that light is reckoned with, from a vector of any length; it stays as it is if that is 0 or too large. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.image.Image;
 import cz.paprsek.material.Material;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Encounter;
@@ -13,6 +14,7 @@ import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Cylinder;
@@ -81,6 +83,29 @@ class MeshBodiesTest {
     private static Scene scene(Solid solid, Material material) {
         return Scene.EMPTY.withSettings(new RenderSettings(160, 120, 8, 1)).withCamera(Camera.lookingAt(new Vec3(1.3, 2.1, 3.4), Vec3.ZERO).withFovy(38))
                 .withLights(List.of(Light.at(4, 6, 5))).withObjects(List.of(SceneObject.of(solid).rotated(10, 20, 5).madeOf(material)));
+    }
+
+    /** The border of light and shadow runs as on a round ball, not along the sides of the fields, which are 9° here. */
+    @Test
+    void lightFadesOnACoarseBallAsOnARoundOne() {
+        Image coarse = lit(Mesh.of(Meshes.ball(0.8, 20).smoothed(40)));
+        Image round = lit(new Sphere(0.8));
+        int apart = 0;
+        int seen = 0;
+        for (int y = 0; y < 120; y++) {
+            for (int x = 0; x < 160; x++) {
+                boolean isInside = Math.hypot(x - 79.5, y - 59.5) < 30;
+                seen += isInside && round.red(x, y) > 0 ? 1 : 0;
+                apart += isInside && Math.abs(coarse.red(x, y) - round.red(x, y)) > 0.02 ? 1 : 0;
+            }
+        }
+        assertThat(seen).isGreaterThan(1000);
+        assertThat(apart).isLessThanOrEqualTo(10);
+    }
+
+    private static Image lit(Solid solid) {
+        Scene scene = scene(solid, Material.color(255, 255, 255).withDiffusion(1)).withLights(List.of(SunLight.along(-1, -0.2, 0.1)));
+        return Renderer.render(scene);
     }
 
     /** A cube has no tessellation to forgive: light goes through one of triangles as through a block. */

@@ -11,6 +11,9 @@ import cz.paprsek.shape.placed.Ray;
  * direction that would lead a mirrored ray into the surface, or one that goes on out of it, is folded back: its part along n is turned round.
  */
 final class Bent {
+    /** The sine of how far a flat piece may be turned away from a light that the round surface for which it stands faces: 20°. */
+    private static final double ROUNDED = 0.342;
+
     private Bent() {}
 
     /** Turns s, which is on the viewer's side of the surface as n is, to the viewer if it is not. */
@@ -44,9 +47,12 @@ final class Bent {
         return -2 * (beyond ? Math.max(0, along) : Math.min(0, along));
     }
 
-    /** N·L, of which the sign says from which side of the surface light comes: 0 if the two normals do not agree. */
+    /**
+     * N·L, of which the sign says from which side of the surface light comes: 0 if the two normals do not agree, unless the surface stands for a round
+     * one that is flatter there. Else the border of light and shadow would run along its flat pieces.
+     */
     static double facing(Hit hit, Arrival light, double facing) {
         double itself = hit.nx * light.x + hit.ny * light.y + hit.nz * light.z;
-        return (itself > 0) == (facing > 0) ? facing : 0;
+        return (itself > 0) == (facing > 0) || (hit.isRounded && facing > 0 && itself > -ROUNDED) ? facing : 0;
     }
 }

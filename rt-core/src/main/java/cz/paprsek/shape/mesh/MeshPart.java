@@ -65,6 +65,7 @@ final class MeshPart implements Part {
             hit.sx = sx * k;
             hit.sy = sy * k;
             hit.sz = sz * k;
+            hit.isRounded = true;
         }
     }
 
