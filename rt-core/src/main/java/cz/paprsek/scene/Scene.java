@@ -114,7 +114,7 @@ public record Scene(
         return new Scene(name, description, tags, settings, background, sky, value, cameras, lights, materials, objects);
     }
 
-    /** The names of the files it needs besides its own: pictures, relative to its folder. */
+    /** The names of the files it needs besides its own: pictures and meshes, relative to its folder. */
     public SortedSet<String> files() {
         return UsedFiles.of(this);
     }

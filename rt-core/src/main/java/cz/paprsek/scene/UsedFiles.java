@@ -3,6 +3,7 @@ package cz.paprsek.scene;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
 import java.util.Collections;
@@ -27,6 +28,9 @@ final class UsedFiles {
 
     private void add(MaterialSource material, Shape shape) {
         add(material);
+        if (shape instanceof Mesh mesh && !mesh.file().isEmpty()) {
+            names.add(mesh.file());
+        }
         if (shape instanceof Csg csg) {
             for (Operand operand : csg.operands()) {
                 add(operand.material(), operand.solid());

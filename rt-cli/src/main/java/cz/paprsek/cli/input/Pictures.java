@@ -34,14 +34,17 @@ public final class Pictures {
     }
 
     /**
-     * Those that a scene names, all there, though not decoded.
+     * Those that a scene names, all there, though of these only meshes have been decoded.
      *
      * @throws IOException with a sentence that names the first that is missing, or cannot be read
      */
     public Assets read(Path file, Scene scene) throws IOException {
         Assets assets = with(file);
+        MeshFiles.read(scene, assets);
         for (String name : scene.files()) {
-            assets.bytes(name);
+            if (!assets.digests().containsKey(name)) {
+                assets.bytes(name);
+            }
         }
         return assets;
     }
