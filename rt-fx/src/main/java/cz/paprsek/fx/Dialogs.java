@@ -18,6 +18,12 @@ interface Dialogs {
     /** Asks where to save; empty if the user thought better of it. */
     Optional<Path> fileToSave(Optional<Path> suggestion);
 
+    /** Asks for a picture that the scene is to have; empty if the user thought better of it. */
+    Optional<Path> pictureToOpen(Path folder);
+
+    /** Asks whether a picture from elsewhere is to be copied into the scene's folder. */
+    boolean isToCopy(Path picture, Path folder);
+
     /** Asks what to do with unsaved changes of a scene. */
     Unsaved aboutUnsaved(String title);
 

@@ -7,11 +7,13 @@ import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.fx.model.file.Settings;
 import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.sheet.PictureFinder;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.Problem;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -97,6 +99,10 @@ final class Editor implements Notices {
 
     Document document() {
         return document;
+    }
+
+    PictureFinder pictureFinder() {
+        return new ScenePictures(document, dialogs, texts());
     }
 
     FileActions files() {
@@ -185,8 +191,12 @@ final class Editor implements Notices {
         }
     }
 
-    /** A fault of the program: the scene is kept at once, and the user told. */
+    /** A fault of the program: the scene is kept at once, and the user told. A picture that is missing or damaged is none, and told in a line. */
     void fault(Throwable fault) {
+        if (fault instanceof UncheckedIOException unreadable) {
+            say(texts().sentence(String.valueOf(unreadable.getMessage())));
+            return;
+        }
         if (inFault) {
             return;
         }

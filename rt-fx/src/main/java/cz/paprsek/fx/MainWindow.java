@@ -53,7 +53,7 @@ final class MainWindow {
         problems = new ProblemList("problem", texts.of("window.close-message"), texts::sentence);
         warningList = new ProblemList("warning", texts.of("window.close-message"), texts::sentence);
         ObjectTree tree = new ObjectTree(model, texts, commands);
-        PropertySheet sheet = new PropertySheet(model, texts, editor.proportional());
+        PropertySheet sheet = new PropertySheet(model, texts, editor.proportional(), editor.pictureFinder());
         AddPalette palette = new AddPalette(model, texts, views::sight, edits);
         Menus menus = new Menus(editor, views, palette, commands);
         commands.setOnRename(tree::rename);

@@ -56,6 +56,30 @@ final class SystemDialogs implements Dialogs {
                 .map(path -> path.toString().contains(".") ? path : Path.of(path + ".xml"));
     }
 
+    @Override
+    public Optional<Path> pictureToOpen(Path folder) {
+        FileChooser chooser = new FileChooser();
+        chooser.setTitle(texts.get().of("sheet.choose-picture"));
+        if (Files.isDirectory(folder)) {
+            chooser.setInitialDirectory(folder.toFile());
+        }
+        chooser.getExtensionFilters().addAll(
+                new ExtensionFilter(texts.get().of("dialog.pictures"), "*.png", "*.jpg", "*.jpeg", "*.hdr", "*.exr", "*.tif", "*.tiff", "*.bmp", "*.ppm", "*.pfm"),
+                new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
+        return Optional.ofNullable(chooser.showOpenDialog(owner)).map(File::toPath);
+    }
+
+    @Override
+    public boolean isToCopy(Path picture, Path folder) {
+        ButtonType copy = new ButtonType(texts.get().of("dialog.copy.yes"), ButtonData.YES);
+        ButtonType no = new ButtonType(texts.get().of("dialog.copy.no"), ButtonData.CANCEL_CLOSE);
+        Alert alert = new Alert(Alert.AlertType.CONFIRMATION, texts.get().of("dialog.copy.text", folder), copy, no);
+        alert.initOwner(owner);
+        alert.setTitle("Paprsek");
+        alert.setHeaderText(texts.get().of("dialog.copy.header", picture.getFileName()));
+        return ask(alert).filter(copy::equals).isPresent();
+    }
+
     private FileChooser chooser(String title) {
         FileChooser chooser = new FileChooser();
         chooser.setTitle(title);

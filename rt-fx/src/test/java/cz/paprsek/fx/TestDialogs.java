@@ -16,6 +16,8 @@ final class TestDialogs implements Dialogs {
     Optional<Path> save = Optional.empty();
     Optional<Path> picture = Optional.empty();
     Optional<Path> tree = Optional.empty();
+    Optional<Path> chosen = Optional.empty();
+    boolean copies;
     Unsaved unsaved = Unsaved.STAY;
     final List<String> asked = new ArrayList<>();
     final List<Throwable> faults = new ArrayList<>();
@@ -30,6 +32,18 @@ final class TestDialogs implements Dialogs {
     public Optional<Path> fileToSave(Optional<Path> suggestion) {
         asked.add("save " + suggestion.map(path -> path.getFileName().toString()).orElse(""));
         return save;
+    }
+
+    @Override
+    public Optional<Path> pictureToOpen(Path folder) {
+        asked.add("picture in " + folder.getFileName());
+        return chosen;
+    }
+
+    @Override
+    public boolean isToCopy(Path file, Path folder) {
+        asked.add("copy " + file.getFileName());
+        return copies;
     }
 
     @Override

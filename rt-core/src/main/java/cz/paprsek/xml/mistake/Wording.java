@@ -32,6 +32,8 @@ final class Wording {
             ambientlight globalambient = ambient
             eye viewpoint viewer view = camera
             image film output settings options resolution = render
+            ev stops gain = exposure
+            tonemapping tonemap tonemapper filmic aces reinhard = tone
             checkers checkered checkeredpattern chess cubes = checker
             board chessboard = checkerboard
             ramp blend linear = gradient
@@ -51,11 +53,18 @@ final class Wording {
             diameter = radius
             ior eta refraction n index = refractive-index
             diffuse kd lambert = diffusion
+            metal metalness metallic conductor = fresnel
+            glossyroughness alphag microfacet = roughness
+            emissive emissivecolor glow luminous radiance emit = emission
+            emissivestrength emissionintensity emissiveintensity = emission-strength
+            absorption absorptioncolor transmissioncolor transmissiontint = attenuation-color
+            absorptiondistance transmissiondepth atdistance = attenuation-distance
+            thinwalled = thin
             phong spec ks highlight = specular
             phongsize exponent glossiness gloss hardness = shininess
             reflect mirror reflectivity reflectance kr = reflection
             opacity alpha transmit transmission transmittance translucency kt filter = transparency
-            rgb rgba pigment diffusecolor basecolor albedo = color
+            rgb rgba pigment diffusecolor basecolor basecolour colour albedo tint = color
             location center centre translate translation origin from eye pos at = position
             rotate angles orientation euler turn = rotation
             lookat to focus interest = target
@@ -63,6 +72,7 @@ final class Wording {
             fov angle fieldofview yfov vfov viewangle = fovy
             power strength brightness energy = intensity
             id label title = name
+            src source href path url filename uri map texture imagefile = file
             spp antialias aa antialiasing supersampling samplesperpixel = samples
             depth maxdepth recursion recursiondepth bounces maxbounces tracelevel maxtracelevel = max-depth
             radii radiuses halfaxes = semi-axes

@@ -3,9 +3,15 @@ package cz.paprsek.fx.model.file;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
+import java.io.File;
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Objects;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
@@ -94,6 +100,54 @@ public final class Document {
         text = written.text();
         model.setAssets(there);
         model.saved(scene);
+    }
+
+    /**
+     * The name by which the scene can have a picture: relative to its folder. Empty if the picture is neither there nor below.
+     *
+     * @throws IOException if there is no such file
+     */
+    public Optional<String> nameOf(Path picture) throws IOException {
+        Path folder = folder().toRealPath();
+        Path real = picture.toRealPath();
+        if (!real.startsWith(folder)) {
+            return Optional.empty();
+        }
+        readAnew();
+        return Optional.of(folder.relativize(real).toString().replace(File.separatorChar, '/'));
+    }
+
+    /**
+     * Copies a picture into the scene's folder, under its own name, or if another has that, with a number.
+     *
+     * @return the name by which the scene can have it
+     * @throws IOException if it cannot be read, is larger than scenes can have, or cannot be written
+     */
+    public String takeIn(Path picture) throws IOException {
+        String name = String.valueOf(picture.getFileName());
+        if (Files.size(picture) > Assets.LARGEST) {
+            throw new IOException(name + " is larger than the " + (Assets.LARGEST >> 20) + " MiB that a picture of a scene can have");
+        }
+        byte[] content = Files.readAllBytes(picture);
+        int dot = name.lastIndexOf('.');
+        Path copy = folder().resolve(name);
+        for (int i = 2; Files.exists(copy) && !Arrays.equals(Files.readAllBytes(copy), content); i++) {
+            copy = folder().resolve(dot > 0 ? name.substring(0, dot) + "-" + i + name.substring(dot) : name + "-" + i);
+        }
+        if (!Files.exists(copy)) {
+            AtomicFile.write(copy, out -> out.write(content));
+        }
+        readAnew();
+        return String.valueOf(copy.getFileName());
+    }
+
+    private Path folder() {
+        return Objects.requireNonNull(source.get().orElseThrow().file().toAbsolutePath().getParent());
+    }
+
+    /** What was looked for and not there may be by now. */
+    private void readAnew() {
+        model.setAssets(Assets.beside(source.get().orElseThrow().file()));
     }
 
     /** Takes note that the scene is kept at a source from now on, which has it as it is now, or soon will. */

@@ -34,6 +34,10 @@ public record Trait(Kind kind, Unit unit, double least, double most, double step
         TEXT,
         /** Words separated by blanks. */
         WORDS,
+        /** The name of a picture's file, relative to the scene's folder. */
+        FILE,
+        /** Colours at places from 0 to 1. */
+        STOPS,
         /** One of the constants of an enumeration. */
         CONSTANT,
         /** One of the kinds of record that a sealed interface permits. */

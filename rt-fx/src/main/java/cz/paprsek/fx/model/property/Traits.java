@@ -5,6 +5,7 @@ import static cz.paprsek.attribute.Kind.CONFIDENCE;
 import static cz.paprsek.attribute.Kind.DEPTH;
 import static cz.paprsek.attribute.Kind.DISC_ANGLE;
 import static cz.paprsek.attribute.Kind.EXPONENT;
+import static cz.paprsek.attribute.Kind.FILE;
 import static cz.paprsek.attribute.Kind.FISHEYE;
 import static cz.paprsek.attribute.Kind.FOVY;
 import static cz.paprsek.attribute.Kind.INTENSITY;
@@ -20,6 +21,7 @@ import static cz.paprsek.attribute.Kind.SCALE;
 import static cz.paprsek.attribute.Kind.SEED;
 import static cz.paprsek.attribute.Kind.SHARE;
 import static cz.paprsek.attribute.Kind.SQUARES;
+import static cz.paprsek.attribute.Kind.STOPS;
 import static java.util.Map.entry;
 
 import cz.paprsek.attribute.Attribute;
@@ -27,6 +29,7 @@ import cz.paprsek.fx.model.property.Trait.Kind;
 import cz.paprsek.fx.model.property.Trait.Preset;
 import cz.paprsek.fx.model.property.Trait.Unit;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
@@ -45,6 +48,8 @@ final class Traits {
             entry(SQUARES, whole(SQUARES)),
             entry(OCTAVES, whole(OCTAVES)),
             entry(SEED, whole(SEED)),
+            entry(FILE, Trait.of(Kind.FILE)),
+            entry(STOPS, Trait.of(Kind.NUMBER).range(-STOPS.most(), STOPS.most()).stepping(0.5)),
             entry(POSITIVE_SCALE, Trait.of(Kind.FACTORS)),
             entry(ROTATION, Trait.of(Kind.VECTOR).in(Unit.DEGREES).stepping(5)),
             entry(SCALE, Trait.of(Kind.FACTORS)),
@@ -75,6 +80,9 @@ final class Traits {
     static Optional<Trait> of(RecordComponent component) {
         if (component.getDeclaringRecord() == Scene.class && component.getName().equals("tags")) {
             return Optional.of(Trait.of(Kind.WORDS));
+        }
+        if (component.getDeclaringRecord() == Pattern.Stops.class) {
+            return Optional.of(Trait.of(Kind.STOPS));
         }
         return Optional.ofNullable(component.getAnnotation(Attribute.class)).map(says -> BY_KIND.get(says.value())).or(() -> byType(component.getType()));
     }

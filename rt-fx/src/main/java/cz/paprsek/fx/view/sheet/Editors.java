@@ -17,8 +17,10 @@ final class Editors {
     private final EditorModel model;
     private final Texts texts;
     private final BooleanProperty proportional;
+    private final PictureFinder finder;
 
-    Editors(EditorModel model, Texts texts, BooleanProperty proportional) {
+    Editors(EditorModel model, Texts texts, BooleanProperty proportional, PictureFinder finder) {
+        this.finder = finder;
         this.model = model;
         this.texts = texts;
         this.proportional = proportional;
@@ -60,6 +62,8 @@ final class Editors {
             case WORDS -> beside(row, new TextEditor(id(property), edit,
                     scene -> property.read(scene).map(words -> String.join(" ", words((List<?>) words))).orElse(""),
                     (scene, line) -> property.write(scene, line.isBlank() ? List.of() : List.of(line.strip().split("\\s+")))));
+            case FILE -> below(row, new FileEditor(property, edit, texts, finder));
+            case STOPS -> below(row, new StopsEditor(property, edit, texts));
             case CONSTANT -> beside(row, new ChoiceEditor<>(id(property), mixed,
                     constant -> texts.of("kind." + constant.toString().toLowerCase(Locale.ROOT)),
                     scene -> List.of(property.type().getEnumConstants()), property::read,

@@ -42,10 +42,13 @@ public final class PropertySheet extends BorderPane {
     private boolean isStale;
     private Runnable onFieldGone = () -> {};
 
-    /** @param proportional whether the three factors of a scale stay in proportion */
-    public PropertySheet(EditorModel model, Texts texts, BooleanProperty proportional) {
+    /**
+     * @param proportional whether the three factors of a scale stay in proportion
+     * @param finder asks for pictures
+     */
+    public PropertySheet(EditorModel model, Texts texts, BooleanProperty proportional, PictureFinder finder) {
         this.model = model;
-        editors = new Editors(model, texts, proportional);
+        editors = new Editors(model, texts, proportional, finder);
         titles = new Titles(texts);
         materials = new MaterialsPane(model, texts, editors);
         ready = new ReadyPane(model, texts);

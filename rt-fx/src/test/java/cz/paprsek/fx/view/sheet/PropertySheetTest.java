@@ -3,12 +3,14 @@ package cz.paprsek.fx.view.sheet;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Pattern.Stop;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
@@ -23,6 +25,7 @@ import java.util.Locale;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
+import javafx.scene.control.ColorPicker;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
@@ -49,7 +52,7 @@ class PropertySheetTest {
                     SceneObject.of(new Sphere(2)).named("moon").at(3, 0, 0).madeOf(Material.DEFAULT),
                     SceneObject.of(new Block(Vec3.ZERO, Vec3.ONE)).named("box").madeOf("steel"));
     private final EditorModel model = new EditorModel(START);
-    private final Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.ENGLISH), new SimpleBooleanProperty(true)), 320, 900);
+    private final Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.ENGLISH), new SimpleBooleanProperty(true), owner -> java.util.Optional.empty()), 320, 900);
 
     @BeforeEach
     void selectTheBall() {
@@ -287,6 +290,53 @@ class PropertySheetTest {
     private void again(KeyCode key) {
         Node owner = gui.stage().getScene().getFocusOwner();
         owner.fireEvent(new KeyEvent(KeyEvent.KEY_PRESSED, "", "", key, false, false, false, false));
+    }
+
+    @Test
+    void stopsAreTypedMovedAddedAndTakenAwayByKeyboardAndMouse() {
+        Pattern.Stops three = Pattern.Stops.of(new Stop(0, Rgb.BLACK), new Stop(0.2, Rgb.WHITE), new Stop(1, new Rgb(200, 0, 0)));
+        gui.act(() -> model.edit(cz.paprsek.fx.model.Label.of(cz.paprsek.fx.model.Label.Edit.CHANGE), scene -> scene.withObjects(
+                List.of(SceneObject.of(new Sphere(0.5)).madeOf(Material.DEFAULT.withPattern(new Pattern.Marble(1, 1, 4, 0, three, Pattern.Lay.NONE)))))));
+        gui.pulse();
+        assertThat(shown("#pattern-colors-stops-1-at")).isEqualTo("0.2");
+        type("#pattern-colors-stops-1-at", "1/4");
+        assertThat(stops()).extracting(Stop::at).containsExactly(0.0, 0.25, 1.0);
+        gui.keys(KeyCode.UP);
+        gui.pulse();
+        assertThat(stops()).extracting(Stop::at).containsExactly(0.0, 0.26, 1.0);
+        gui.click("#pattern-colors-stops-add");
+        gui.pulse();
+        assertThat(stops()).extracting(Stop::at).containsExactly(0.0, 0.26, 0.63, 1.0);
+        assertThat(stops().get(2).color()).isEqualTo(Rgb.ofLinear((1 + new Rgb(200, 0, 0).linearRed()) / 2, 0.5, 0.5));
+        assertThat(Screenshots.save(gui, "sheet-stops")).isNotEmptyFile();
+        type("#pattern-colors-stops-3-at", "0.5");
+        assertThat(stops()).as("in order").extracting(Stop::at).containsExactly(0.0, 0.26, 0.5, 0.63);
+        assertThat(stops().get(2).color()).isEqualTo(new Rgb(200, 0, 0));
+        gui.act(() -> {
+            ColorPicker picker = (ColorPicker) gui.stage().getScene().lookup("#pattern-colors-stops-0-color");
+            picker.setValue(javafx.scene.paint.Color.LIME);
+            picker.fireEvent(new javafx.event.ActionEvent());
+        });
+        assertThat(stops().get(0).color()).isEqualTo(new Rgb(0, 255, 0));
+        gui.click("#pattern-colors-stops-1-remove");
+        gui.pulse();
+        gui.act(() -> gui.stage().getScene().lookup("#pattern-colors-stops-1-remove").requestFocus());
+        gui.keys(KeyCode.SPACE);
+        gui.pulse();
+        assertThat(stops()).extracting(Stop::at).containsExactly(0.0, 0.63);
+        assertThat(gui.node("#pattern-colors-stops-0-remove").isDisabled()).as("a pattern has two").isTrue();
+        type("#pattern-colors-stops-0-at", "2");
+        assertThat(((Label) gui.node(".refusal")).getText()).contains("stop at must be a number from 0 to 1");
+        gui.act(() -> {
+            model.undo();
+            model.undo();
+        });
+        gui.until("the sheet follows", () -> gui.stage().getScene().lookup("#pattern-colors-stops-3-at") != null);
+    }
+
+    private List<Stop> stops() {
+        return model.scene().objects().get(0).material() instanceof Material own && own.pattern() instanceof Pattern.Marble marble
+                && marble.colors() instanceof Pattern.Stops stops ? stops.stops() : List.of();
     }
 
     private void select(ScenePath... items) {
