@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.process.ExitCode;
@@ -17,6 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -49,6 +51,9 @@ final class ValidateCommand implements Callable<Integer> {
     @Option(names = {"-q", "--quiet"}, description = "Prints problems only, and what --json asks for.")
     private boolean quiet;
 
+    @Mixin
+    private Pictures pictures;
+
     ValidateCommand(Terminal terminal, Stop stop) {
         this.terminal = terminal;
         this.stop = stop;
@@ -61,7 +66,7 @@ final class ValidateCommand implements Callable<Integer> {
         }
         int worst = ExitCode.DONE;
         for (Path file : SceneArguments.files(scenes)) {
-            SceneReading reading = SceneReading.of(file);
+            SceneReading reading = SceneReading.of(file, pictures).withPictures(pictures);
             List<Found> all = found(reading);
             List<Found> warnings = all.stream().filter(found -> !found.warning().isNote()).toList();
             List<Found> notes = all.stream().filter(found -> found.warning().isNote()).toList();

@@ -233,4 +233,25 @@ class ValidateCommandTest {
         assertThat(rendering.out() + rendering.err()).contains("a\\u001b[31mb.png").doesNotContain("\u001b");
         assertThat(Run.cli("render", "\u001b[31m.xml", "-o", "\u001b.gif").err()).doesNotContain("\u001b");
     }
+
+    @Test
+    void aPictureThatIsMissingIsAProblemWhereItIsNamed() throws Exception {
+        Path file = Files.writeString(folder.resolve("a.xml"), """
+                <scene xmlns="urn:paprsek:scene:1">
+                  <sky file="sky.hdr"/>
+                  <camera position="0 1 5" direction="0 0 -1"/> <ambient color="white"/>
+                  <sphere radius="1">
+                    <material><image filter="nearest" file="gone.png"/></material>
+                  </sphere>
+                </scene>
+                """);
+        Run run = Run.cli("validate", file);
+        assertThat(run.code()).isEqualTo(3);
+        assertThat(run.err()).contains(file + ":2:8: \"sky.hdr\": there is no such file beside the scene", file + ":5:39: \"gone.png\": there is no such file beside the scene");
+        Path assets = Files.createDirectory(folder.resolve("assets"));
+        Files.write(assets.resolve("sky.hdr"), new byte[1]);
+        Files.write(assets.resolve("gone.png"), new byte[1]);
+        assertThat(Run.cli("validate", file, "--assets", assets).code()).isZero();
+        assertThat(Run.cli("validate", file, "--json").out()).contains("\"valid\":false", "\"line\":5");
+    }
 }

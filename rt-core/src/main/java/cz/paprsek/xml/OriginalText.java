@@ -80,6 +80,16 @@ public final class OriginalText {
         Problem at(int scene, Optional<ScenePath> place, String attribute, String message);
     }
 
+    /**
+     * What is to be said of a file that a scene names, and where it is named.
+     *
+     * @param scene which of the scenes here, from 0
+     */
+    public Problem naming(int scene, String named, String message) {
+        Place place = text().map(text -> text.places().naming(scene, named)).orElse(new Place(1, 1));
+        return new Problem(file, place.line(), place.column(), message);
+    }
+
     static OriginalText read(Path path, ReadMonitor monitor) throws SceneFileException, IOException {
         SceneFiles.checkReadable(path);
         try (Source source = Source.of(path)) {

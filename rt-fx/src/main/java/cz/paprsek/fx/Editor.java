@@ -166,7 +166,7 @@ final class Editor implements Notices {
 
     /** Opens what the program was started for: a file, else the given scene without one. */
     void start(Optional<Path> file, Scene otherwise) {
-        document.openedWithoutFile(otherwise);
+        document.openedWithoutFile(otherwise, Templates.pictures());
         file.ifPresent(files::open);
         files.offerUntitled();
     }

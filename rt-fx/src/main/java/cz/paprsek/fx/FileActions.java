@@ -54,7 +54,7 @@ final class FileActions {
     /** Starts from a template or example. */
     void newFrom(String template) {
         if (mayLeave()) {
-            document.openedWithoutFile(Templates.read(template));
+            document.openedWithoutFile(Templates.read(template), Templates.pictures());
             notices.quiet();
             notices.say("");
         }

@@ -1,5 +1,6 @@
 package cz.paprsek.fx;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -14,10 +15,15 @@ final class Templates {
     static final List<String> NEW = List.of("plain", "studio", "test");
     /** To look at: scenes of the project. */
     static final List<String> EXAMPLES = List.of(
-            "showcase", "primitives", "csg", "placement", "lights", "stage", "soft-shadows", "lanterns", "evening-sun", "focus", "orthographic", "fisheye",
-            "panorama", "mirrors", "glass", "lens", "tumbler", "dice", "fresnel", "absorption", "rough", "neon", "materials", "checkers", "patterns", "threads", "chess");
+            "still-life", "showcase", "primitives", "csg", "placement", "lights", "stage", "soft-shadows", "lanterns", "evening-sun", "focus", "orthographic", "fisheye",
+            "panorama", "mirrors", "glass", "lens", "tumbler", "dice", "fresnel", "absorption", "rough", "neon", "materials", "checkers", "patterns", "pictures", "four-lines", "threads", "chess");
 
     private Templates() {}
+
+    /** Where the pictures of examples come from. */
+    static Assets pictures() {
+        return Assets.in(Templates.class.getClassLoader(), "cz/paprsek/fx/examples");
+    }
 
     /** Reads a template or example. */
     static Scene read(String name) {

@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.material.Material;
@@ -30,7 +31,7 @@ class PicturesInEditorTest {
     @TempDir
     Path folder;
 
-    private Path scenes;
+    private Path scenes = Path.of("");
     private EditorGui editor;
 
     @BeforeEach
@@ -69,6 +70,19 @@ class PicturesInEditorTest {
     void oneThatIsMissingIsToldInALineAndIsNoFaultOfTheProgram() {
         editor.gui.until("told", () -> editor.status().contains("none.png") || editor.status().contains("missing.png"));
         assertThat(editor.dialogs.faults).isEmpty();
+    }
+
+    /** Which are in the program itself, and come along when the scene is saved. */
+    @Test
+    void thoseOfAnExampleAreThereAndAreSavedWithIt() throws IOException {
+        editor.menu("example-pictures");
+        for (String name : editor.model().scene().files()) {
+            assertThat(editor.model().assets().bytes(name).remaining()).as(name).isPositive();
+        }
+        Path saved = Files.createDirectories(folder.resolve("mine")).resolve("mine.xml");
+        editor.dialogs.save = Optional.of(saved);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.S);
+        assertThat(folder.resolve("mine/pictures/globe.png")).exists();
     }
 
     @Test
@@ -127,7 +141,7 @@ class PicturesInEditorTest {
 
     @Test
     void aSceneWithoutAFolderSaysSo() {
-        editor.gui.act(() -> editor.editor.document().openedWithoutFile(editor.model().scene()));
+        editor.gui.act(() -> editor.editor.document().openedWithoutFile(editor.model().scene(), Assets.none()));
         select(ScenePath.body(0));
         editor.gui.click("#pattern-file-choose");
         assertThat(((Labeled) editor.gui.node(".refusal")).getText()).contains("Save the scene first");

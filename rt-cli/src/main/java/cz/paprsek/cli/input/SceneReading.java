@@ -26,6 +26,11 @@ import java.util.Optional;
 public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems, Optional<OriginalText> text, Optional<ForeignScene> foreign) {
 
     public static SceneReading of(Path file) {
+        return of(file, new Pictures());
+    }
+
+    /** With meshes from where pictures come from as well. */
+    public static SceneReading of(Path file, Pictures pictures) {
         try {
             Optional<ForeignFormat> format = Models.format(file);
             if (format.isPresent()) {
@@ -33,7 +38,7 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
                 return new SceneReading(file, List.of(read.scene()), List.of(), Optional.empty(), Optional.of(read));
             }
             OriginalText text = Incoming.text(file);
-            return withMeshes(file, text, Incoming.isOnce(file) ? Assets.none() : Assets.beside(file));
+            return withMeshes(file, text, pictures.of(file));
         } catch (SceneFileException e) {
             return refused(file, e.problems());
         } catch (IOException e) {
@@ -52,6 +57,22 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
                     problems.add(text.pointer().at(number, Optional.of(place), "file", String.valueOf(problem.getMessage())))));
         }
         return new SceneReading(file, scenes, problems, Optional.of(text), Optional.empty());
+    }
+
+    /** With what there is to say of pictures that its scenes name and that are missing or too large; they are not decoded. */
+    public SceneReading withPictures(Pictures pictures) {
+        Assets assets = pictures.of(file);
+        List<Problem> lacking = new ArrayList<>(problems);
+        for (int i = 0; i < scenes.size() && text.isPresent(); i++) {
+            for (String name : scenes.get(i).files()) {
+                try {
+                    assets.bytes(name);
+                } catch (IOException e) {
+                    lacking.add(text.get().naming(i, name, Failures.sentence(e)));
+                }
+            }
+        }
+        return new SceneReading(file, scenes, lacking, text, foreign);
     }
 
     private static SceneReading refused(Path file, List<Problem> problems) {

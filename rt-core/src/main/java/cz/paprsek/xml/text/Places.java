@@ -50,14 +50,36 @@ public final class Places {
      * @throws Unpatchable if there is no such element
      */
     public Place of(int scene, List<Step> way, String attribute) {
-        Element at = source.root().name().equals("scene") ? source.root() : child(source.root(), new Step("scene", scene));
+        Element at = scene(scene);
         for (Step step : way) {
             at = child(at, step);
         }
+        return place(start(at, attribute));
+    }
+
+    /**
+     * The place of the first {@code file} attribute that names a file; of the scene if there is none, or it is written in other letters.
+     *
+     * @param scene which scene of a database it is in, from 0
+     */
+    public Place naming(int scene, String file) {
+        return place(descendants(scene(scene)).flatMap(one -> source.attributes(one).stream())
+                .filter(one -> one.name().equals("file") && source.text(one.valueFrom(), one.valueTo()).equals(file)).map(Source.Attribute::start)
+                .findFirst().orElse(scene(scene).start()));
+    }
+
+    private Stream<Element> descendants(Element element) {
+        return Stream.concat(Stream.of(element), source.children(element).stream().flatMap(this::descendants));
+    }
+
+    private Element scene(int scene) {
+        return source.root().name().equals("scene") ? source.root() : child(source.root(), new Step("scene", scene));
+    }
+
+    private Place place(int start) {
         if (lines.isEmpty()) {
             findLines();
         }
-        int start = start(at, attribute);
         int line = Collections.binarySearch(lines, start);
         int number = line < 0 ? -line - 1 : line + 1;
         String before = source.text(lines.get(number - 1), start);

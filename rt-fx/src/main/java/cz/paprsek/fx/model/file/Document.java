@@ -53,13 +53,13 @@ public final class Document {
         model.open(read.scene());
     }
 
-    /** Takes a scene that is in no file. */
-    public void openedWithoutFile(Scene scene) {
+    /** Takes a scene that is in no file, whose pictures come from elsewhere; they are taken along when it is saved. */
+    public void openedWithoutFile(Scene scene, Assets pictures) {
         source.set(Optional.empty());
         stamp = Optional.empty();
         known = Optional.empty();
         text = KeptText.NONE;
-        model.setAssets(Assets.none());
+        model.setAssets(pictures);
         model.open(scene);
     }
 
