@@ -36,7 +36,8 @@ class PicturesInEditorTest {
 
     @BeforeEach
     void openASceneWithAPicture() throws Exception {
-        scenes = Files.createDirectories(folder.resolve("scenes").resolve("pictures")).getParent();
+        scenes = folder.resolve("scenes");
+        Files.createDirectories(scenes.resolve("pictures"));
         picture(scenes.resolve("pictures/red.png"), 1);
         Path file = scenes.resolve("scene.xml");
         SceneFiles.write(Scene.EMPTY.withSky(new Sky.Picture("pictures/none.png", 0, 1))
