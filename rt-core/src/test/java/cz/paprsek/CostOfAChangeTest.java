@@ -17,16 +17,16 @@ class CostOfAChangeTest {
     void anAttributeIsKnownWhereItIsSaidReadAndUsed() throws IOException {
         assertThat(filesThatKnow("\\b[sS]hininess\\b")).containsExactlyInAnyOrder(
                 "Material.java", "MaterialBean.java",
-                "Finish.java", "LightSteps.java", "Exercise.java", "PovMaterials.java",
+                "Finish.java", "Paths.java", "LightSteps.java", "Exercise.java", "PovMaterials.java", "MtlReader.java",
                 "Wording.java");
     }
 
-    /** The record, the list of solids and its bean; besides, whoever likes to do more for it: POV-Ray is told its form, and it has an icon of its own. */
+    /** The record, the list of solids and its bean; besides, whoever likes to do more for it: POV-Ray is told its form, it has an icon of its own, and another program's extrusion is one. */
     @Test
     void aShapeIsKnownWhereItIsMadeReadAndDrawn() throws IOException {
         assertThat(filesThatKnow("\\bTorus\\b|\"torus\"")).containsExactlyInAnyOrder(
                 "Torus.java", "Solid.java", "ShapeBeans.java",
-                "PovShapes.java", "Icons.java");
+                "PovShapes.java", "Icons.java", "Extrusion.java");
     }
 
     private static List<String> filesThatKnow(String word) throws IOException {

@@ -1,7 +1,7 @@
 package cz.paprsek.cli;
 
-import cz.paprsek.cli.input.Words;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.value.Words;
 import cz.paprsek.text.Similar;
 import java.nio.file.Files;
 import java.util.ArrayList;

@@ -29,12 +29,14 @@ class ArchitectureTest {
             .layer("output").definedBy("cz.paprsek.cli.output")
             .layer("describe").definedBy("cz.paprsek.cli.describe")
             .layer("input").definedBy("cz.paprsek.cli.input")
+            .layer("value").definedBy("cz.paprsek.cli.value")
             .layer("process").definedBy("cz.paprsek.cli.process")
             .whereLayer("commands").mayNotBeAccessedByAnyLayer()
             .whereLayer("db").mayOnlyBeAccessedByLayers("commands")
             .whereLayer("bench").mayOnlyBeAccessedByLayers("commands")
             .whereLayer("describe").mayOnlyBeAccessedByLayers("commands")
             .whereLayer("output").mayOnlyBeAccessedByLayers("commands", "db", "bench")
+            .whereLayer("value").mayOnlyBeAccessedByLayers("commands", "db", "bench", "output", "input")
             .whereLayer("input").mayOnlyBeAccessedByLayers("commands", "db", "bench", "output");
 
     @ArchTest

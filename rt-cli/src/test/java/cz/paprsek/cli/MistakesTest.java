@@ -2,7 +2,7 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.cli.input.Size;
+import cz.paprsek.cli.value.Size;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

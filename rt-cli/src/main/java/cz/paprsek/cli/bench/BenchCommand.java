@@ -1,12 +1,12 @@
 package cz.paprsek.cli.bench;
 
-import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Interruption;
 import cz.paprsek.cli.process.Memory;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.value.Size;
 import cz.paprsek.io.Failures;
 import cz.paprsek.render.Renderer;
 import java.io.IOException;

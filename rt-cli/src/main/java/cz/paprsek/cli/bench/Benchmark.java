@@ -1,7 +1,7 @@
 package cz.paprsek.cli.bench;
 
-import cz.paprsek.cli.input.Size;
 import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.value.Size;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.RenderScene;

@@ -1,11 +1,11 @@
 package cz.paprsek.cli.bench;
 
 import cz.paprsek.cli.input.Foreign;
-import cz.paprsek.cli.input.Share;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.value.Share;
 import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;

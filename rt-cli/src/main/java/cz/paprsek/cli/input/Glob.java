@@ -1,6 +1,7 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.value.Words;
 import java.io.IOException;
 import java.nio.file.FileSystems;
 import java.nio.file.FileVisitOption;

@@ -1,5 +1,6 @@
 package cz.paprsek.cli.input;
 
+import cz.paprsek.cli.value.Tones;
 import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.scene.RenderSettings;
 import java.util.Optional;

@@ -1,5 +1,6 @@
 package cz.paprsek.cli.input;
 
+import cz.paprsek.cli.value.LayerNames;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.film.Film.Layer;
 import java.util.List;

@@ -1,5 +1,6 @@
 package cz.paprsek.cli.input;
 
+import cz.paprsek.cli.value.Words;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;

@@ -1,6 +1,7 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.value.Size;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
 import cz.paprsek.scene.RenderSettings;

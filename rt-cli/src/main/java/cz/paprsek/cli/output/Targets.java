@@ -1,8 +1,8 @@
 package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.input.SceneSource;
-import cz.paprsek.cli.input.Words;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.value.Words;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;

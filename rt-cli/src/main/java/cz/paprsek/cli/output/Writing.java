@@ -1,16 +1,16 @@
 package cz.paprsek.cli.output;
 
-import cz.paprsek.cli.input.Samples;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.value.Samples;
 import cz.paprsek.image.ImageFormat;
-import cz.paprsek.image.ImageOptions;
 import cz.paprsek.image.ImageOptions.Origin;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
-import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.text.Numbers;
 import cz.paprsek.xml.SceneFiles;

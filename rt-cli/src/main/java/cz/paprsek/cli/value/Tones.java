@@ -1,4 +1,4 @@
-package cz.paprsek.cli.input;
+package cz.paprsek.cli.value;
 
 import cz.paprsek.material.Rgb.Tone;
 import java.util.Arrays;

@@ -1,4 +1,4 @@
-package cz.paprsek.cli.input;
+package cz.paprsek.cli.value;
 
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import java.util.Arrays;

@@ -1,4 +1,4 @@
-package cz.paprsek.cli.input;
+package cz.paprsek.cli.value;
 
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.text.Similar;
