@@ -172,13 +172,18 @@ public record Material(
         /** That of the pattern's colours; 1 if nobody knows which there are, as in a picture. */
         @Override
         public double most(double even) {
-            return pattern.palette().stream().mapToDouble(color -> channel.of(color.red() / 255, color.green() / 255, color.blue() / 255)).max().orElse(1);
+            return pattern.palette().stream().mapToDouble(channel::of).max().orElse(1);
         }
     }
 
     /** What of a colour is a number. */
     public enum ColorChannel {
         LUMINANCE, RED, GREEN, BLUE;
+
+        /** The number, 0–1, that a colour stands for. */
+        public double of(Rgb color) {
+            return of(color.red() / 255, color.green() / 255, color.blue() / 255);
+        }
 
         /** A number, 0–1, of three, 0–1. */
         public double of(double red, double green, double blue) {

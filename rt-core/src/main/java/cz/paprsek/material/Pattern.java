@@ -1,6 +1,7 @@
 package cz.paprsek.material;
 
 import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
@@ -32,6 +33,16 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
     /** Its colours, or those that all others are mixed of, the first first; empty if it does not say which it has. */
     default List<Rgb> palette() {
         return colors().stops().stream().map(Stop::color).toList();
+    }
+
+    /** Whether another one has as many colours in the very same places, whatever they are; not if either does not say which it has. */
+    default boolean hasFormOf(Pattern other) {
+        return getClass() == other.getClass() && this instanceof Record && !palette().isEmpty() && form(this).equals(form(other));
+    }
+
+    private static List<Object> form(Pattern pattern) {
+        return Described.values((Record) pattern).values().stream().<Object>map(value -> value instanceof Rgb ? "" : value instanceof Colors colors
+                ? colors.stops().stream().map(Stop::at).toList() : value).toList();
     }
 
     /** Whether it goes by the place in a picture that covers the surface, u and v, rather than by the place in space. */

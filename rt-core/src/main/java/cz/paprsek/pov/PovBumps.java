@@ -65,12 +65,8 @@ final class PovBumps {
         return shape instanceof Plane ? Optional.of(new String[] {"x", "0", "z"}) : Optional.empty();
     }
 
-    static double number(ColorChannel channel, Rgb color) {
-        return channel.of(color.red() / 255, color.green() / 255, color.blue() / 255);
-    }
-
     private static double luminance(Rgb color) {
-        return number(ColorChannel.LUMINANCE, color);
+        return ColorChannel.LUMINANCE.of(color);
     }
 
     /** The height in the space of the object: POV-Ray would scale bumps as it scales the pattern. */

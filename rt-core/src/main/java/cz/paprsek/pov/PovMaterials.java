@@ -55,7 +55,7 @@ final class PovMaterials {
     private static String body(Material material, Shape shape) {
         for (Named share : NAMED) {
             if (share.of().apply(material.shares()) instanceof ByPattern by && PovPatterns.isTold(by.pattern())) {
-                PovPatterns textures = PovPatterns.ofTextures(color -> body(share.with().apply(material, PovBumps.number(by.channel(), color)), shape));
+                PovPatterns textures = PovPatterns.ofTextures(color -> body(share.with().apply(material, by.channel().of(color)), shape));
                 return textures.around(by.pattern(), shape);
             }
         }

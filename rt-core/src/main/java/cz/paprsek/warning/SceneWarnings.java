@@ -142,10 +142,31 @@ public final class SceneWarnings {
         // What glass does not mirror it lets through.
         boolean isGlass = material.fresnel() == Fresnel.TRUE;
         double sum = material.diffusion() + (isGlass ? Math.max(material.reflection(), material.transparency()) : material.reflection() + material.transparency());
+        sum = Math.min(sum, together(material, isGlass));
         if (sum > 1 + SLACK) {
             add("energy", what, place, what + (isGlass ? ": diffusion and the greater of reflection and transparency" : ": diffusion, reflection and transparency") + " add up to " + Numbers.text(Math.rint(sum * 1e6) / 1e6)
                     + "; above 1 a surface gives back more light than it gets");
         }
+    }
+
+    /** The greatest sum at any one point, if all shares that differ do so by one pattern, in other colours; else without bound: nobody knows where which of them meet. */
+    private static double together(Material material, boolean isGlass) {
+        List<Material.ByPattern> varied = Stream.of(material.shares().diffusion(), material.shares().reflection(), material.shares().transparency())
+                .filter(Material.ByPattern.class::isInstance).map(Material.ByPattern.class::cast).toList();
+        if (varied.size() < 2 || varied.stream().anyMatch(by -> !by.pattern().hasFormOf(varied.get(0).pattern()))) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double most = 0;
+        for (int i = 0; i < varied.get(0).pattern().palette().size(); i++) {
+            double reflection = share(material.shares().reflection(), i, material.reflection());
+            double transparency = share(material.shares().transparency(), i, material.transparency());
+            most = Math.max(most, share(material.shares().diffusion(), i, material.diffusion()) + (isGlass ? Math.max(reflection, transparency) : reflection + transparency));
+        }
+        return most;
+    }
+
+    private static double share(Material.Share share, int color, double even) {
+        return share instanceof Material.ByPattern by ? by.channel().of(by.pattern().palette().get(color)) : even;
     }
 
     /** In many other formats, colours go up to 1. */

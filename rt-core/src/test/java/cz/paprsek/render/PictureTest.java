@@ -159,6 +159,19 @@ class PictureTest {
         assertThat(sky(turned, new Vec3(direction.z(), direction.y(), -direction.x()), Assets.of(Map.of("p", FOUR_BY_TWO)))).containsExactly(new double[] {column / 2.0, row, 0}, within(0.01));
     }
 
+    /** Squares far finer than pixels are one grey: straight from the eye, and in a ball that mirrors them finer still. */
+    @Test
+    void aFineSkyIsEvenFromAfarAndInAMirror() {
+        byte[] squares = png(512, 256, (x, y) -> (x + y) % 2 == 0 ? new double[] {1, 1, 1} : new double[] {0, 0, 0});
+        Scene scene = Scenes.empty().withSettings(new RenderSettings(24, 18, 3, 1)).withSky(new Sky.Picture("p", 0, 1))
+                .plus(SceneObject.of(new Sphere(1.2)).madeOf(Material.DEFAULT.withDiffusion(0).withReflection(1)));
+        Scene from = scene.withCamera(Camera.looking(new Vec3(0, 0, 5), new Vec3(0, 0, -1)).withLens(Lens.Perspective.DEFAULT.withFovy(100)));
+        Image image = Renderer.render(RenderScene.of(from, Assets.of(Map.of("p", squares)), RenderMonitor.NONE), RenderOptions.of(from), RenderMonitor.NONE).image();
+        for (int i = 0; i < 24 * 18; i++) {
+            assertThat(image.red(i % 24, i / 24)).isCloseTo(0.5f, within(0.05f));
+        }
+    }
+
     private static double[] sky(Scene scene, Vec3 direction, Assets assets) {
         var light = RenderScene.of(scene, assets, RenderMonitor.NONE).explainRay(Vec3.ZERO, direction, 3).light();
         return new double[] {light.red(), light.green(), light.blue()};

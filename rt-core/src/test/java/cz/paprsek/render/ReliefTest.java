@@ -22,6 +22,11 @@ import cz.paprsek.material.Pattern.Colors;
 import cz.paprsek.material.Pattern.Lay;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.text.Decoration;
+import cz.paprsek.render.explain.text.TreeJson;
+import cz.paprsek.render.explain.text.TreeText;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
@@ -32,9 +37,11 @@ import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.words.Words;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -192,6 +199,34 @@ class ReliefTest {
                 .plus(SceneObject.of(new Rectangle(-5, -5, 5, 5)).madeOf(Material.DEFAULT.withDiffusion(1)));
         assertThat(seen(scene, 0.25, 0, Map.of())).isZero();
         assertThat(seen(scene, 0.75, 0, Map.of())).isCloseTo(0.4, within(1e-6));
+    }
+
+    /** What is told of a point: the place in a picture and what stands there, the number of a share, both normals; in either language. */
+    @Test
+    void anExplanationSaysWhatPatternsHaveAtThePoint() {
+        Material material = Material.DEFAULT.withPattern(Pattern.Picture.of("p"))
+                .withShares(new Shares(new Even(), new Even(), new ByPattern(ColorChannel.GREEN, new Pattern.Checker(10, Vec3.ZERO, new Rgb(0, 51, 0), Rgb.BLACK)), new Even(), new Even()))
+                .withRelief(new Bump(2, BLACK_TO_WHITE));
+        Scene scene = Scene.EMPTY.withSettings(new RenderSettings(1, 1, 3, 1)).withCamera(Camera.looking(new Vec3(0.3, 0.1, 5), new Vec3(0, 0, -1))).plus(Light.at(3, 4, 5))
+                .withBackground(Rgb.WHITE).plus(SceneObject.of(new Rectangle(-1, -1, 1, 1)).madeOf(material));
+        Pixel pixel = RenderScene.of(scene, Assets.of(Map.of("p", png(255, 255, 255))), RenderMonitor.NONE).explain(0, 0);
+        Encounter met = pixel.rays().get(0).encounter().orElseThrow();
+        assertThat(met.readings().stream().map(Encounter.Reading::of)).containsExactly("color", "reflection", "bump");
+        Encounter.PicturePoint point = met.readings().get(0).point().orElseThrow();
+        assertThat(point.file() + point.column() + point.row()).isEqualTo("p00");
+        assertThat(point.u()).isCloseTo(0.65, within(1e-9));
+        assertThat(point.v()).isCloseTo(0.55, within(1e-9));
+        assertThat(met.material().reflection()).isCloseTo(0.2, within(1e-12));
+        assertThat(met.readings().get(2).found().red()).isCloseTo(0.55, within(1e-9));
+        assertThat(met.place().normal()).isEqualTo(Vec3.Z);
+        assertThat(met.place().towardsViewer().y()).isCloseTo(-Math.sqrt(0.5), within(1e-9));
+        assertThat(text(pixel, Locale.ENGLISH)).contains("kR             checker", "picture p", "point 0, 0 is (1, 1, 1)", "N₀, that of the surface itself");
+        assertThat(text(pixel, Locale.forLanguageTag("cs"))).contains("hrbolky", "N₀, samotného povrchu");
+        assertThat(TreeJson.of(pixel).toString()).contains("\"readings\":[{\"of\":\"color\",\"pattern\":\"image\",\"file\":\"p\"");
+    }
+
+    private static String text(Pixel pixel, Locale language) {
+        return String.join("\n", TreeText.lines(pixel, 0, Decoration.NONE, Words.in(language)));
     }
 
     private interface Column {

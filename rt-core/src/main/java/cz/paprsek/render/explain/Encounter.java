@@ -14,7 +14,8 @@ import java.util.Optional;
  * A ray has hit something: where, what it is made of, and the terms of the light that the ray takes back from there.
  *
  * @param place where
- * @param material what the surface is made of
+ * @param material what the surface is made of at this point: its shares are numbers
+ * @param readings what its patterns have at this point: that of the colour first, then those of shares, and of bumps
  * @param color C, the surface's colour at this point
  * @param ambientLight A, the scene's light that reaches every point alike
  * @param ambient the ambient term, A·C
@@ -30,6 +31,7 @@ import java.util.Optional;
 public record Encounter(
         Place place,
         Material material,
+        List<Reading> readings,
         LinearRgb color,
         LinearRgb ambientLight,
         LinearRgb ambient,
@@ -54,7 +56,41 @@ public record Encounter(
         Objects.requireNonNull(facet, "facet");
         Objects.requireNonNull(reflected, "reflected");
         Objects.requireNonNull(refracted, "refracted");
+        readings = List.copyOf(readings);
         lights = List.copyOf(lights);
+    }
+
+    /**
+     * What a pattern has at the point.
+     *
+     * @param of what goes by it: {@code color}, the name of a share as in a file, {@code bump} or {@code normal-map}
+     * @param pattern its kind, as in a file
+     * @param point of a picture, where it was read
+     * @param found light of a colour; else numbers, of which a share or a height is the luminance, or a channel
+     */
+    public record Reading(String of, String pattern, Optional<PicturePoint> point, LinearRgb found) {
+        public Reading {
+            Objects.requireNonNull(of, "of");
+            Objects.requireNonNull(pattern, "pattern");
+            Objects.requireNonNull(point, "point");
+            Objects.requireNonNull(found, "found");
+        }
+    }
+
+    /**
+     * Where a picture was read.
+     *
+     * @param u to the right, 0–1 within the picture, which repeats beyond
+     * @param v upwards, likewise
+     * @param column of the nearest of its points
+     * @param row of that, from the top
+     * @param value what the picture has there: light of a colour, else numbers
+     */
+    public record PicturePoint(String file, double u, double v, int column, int row, LinearRgb value) {
+        public PicturePoint {
+            Objects.requireNonNull(file, "file");
+            Objects.requireNonNull(value, "value");
+        }
     }
 
     /** What adds up to the ray's light, in the order in which it is added. */

@@ -27,7 +27,7 @@ final class CameraRays {
         this.sampling = sampling;
         this.sampler = sampler;
         this.surroundings = new Surroundings(scene);
-        this.footprints = scene.parts().havePictures();
+        this.footprints = scene.asksForFootprints();
         this.spacing = 1 / Math.sqrt(sampling.rays());
     }
 

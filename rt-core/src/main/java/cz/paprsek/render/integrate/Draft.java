@@ -3,6 +3,7 @@ package cz.paprsek.render.integrate;
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Encounter.Facet;
+import cz.paprsek.render.explain.Encounter.Reading;
 import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.Encounter.Split;
 import cz.paprsek.render.explain.LightTerm;
@@ -20,6 +21,7 @@ public final class Draft {
     private final TracedRay ray;
     public final Encounter.Place place;
     private final Material material;
+    private final List<Reading> readings;
     private final LinearRgb color;
     private final LinearRgb ambientLight;
     public final ShadowWalk.Start start;
@@ -34,10 +36,11 @@ public final class Draft {
     private Optional<TracedRay> refracted = Optional.empty();
 
     /** @param ray the ray so far, without an encounter; its light is the ambient term */
-    public Draft(TracedRay ray, Encounter.Place place, Material material, LinearRgb color, LinearRgb ambientLight, ShadowWalk.Start start) {
+    public Draft(TracedRay ray, Encounter.Place place, Material material, List<Reading> readings, LinearRgb color, LinearRgb ambientLight, ShadowWalk.Start start) {
         this.ray = ray;
         this.place = place;
         this.material = material;
+        this.readings = List.copyOf(readings);
         this.color = color;
         this.ambientLight = ambientLight;
         this.start = start;
@@ -80,7 +83,7 @@ public final class Draft {
 
     public TracedRay finished(Optional<Absorption> absorbed, LinearRgb light, int maxDepth) {
         boolean cutOff = ray.level() == maxDepth && (material.reflection() > 0 || material.transparency() > 0);
-        Encounter encounter = new Encounter(place, material, color, ambientLight, ray.light(), emitted, lights, refraction, split, facet, reflected, refracted, cutOff);
+        Encounter encounter = new Encounter(place, material, readings, color, ambientLight, ray.light(), emitted, lights, refraction, split, facet, reflected, refracted, cutOff);
         return new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.of(encounter), Optional.empty(), ray.sight(), absorbed, light);
     }
 }

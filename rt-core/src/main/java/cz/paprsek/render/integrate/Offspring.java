@@ -20,7 +20,7 @@ final class Offspring {
     Offspring(World scene) {
         this.scene = scene;
         this.parts = scene.parts();
-        this.footprints = scene.parts().havePictures();
+        this.footprints = scene.asksForFootprints();
     }
 
     /** A ray on the side of a hit from which that was seen. */

@@ -6,6 +6,8 @@ import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.Encounter.Facet;
+import cz.paprsek.render.explain.Encounter.PicturePoint;
+import cz.paprsek.render.explain.Encounter.Reading;
 import cz.paprsek.render.explain.Encounter.Refraction;
 import cz.paprsek.render.explain.Encounter.Split;
 import cz.paprsek.render.explain.LightTerm.ShadowRay;
@@ -21,6 +23,7 @@ import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.Media;
+import cz.paprsek.render.surface.Told;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.InScene;
@@ -103,6 +106,9 @@ public final class Recorder extends Whitted {
     public void met(Level level) {
         Ray ray = level.ray;
         Hit hit = level.hit;
+        Finish finish = scene.parts().finish(ray.part);
+        map(level);
+        List<Reading> readings = finish.tell(level).stream().map(Recorder::reading).toList();
         map(level);
         InScene<BodyAt> surface = surface(ray.part);
         boolean flipped = ray.face < 0;
@@ -113,15 +119,20 @@ public final class Recorder extends Whitted {
                 part.corners(own, hit).map(at -> new Encounter.Triangle(at.triangle(), at.part(), at.shares())), flipped, level.leaving,
                 ray.max, new Vec3(hit.px, hit.py, hit.pz), level.leaving ? outwards.negated() : outwards, new Vec3(hit.sx, hit.sy, hit.sz),
                 hit.u, hit.v, level.cosine, new Vec3(level.mirrorX, level.mirrorY, level.mirrorZ));
-        open.push(new Draft(begin(level), place, scene.parts().finish(ray.part).material,
+        open.push(new Draft(begin(level), place, finish.here(level), readings,
                 new LinearRgb(level.colorRed, level.colorGreen, level.colorBlue), ambient,
                 new ShadowWalk.Start(place.point(), hit.size, ray.part, level.leaving != flipped, level.media, ray.max <= ray.contact, false)));
-        Finish finish = scene.parts().finish(ray.part);
         if (finish.alpha > 0) {
             Media beyond = new Media();
             scene.enterBeyond(level, finish, beyond);
             open.element().startBeyond = new ShadowWalk.Start(place.point(), hit.size, ray.part, level.leaving == flipped, beyond, false, true);
         }
+    }
+
+    private static Reading reading(Told told) {
+        Optional<PicturePoint> point = told.file().isEmpty() ? Optional.empty() : Optional.of(new PicturePoint(told.file(), told.u(), told.v(), told.column(), told.row(),
+                new LinearRgb(told.pointRed(), told.pointGreen(), told.pointBlue())));
+        return new Reading(told.of(), told.pattern(), point, new LinearRgb(told.red(), told.green(), told.blue()));
     }
 
     @Override

@@ -61,7 +61,7 @@ abstract class Shading extends Witness implements Integrator {
             levels[i] = new Level(spans);
         }
         levels[0].path = Sampler.EYE;
-        footprints = parts.havePictures();
+        footprints = scene.asksForFootprints();
         Rgb ambient = scene.ambient();
         ambientRed = ambient.linearRed();
         ambientGreen = ambient.linearGreen();

@@ -26,6 +26,11 @@ public abstract class Backdrop {
      */
     public abstract void look(Level level);
 
+    /** Whether it asks for the footprint of the ray. */
+    boolean isPicture() {
+        return false;
+    }
+
     private static final class Even extends Backdrop {
         private final double red;
         private final double green;
@@ -64,6 +69,9 @@ public abstract class Backdrop {
     }
 
     private static final class Panorama extends Backdrop {
+        /** Nearer to straight up or down than the square root of this, all around is covered anyway. */
+        private static final double ZENITH = 1e-12;
+
         private final Texture texture;
         private final double turned;
         private final double intensity;
@@ -75,12 +83,22 @@ public abstract class Backdrop {
         }
 
         @Override
+        boolean isPicture() {
+            return true;
+        }
+
+        @Override
         public void look(Level level) {
             Hit hit = level.hit;
             hit.u = StrictMath.atan2(level.ray.dz, level.ray.dx) / (2 * Math.PI) + turned;
             hit.u -= Math.floor(hit.u);
             hit.v = 0.5 + StrictMath.asin(Math.max(-1, Math.min(1, level.ray.dy))) / Math.PI;
-            texture.bilinear(hit.u, hit.v, hit);
+            double across = level.ray.dx * level.ray.dx + level.ray.dz * level.ray.dz;
+            double perU = 1 / (2 * Math.PI * Math.max(ZENITH, across));
+            double perV = 1 / (Math.PI * Math.sqrt(Math.max(ZENITH, across)));
+            double[] beside = level.footprint.direction;
+            texture.smooth(hit.u, hit.v, perU * (level.ray.dx * beside[2] - level.ray.dz * beside[0]), perV * beside[1],
+                    perU * (level.ray.dx * beside[5] - level.ray.dz * beside[3]), perV * beside[4], hit);
             hit.color(intensity * hit.red, intensity * hit.green, intensity * hit.blue);
         }
     }

@@ -8,6 +8,7 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.texture.Texture;
 import cz.paprsek.render.texture.Textures;
+import java.util.List;
 
 /** Bends the normal that light is reckoned with, before that is turned to the viewer. */
 abstract class Bending {
@@ -15,11 +16,17 @@ abstract class Bending {
     static final Bending NONE = new Bending() {
         @Override
         void bend(Level level) {}
+
+        @Override
+        void tell(Level level, List<Told> told) {}
     };
 
     private Bending() {}
 
     abstract void bend(Level level);
+
+    /** Says what it goes by at the level's hit. */
+    abstract void tell(Level level, List<Told> told);
 
     /**
      * That of a relief.
@@ -41,11 +48,13 @@ abstract class Bending {
      */
     private static final class ByHeight extends Bending {
         private final double strength;
+        private final String kind;
         private final Paint height;
         private final Affine toWorld;
 
         ByHeight(Bump bump, Affine toDeclared, Textures textures) {
             strength = bump.strength();
+            kind = bump.pattern().kind();
             height = Paint.of(bump.pattern(), toDeclared, textures, false);
             toWorld = toDeclared.inverse();
         }
@@ -69,16 +78,24 @@ abstract class Bending {
             double k = 1 / Math.sqrt(wx * wx + wy * wy + wz * wz) + strength * c;
             hit.bend(k * hit.sx - strength * gx, k * hit.sy - strength * gy, k * hit.sz - strength * gz);
         }
+
+        @Override
+        void tell(Level level, List<Told> told) {
+            height.ask(level);
+            told.add(height.tell(level, "bump", kind));
+        }
     }
 
     /** By the points of a picture. */
     private static final class ByMap extends Bending {
+        private final String file;
         private final Texture texture;
         private final double strength;
         private final Pattern.Filter filter;
         private final Mapping mapping;
 
         ByMap(NormalMap map, Affine toDeclared, Texture texture) {
+            this.file = map.file();
             this.texture = texture;
             strength = map.strength();
             filter = map.filter();
@@ -91,6 +108,14 @@ abstract class Bending {
             level.chart.lay(level, mapping);
             level.chart.look(texture, filter, level.hit.u, level.hit.v, probe);
             level.chart.bend(strength * (2 * probe.red - 1), strength * (2 * probe.green - 1), 2 * probe.blue - 1, level.hit);
+        }
+
+        @Override
+        void tell(Level level, List<Told> told) {
+            Hit probe = level.probe;
+            level.chart.lay(level, mapping);
+            level.chart.look(texture, filter, level.hit.u, level.hit.v, probe);
+            told.add(PicturePaint.told(level, "normal-map", "image", file, texture, probe.red, probe.green, probe.blue));
         }
     }
 }

@@ -5,6 +5,8 @@ import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Affine;
 import cz.paprsek.render.texture.Textures;
+import java.util.ArrayList;
+import java.util.List;
 
 /** A material ready for shading: never changed, but for that of a level, which says what it is at one point. */
 public final class Finish {
@@ -38,6 +40,7 @@ public final class Finish {
     public double red;
     public double green;
     public double blue;
+    private double roughness;
     private double shininess;
     /** The exponent if it is a whole number, else −1. */
     private int wholeShininess;
@@ -70,8 +73,9 @@ public final class Finish {
         glows = red > 0 || green > 0 || blue > 0;
     }
 
-    private void rough(double roughness) {
-        alpha = roughness * roughness;
+    private void rough(double value) {
+        roughness = value;
+        alpha = value * value;
         looksForLamps = alpha >= WIDE;
     }
 
@@ -105,6 +109,35 @@ public final class Finish {
         return variety.transparency().isByPattern();
     }
 
+    /** The material as it is at the level's hit, after {@link #at}: its shares are numbers. */
+    public Material here(Level level) {
+        Finish own = level.own;
+        return isEven ? material : material.withShares(Material.Shares.EVEN).withDiffusion(own.diffusion).withHighlight(own.specular, material.shininess())
+                .withReflection(own.reflection).withTransparency(own.transparency, material.refractiveIndex()).withRoughness(own.roughness);
+    }
+
+    /** Says what the patterns have at the level's hit, whose normals have been turned to the viewer and whose u and v are those of the shape; changes these two. */
+    public List<Told> tell(Level level) {
+        List<Told> told = new ArrayList<>();
+        double colorRed = level.colorRed;
+        double colorGreen = level.colorGreen;
+        double colorBlue = level.colorBlue;
+        if (level.leaving) {
+            level.hit.turn();
+        }
+        if (!(material.pattern() instanceof Pattern.Plain)) {
+            told.add(paint.tell(level, "color", material.pattern().kind()));
+        }
+        variety.tell(level, material.shares(), told);
+        if (level.leaving) {
+            level.hit.turn();
+        }
+        level.colorRed = colorRed;
+        level.colorGreen = colorGreen;
+        level.colorBlue = colorBlue;
+        return told;
+    }
+
     private void become(Finish other) {
         material = other.material;
         paint = other.paint;
@@ -115,6 +148,7 @@ public final class Finish {
         transparency = other.transparency;
         refractiveIndex = other.refractiveIndex;
         fresnel = other.fresnel;
+        roughness = other.roughness;
         alpha = other.alpha;
         looksForLamps = other.looksForLamps;
         isThin = other.isThin;

@@ -13,7 +13,7 @@ import cz.paprsek.shape.placed.Ray;
 public final class Footprint {
     /** For both neighbours, x, y and z of how far their origins are away, and by how much their directions differ. */
     private final double[] origin = new double[6];
-    private final double[] direction = new double[6];
+    final double[] direction = new double[6];
     /** For both neighbours, how far away their points are. */
     final double[] point = new double[6];
     private final Hit probe = new Hit();

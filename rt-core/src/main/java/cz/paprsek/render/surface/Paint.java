@@ -78,6 +78,12 @@ public abstract class Paint {
     /** Writes the colour at the level's hit into the level, linear light. */
     public abstract void color(Level level);
 
+    /** Says what it has at the level's hit, of which u and v are known. Changes the level's colour. */
+    Told tell(Level level, String of, String kind) {
+        color(level);
+        return new Told(of, kind, "", 0, 0, 0, 0, 0, 0, 0, level.colorRed, level.colorGreen, level.colorBlue);
+    }
+
     /**
      * Sets the level's slope to how much the luminance of the colours grows at the hit, a scene unit along x, y and z of the world; or along the
      * surface only, for what lies on it. Exact, but for what has edges or is a picture.

@@ -15,12 +15,14 @@ final class PicturePaint extends Paint {
     /** So far u and v hardly grow on such a short way: there may be a seam between. */
     private static final double JUMP = 0.05;
 
+    private final String file;
     private final Texture texture;
     private final Pattern.Filter filter;
     private final Mapping mapping;
 
     PicturePaint(Pattern.Picture picture, Affine toDeclared, Texture texture) {
         super(picture);
+        this.file = picture.file();
         this.texture = texture;
         this.filter = picture.filter();
         this.mapping = Mapping.of(picture.mapping(), toOwn(picture.lay(), toDeclared), toOwn(picture.lay(), Affine.IDENTITY));
@@ -45,6 +47,20 @@ final class PicturePaint extends Paint {
         level.colorRed = hit.red;
         level.colorGreen = hit.green;
         level.colorBlue = hit.blue;
+    }
+
+    @Override
+    Told tell(Level level, String of, String kind) {
+        color(level);
+        return told(level, of, kind, file, texture, level.colorRed, level.colorGreen, level.colorBlue);
+    }
+
+    static Told told(Level level, String of, String kind, String file, Texture texture, double red, double green, double blue) {
+        double u = level.hit.u;
+        double v = level.hit.v;
+        Hit point = level.probe;
+        texture.nearest(u, v, point);
+        return new Told(of, kind, file, u, v, texture.column(u), texture.row(v), point.red, point.green, point.blue, red, green, blue);
     }
 
     /** By differences between neighbouring points of the picture, or over what a pixel covers if that is wider. */

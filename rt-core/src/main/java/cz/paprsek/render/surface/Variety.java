@@ -5,6 +5,7 @@ import cz.paprsek.material.Material.ByPattern;
 import cz.paprsek.material.Material.ColorChannel;
 import cz.paprsek.math.Affine;
 import cz.paprsek.render.texture.Textures;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -29,9 +30,28 @@ record Variety(Share diffusion, Share specular, Share reflection, Share transpar
             return Math.max(0, Math.min(1, channel.of(level.colorRed, level.colorGreen, level.colorBlue)));
         }
 
+        void tell(Level level, String name, Material.Share share, List<Told> told) {
+            if (share instanceof ByPattern by) {
+                paint.ifPresent(its -> {
+                    its.ask(level);
+                    told.add(its.tell(level, name, by.pattern().kind()));
+                });
+            }
+        }
+
         boolean isByPattern() {
             return paint.isPresent();
         }
+    }
+
+    /** Says what each goes by at the level's hit. */
+    void tell(Level level, Material.Shares patterns, List<Told> told) {
+        diffusion.tell(level, "diffusion", patterns.diffusion(), told);
+        specular.tell(level, "specular", patterns.specular(), told);
+        reflection.tell(level, "reflection", patterns.reflection(), told);
+        transparency.tell(level, "transparency", patterns.transparency(), told);
+        roughness.tell(level, "roughness", patterns.roughness(), told);
+        bending.tell(level, told);
     }
 
     boolean isNone() {

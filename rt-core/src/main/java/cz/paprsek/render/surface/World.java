@@ -113,6 +113,11 @@ public final class World {
         return placed.mayTouch(object);
     }
 
+    /** Whether rays are to know how far their neighbours are: if a picture is seen, on a surface or in the sky, or a finish asks. */
+    public boolean asksForFootprints() {
+        return parts.havePictures() || sky.isPicture();
+    }
+
     /** Whether some surface is rough. */
     public boolean isRough() {
         return parts.isRough();

@@ -2,7 +2,9 @@ package cz.paprsek.render.explain.text;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.Encounter.Reading;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.TracedRay.SeenLight;
@@ -76,6 +78,7 @@ final class Exercise {
     private void met(Encounter met) {
         place(met.place(), met.material().pattern().isMapped());
         material(met.material());
+        met.readings().forEach(this::read);
         step(Topic.POINT, words.of("name.color"), "C", "", Figures.of(met.color()));
         step(Topic.AMBIENT, words.of("name.ambient"), "A·C", Figures.of(met.ambientLight()) + "·" + Figures.of(met.color()), Figures.of(met.ambient()));
         if (!met.emitted().equals(LinearRgb.BLACK)) {
@@ -94,6 +97,14 @@ final class Exercise {
         new SumSteps(name, ray, met, words, steps).write();
     }
 
+    private void read(Reading reading) {
+        String kind = words.has("pattern." + reading.pattern()) ? words.of("pattern." + reading.pattern()) : reading.pattern();
+        reading.point().ifPresentOrElse(
+                point -> step(Topic.POINT, words.of("reading." + reading.of()), kind + " " + point.file(), "u, v = " + Figures.of(point.u()) + ", " + Figures.of(point.v()),
+                        words.of("picture-point", point.column(), point.row(), Figures.of(point.value())) + ", " + Figures.of(reading.found())),
+                () -> step(Topic.POINT, words.of("reading." + reading.of()), kind, "", Figures.of(reading.found())));
+    }
+
     private void place(Encounter.Place place, boolean isMapped) {
         say(Topic.POINT, words.of("name.hits"), words.surface(place.surface()) + words.face(place.face())
                 + (place.flipped() ? words.of("hole") : "") + words.of(place.fromInside() ? "from-inside" : "from-outside"));
@@ -105,6 +116,10 @@ final class Exercise {
             step(Topic.POINT, words.of("name.figure"), "u, v", "", Figures.of(place.u()) + ", " + Figures.of(place.v()));
         }
         step(Topic.POINT, words.of("name.normal"), place.fromInside() ? words.of("turned") : "N", "", Figures.of(place.towardsViewer()));
+        Vec3 own = place.fromInside() ? place.normal().negated() : place.normal();
+        if (!own.equals(place.towardsViewer())) {
+            step(Topic.POINT, "", words.of("own-normal"), "", Figures.of(own));
+        }
         step(Topic.POINT, words.of("name.angle"), "cos θ₁ = −d·N", "−" + Figures.of(ray.direction()) + "·" + Figures.of(place.towardsViewer()),
                 Figures.of(place.cosine()) + ", θ₁ = " + Figures.degrees(place.angleDegrees()));
     }

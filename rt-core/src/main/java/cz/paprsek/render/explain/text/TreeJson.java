@@ -62,6 +62,9 @@ public final class TreeJson {
 
     private static Json of(Encounter met) {
         Json json = of(met.place()).with("material", of(met.material()));
+        if (!met.readings().isEmpty()) {
+            json.with("readings", met.readings().stream().map(TreeJson::of).toList());
+        }
         color(json, "color", met.color());
         color(json, "ambient-light", met.ambientLight());
         color(json, "ambient", met.ambient());
@@ -75,6 +78,13 @@ public final class TreeJson {
         met.reflected().ifPresent(ray -> json.with("reflected", of(ray)));
         met.refracted().ifPresent(ray -> json.with("refracted", of(ray)));
         return json.with("cut-off", met.cutOff());
+    }
+
+    private static Json of(Encounter.Reading reading) {
+        Json json = new Json().with("of", reading.of()).with("pattern", reading.pattern());
+        reading.point().ifPresent(point -> color(json.with("file", point.file()).withNumbers("uv", point.u(), point.v())
+                .with("column", point.column()).with("row", point.row()), "point", point.value()));
+        return color(json, "found", reading.found());
     }
 
     private static Json of(Encounter.Place place) {
