@@ -2,11 +2,13 @@ package cz.paprsek.format;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.shape.mesh.Triangles;
 import java.io.IOException;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -58,6 +60,60 @@ class DamagedModelsTest {
             slowest.accumulateAndGet(System.nanoTime() - begin, Math::max);
         });
         System.out.printf("%s: %d damaged copies, %d refused, the slowest took %d ms%n", format, WAYS, refused.get(), slowest.get() / 1_000_000);
+        assertThat(refused.get()).as("the damage is felt").isPositive().isLessThan(WAYS);
+    }
+
+    static Stream<Arguments> scenes() {
+        String csg = """
+                multmatrix([[1, 0.5, 0, -24], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {
+                  union() { cube(size = [15, 15, 15], center = true); sphere($fn = 0, $fa = 12, $fs = 2, r = 10); }
+                }
+                color([1, 0, 0, 0.5]) { difference() { cylinder($fn = 6, h = 4, r1 = 2, r2 = 1); sphere($fn = 8, r = 1); } }
+                linear_extrude(height = 10, twist = 90, slices = 9, scale = [1, 0.5]) { polygon(points = [[0, 0], [4, 0], [0, 3], [1, 1]], paths = [[0, 1, 2], [3, 2, 1]]); }
+                rotate_extrude(angle = 90, $fn = 20) { multmatrix([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { circle(r = 2); } }
+                polyhedron(points = [[10, 10, 0], [10, -10, 0], [-10, -10, 0], [0, 0, 10]], faces = [[0, 1, 3], [1, 2, 3], [2, 0, 3], [1, 0, 2]], convexity = 1);
+                """;
+        String nff = """
+                v
+                from 2.1 1.3 1.7
+                at 0 0 0
+                up 0 0 1
+                angle 45
+                hither 1
+                resolution 51 51
+                b 0.078 0.361 0.753
+                l 4 3 2 1 1 0.5
+                f 1 0.75 0.33 0.8 0 0 0 1
+                p 4
+                12 12 -0.5
+                -12 12 -0.5
+                -12 -12 -0.5
+                12 -12 -0.5
+                s 0 0 0 0.5
+                c
+                0 0 0 1
+                0 0 3 0.5
+                """;
+        return Stream.of(Arguments.of(ForeignFormat.OPENSCAD, csg), Arguments.of(ForeignFormat.NFF, nff));
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("scenes")
+    @Timeout(value = 5, unit = TimeUnit.MINUTES)
+    void aDamagedSceneIsReadOrRefused(ForeignFormat format, String good) {
+        AtomicInteger refused = new AtomicInteger();
+        IntStream.range(0, WAYS).parallel().forEach(seed -> {
+            byte[] bad = damaged(good.getBytes(StandardCharsets.US_ASCII), new Random(seed));
+            try {
+                assertThat(ForeignScene.read("a", format, Assets.of(Map.of("a", bad))).scene().cameras()).isNotEmpty();
+            } catch (IOException e) {
+                refused.incrementAndGet();
+                assertThat(e.getMessage()).as("seed %d", seed).startsWith("\"a\": ").matches("[^\\p{Cc}\\p{Cf}]+").doesNotContain("null", "Exception");
+            } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
+                throw new AssertionError("seed " + seed + ": " + e, e);
+            }
+        });
+        System.out.printf("%s: %d damaged copies, %d refused%n", format, WAYS, refused.get());
         assertThat(refused.get()).as("the damage is felt").isPositive().isLessThan(WAYS);
     }
 
