@@ -21,6 +21,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
 
 /** Reads the files of a scene's meshes. */
@@ -111,10 +112,11 @@ public final class MeshFiles {
      * @throws IOException with a sentence that begins with the name, if it cannot be read
      */
     public static Mesh.Whole whole(String file, Assets assets) throws IOException {
-        Model model = model(file, assets);
-        for (Map.Entry<String, byte[]> within : model.pictures().entrySet()) {
-            assets.supply(within.getKey(), within.getValue());
-        }
+        Read read = assets.decoded(file, new Decoder(assets));
+        return read.wholes.computeIfAbsent(file, name -> whole(name, read.model));
+    }
+
+    private static Mesh.Whole whole(String file, Model model) {
         Map<String, Material> materials = new HashMap<>();
         model.materialOf().forEach((part, name) -> {
             Material material = model.materials().get(name);
@@ -132,7 +134,7 @@ public final class MeshFiles {
 
     /** All that is in a file, as {@link #whole} reads it. */
     static Model model(String file, Assets assets) throws IOException {
-        return assets.decoded(file, new Decoder(assets));
+        return assets.decoded(file, new Decoder(assets)).model;
     }
 
     /** A material whose picture is found from the scene's folder; one within the file itself has a name that begins there already. */
@@ -147,17 +149,24 @@ public final class MeshFiles {
         return file.substring(0, file.lastIndexOf('/') + 1);
     }
 
+    /**
+     * A file that has been read.
+     *
+     * @param wholes what meshes have of it, by the name that they call it, so that all share one tree
+     */
+    private record Read(Model model, Map<String, Mesh.Whole> wholes) {}
+
     /** Those for the same assets are equal. */
-    private record Decoder(Assets assets) implements Assets.Decoder<Model> {
+    private record Decoder(Assets assets) implements Assets.Decoder<Read> {
         @Override
-        public Model decode(String name, InputStream input, long size) throws IOException {
+        public Read decode(String name, InputStream input, long size) throws IOException {
             InputStream again = new BufferedInputStream(input, ForeignFormat.HEAD);
             again.mark(ForeignFormat.HEAD);
             byte[] head = again.readNBytes(ForeignFormat.HEAD);
             again.reset();
             ForeignFormat format = ForeignFormat.of(name, head).filter(ForeignFormat::isMesh)
                     .orElseThrow(() -> new IOException("this is none of the files that hold meshes: STL, OBJ, PLY, glTF"));
-            return ForeignFiles.model(name, format, again, size, other -> assets.bytes(folder(name) + Objects.requireNonNull(other, "other")));
+            return new Read(ForeignFiles.model(name, format, again, size, other -> assets.bytes(folder(name) + Objects.requireNonNull(other, "other"))), new ConcurrentHashMap<>());
         }
     }
 }

