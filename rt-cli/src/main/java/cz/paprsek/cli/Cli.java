@@ -4,13 +4,13 @@ import cz.paprsek.cli.bench.BenchCommand;
 import cz.paprsek.cli.bench.CompareCommand;
 import cz.paprsek.cli.bench.CrossCheckCommand;
 import cz.paprsek.cli.db.DbCommand;
-import cz.paprsek.cli.value.Filters;
 import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Memory;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.value.Filters;
 import cz.paprsek.cli.value.Formats;
 import cz.paprsek.cli.value.LayerNames;
 import cz.paprsek.cli.value.Modes;
@@ -35,13 +35,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import picocli.AutoComplete;
+import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine;
 
 /** The commands put together: what there is, and how a mistake is answered. */
 final class Cli {

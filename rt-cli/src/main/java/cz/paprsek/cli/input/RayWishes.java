@@ -4,8 +4,8 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.value.Filters;
 import cz.paprsek.cli.value.Part;
 import cz.paprsek.cli.value.Samples;
-import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 

@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.view.projection.Grips.Grip;
@@ -13,7 +13,6 @@ import cz.paprsek.scene.ScenePath;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
