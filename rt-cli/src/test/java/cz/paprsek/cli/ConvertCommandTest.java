@@ -44,7 +44,7 @@ class ConvertCommandTest {
         Path scene = Scenes.ball(folder.resolve("ball.xml"));
         Run unknown = Run.cli("convert", scene, folder.resolve("ball.pog"));
         assertThat(unknown.code()).isEqualTo(2);
-        assertThat(unknown.err()).contains("let it end in .pov or .xml; did you mean \"pov\"?");
+        assertThat(unknown.err()).contains("let it end in .pov, .xml, .obj or .stl; did you mean \"pov\"?");
         Run itself = Run.cli("convert", scene, scene);
         assertThat(itself.code()).isEqualTo(2);
         assertThat(itself.err()).contains("would overwrite the scene");

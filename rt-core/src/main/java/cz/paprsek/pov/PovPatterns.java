@@ -6,7 +6,7 @@ import static cz.paprsek.text.Numbers.text;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.surface.LatticeNoise;
+import cz.paprsek.render.texture.LatticeNoise;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;

@@ -13,7 +13,7 @@ import cz.paprsek.material.Pattern.Stop;
 import cz.paprsek.material.Pattern.Stops;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.surface.LatticeNoise;
+import cz.paprsek.render.texture.LatticeNoise;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;

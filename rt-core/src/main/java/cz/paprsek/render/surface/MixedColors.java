@@ -3,6 +3,7 @@ package cz.paprsek.render.surface;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Affine;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.texture.ValueField;
 import java.util.List;
 
 /** A pattern with a value from 0 to 1 at each point of its space, and the colours that those have, mixed linearly. */

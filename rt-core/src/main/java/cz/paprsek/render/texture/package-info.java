@@ -1,2 +1,2 @@
-/** Pictures as they lie on surfaces and in the sky: looked up at a point, or as the mean over the footprint of a pixel. */
+/** What lies on surfaces and in the sky: pictures, looked up at a point or as the mean over the footprint of a pixel, and values of patterns at a point of space. */
 package cz.paprsek.render.texture;

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Pattern.Colors;
 import cz.paprsek.material.Pattern.Lay;
+import cz.paprsek.render.texture.ValueField;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;

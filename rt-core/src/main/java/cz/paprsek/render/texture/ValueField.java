@@ -1,9 +1,9 @@
-package cz.paprsek.render.surface;
+package cz.paprsek.render.texture;
 
 import cz.paprsek.material.Pattern;
 
 /** The value, from 0 to 1, that a pattern has at each point of its own space. */
-interface ValueField {
+public interface ValueField {
     double value(double x, double y, double z);
 
     /** Sets the three numbers to how much the value grows along x, y and z: where it jumps, to what it is beside. */

@@ -1,4 +1,4 @@
-package cz.paprsek.render.surface;
+package cz.paprsek.render.texture;
 
 /**
  * Gradient noise without tables: at the points of a lattice of unit cubes, which repeats every 289, it is 0 and rises along one of twelve
