@@ -72,7 +72,7 @@ public class BreakFormulas {
             new Break("what is mirrored is let through, too", "render/integrate/Shares.java", "finish.transparency * (1 - finish.reflection * share);", "finish.transparency;"),
             new Break("absorption by powers of two", "render/surface/Absorption.java", "StrictMath.exp(-depth)", "StrictMath.pow(2, -depth)"),
             new Break("absorption without its distance", "render/surface/Absorption.java", "double distance = material.attenuationDistance();", "double distance = 1;"),
-            new Break("α for roughness", "render/surface/Finish.java", "alpha = roughness * roughness;", "alpha = roughness;"),
+            new Break("α for roughness", "render/surface/Finish.java", "alpha = value * value;", "alpha = value;"),
             new Break("GGX without the square of its root", "render/integrate/Ggx.java", "return square / (Math.PI * t * t);", "return square / (Math.PI * t);"),
             new Break("facets not weighed by what is seen", "render/integrate/Ggx.java", "return 2 * cosine / (cosine + Math.sqrt(square + (1 - square) * c));", "return 1;"),
             new Break("rough mirror without 4 cos", "render/integrate/Lobe.java", "double k = Math.PI * spread * seen * lit / (4 * facing);", "double k = Math.PI * spread * seen * lit;"),
