@@ -17,9 +17,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Shipped files, each damaged in six thousand ways (or as many as the system property {@code paprsek.damages} says): every one is read, or refused by line and column, and nothing else happens. */
+/** Shipped files, each damaged in three thousand ways (or as many as the system property {@code paprsek.damages} says): every one is read, or refused by line and column, and nothing else happens. */
 class DamagedFilesTest {
-    private static final int WAYS = Integer.getInteger("paprsek.damages", 6_000);
+    private static final int WAYS = Integer.getInteger("paprsek.damages", 3_000);
     private static final List<Damage> DAMAGES = List.of(Damage.values());
     private static final List<WayIn> WAYS_IN = List.of(WayIn.values());
 
