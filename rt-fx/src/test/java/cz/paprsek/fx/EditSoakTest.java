@@ -56,8 +56,9 @@ class EditSoakTest {
                 }
                 assertThat(model.scene()).isSameAs(start);
                 assertThat(model.undoableProperty().get()).isEmpty();
-                if (round == ROUNDS / 3) {
-                    early = usedAtRest(editor);
+                // The most of some rounds: whether the last picture's buffers are let go by then is chance.
+                if (round >= ROUNDS / 3 && round <= ROUNDS / 2) {
+                    early = Math.max(early, usedAtRest(editor));
                 }
             }
             // A picture more or less is 11 MB; a window's worth of nodes kept for every edit would be hundreds.
