@@ -199,8 +199,8 @@ class EveryWayInTest {
         "<torus r1='2' r2='1'/>, <torus> has no attribute \"r1\"; the word here is \"major-radius\"", "<torus major-radius='2' tube-radius='1'/>, <torus> has no attribute \"tube-radius\"; the word here is \"minor-radius\"",
         "<torus radius='2' minor-radius='1'/>, <torus> has no attribute \"radius\"; the word here is \"major-radius\"",
         "<union><light/></union>, <union> has no element <light>",
-        "<mesh file='a.obj'/>, '<scene> has no element <mesh>; bodies are made of solids, with union, difference and intersection'",
-        "<union><Triangle/></union>, '<union> has no element <Triangle>; bodies are made of solids, with union, difference and intersection'",
+        "<trimesh file='a.obj'/>, '<scene> has no element <trimesh>; triangles stand in a file of their own: <mesh file=\"...\"/>'",
+        "<union><Triangle/></union>, '<union> has no element <Triangle>; triangles stand in a file of their own: <mesh file=\"...\"/>'",
         "<include href='a.xml'/>, <scene> has no element <include>; a file holds all of its scene; copy it into this one",
         "<subtract/>, <scene> has no element <subtract>; the word here is \"difference\"", "<sphere radius='1'><texture/></sphere>, <sphere> has no element <texture>; the word here is \"material\""})
     void wordsOfOtherProgramsAreTranslated(String element, String sentence) throws IOException {

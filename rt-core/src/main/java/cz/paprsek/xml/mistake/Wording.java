@@ -92,8 +92,8 @@ final class Wording {
 
     /** Elements of others that nothing here stands for; behind them what to do. */
     private static final String NOT_HERE = """
-            mesh trimesh indexedfaceset triangle triangles polygon polyhedron facet heightfield terrain = bodies are made of solids, with union, difference \
-            and intersection
+            trimesh trianglemesh indexedfaceset triangle triangles polygon polyhedron facet = triangles stand in a file of their own: <mesh file="..."/>
+            heightfield terrain = bodies are made of solids, with union, difference and intersection, and of <mesh>
             include import use xi:include = a file holds all of its scene; copy it into this one
             """;
 
