@@ -7,6 +7,7 @@ import cz.paprsek.asset.Assets;
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;
+import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Arrival;
@@ -24,9 +25,15 @@ import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.placed.Spans;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Objects;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Rough surfaces against the integrals that hold of any, the formulas as Mitsuba has them, and themselves: chosen at random or lit by lamps. */
@@ -108,6 +115,28 @@ class RoughTest {
             lobe.look(level, finish, light, z);
             return lobe.valueRed / Math.PI;
         }
+    }
+
+    static Stream<String> mitsuba() throws IOException {
+        try (InputStream recorded = Objects.requireNonNull(RoughTest.class.getResourceAsStream("mitsuba-ggx.txt"))) {
+            return new String(recorded.readAllBytes(), StandardCharsets.UTF_8).lines().filter(line -> !line.startsWith("#")).toList().stream();
+        }
+    }
+
+    /** Numbers of single precision, of angles that are. */
+    @ParameterizedTest
+    @MethodSource("mitsuba")
+    void lampsBringWhatMitsubaSays(String line) {
+        String[] words = line.split(" ");
+        double[] n = Stream.of(words).skip(1).mapToDouble(Double::parseDouble).toArray();
+        Material material = (words[0].equals("mirror") ? BLACK.withPattern(new Pattern.Plain(Rgb.WHITE)).withReflection(1).withFresnel(Fresnel.METAL)
+                : BLACK.withReflection(1).withTransparency(1, 1.5).withFresnel(Fresnel.TRUE)).withRoughness(n[0]);
+        double view = Math.toRadians(n[1]);
+        double light = Math.toRadians(n[2]);
+        double turn = Math.toRadians(n[3]);
+        Probe probe = new Probe(material, true, Math.sin(view), 0, Math.cos(view));
+        double found = probe.value(Math.sin(light) * Math.cos(turn), Math.sin(light) * Math.sin(turn), Math.cos(light));
+        assertThat(found / n[4]).isCloseTo(1, within(2e-4));
     }
 
     /** The mean of what random rays weigh that go through glass of an index. */
