@@ -35,7 +35,8 @@ public final class Paths extends BlockTracer {
     double unlit(Level level, int lamp) {
         Ray ray = level.ray;
         double other = scene.lamps()[lamp].density(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.max);
-        return level.density / (level.density + other);
+        // Of what it is never looked for at, such as its dark side, all comes this way.
+        return other > 0 ? level.density / (level.density + other) : 1;
     }
 
     @Override

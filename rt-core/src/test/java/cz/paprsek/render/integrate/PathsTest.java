@@ -102,6 +102,17 @@ class PathsTest {
         assertThat(bright(floor(light), 1, 1 << 14, new Vec3(0, 1, 0), new Vec3(0, -1, 0)) / expected).isCloseTo(1, within(0.002));
     }
 
+    /** No point of a lamp is looked for from behind it: what a path sees there counts in full, however it came. */
+    @Test
+    void theDarkSideOfALampIsBlack() {
+        Paths tracer = new Paths(world(floor(AreaLight.rectangle(new Vec3(0, 2, 0), 1.5, 1).withRotation(new Vec3(-90, 0, 0)))), 1,
+                Sampling.paths(RenderSettings.DEFAULT, 1, false));
+        tracer.startAlone(Vec3.ZERO, new Vec3(0, 1, 0));
+        tracer.findAlone();
+        tracer.alone().density = 0;
+        assertThat(tracer.unlit(tracer.alone(), 0)).isEqualTo(1);
+    }
+
     /** Nothing but directions of the surface finds a body that glows. */
     @Test
     void aRectangleThatGlowsIsAsBrightAsALampOfItsRadiance() {
