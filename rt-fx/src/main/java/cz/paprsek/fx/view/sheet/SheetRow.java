@@ -13,7 +13,8 @@ import javafx.scene.layout.VBox;
 
 /** A label, what it belongs to, and under it why a value was refused. */
 final class SheetRow extends VBox {
-    private static final double LABEL_WIDTH = 116;
+    private static final double LABEL_WIDTH = 114;
+    private static final double GAP = 5;
 
     private final Label label;
     private final Label refusal = new Label();
@@ -41,7 +42,7 @@ final class SheetRow extends VBox {
         label.setPrefWidth(LABEL_WIDTH);
         label.setMaxWidth(LABEL_WIDTH);
         HBox.setHgrow(editor, Priority.ALWAYS);
-        HBox line = new HBox(label, editor);
+        HBox line = new HBox(GAP, label, editor);
         line.setAlignment(Pos.CENTER_LEFT);
         return filled(line, editor);
     }
