@@ -33,32 +33,6 @@ record Shells(int openEdges, BitSet turned) {
         return new Shells(open, turned);
     }
 
-    /** Six times the space within. Told from the middle, so that far away no digits are lost. */
-    static double sixfoldVolume(double[] places, int[] corners, Bounds bounds) {
-        double x = (bounds.minX() + bounds.maxX()) / 2;
-        double y = (bounds.minY() + bounds.maxY()) / 2;
-        double z = (bounds.minZ() + bounds.maxZ()) / 2;
-        double sum = 0;
-        for (int t = 0; t < corners.length / 3; t++) {
-            sum += sixfoldVolume(places, corners, t, x, y, z);
-        }
-        return sum;
-    }
-
-    /** a·(b × c) of the corners of a triangle, from a point. */
-    private static double sixfoldVolume(double[] places, int[] corners, int triangle, double x, double y, double z) {
-        int a = 3 * corners[3 * triangle];
-        int b = 3 * corners[3 * triangle + 1];
-        int c = 3 * corners[3 * triangle + 2];
-        double bx = places[b] - x;
-        double by = places[b + 1] - y;
-        double bz = places[b + 2] - z;
-        double cx = places[c] - x;
-        double cy = places[c + 1] - y;
-        double cz = places[c + 2] - z;
-        return (places[a] - x) * (by * cz - bz * cy) + (places[a + 1] - y) * (bz * cx - bx * cz) + (places[a + 2] - z) * (bx * cy - by * cx);
-    }
-
     /** Turns what is inside out: everything, if that is what the volume says; and single shells that lie within no other. */
     private static void turnInsidesIn(double[] places, int[] corners, Bounds bounds, int[] first, BitSet turned) {
         int[] root = shells(first, corners);
@@ -70,7 +44,7 @@ record Shells(int openEdges, BitSet turned) {
         double all = 0;
         for (int t = 0; t < corners.length / 3; t++) {
             int shell = shellOf[t];
-            double part = sixfoldVolume(places, corners, t, (bounds.minX() + bounds.maxX()) / 2, (bounds.minY() + bounds.maxY()) / 2, (bounds.minZ() + bounds.maxZ()) / 2);
+            double part = Measures.sixfoldVolume(places, corners, t, (bounds.minX() + bounds.maxX()) / 2, (bounds.minY() + bounds.maxY()) / 2, (bounds.minZ() + bounds.maxZ()) / 2);
             part = turned.get(t) ? -part : part;
             all += part;
             volume[shell] += part;

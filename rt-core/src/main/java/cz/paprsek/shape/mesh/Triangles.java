@@ -6,15 +6,10 @@ import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Volume;
-import java.lang.ref.SoftReference;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
-import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 
@@ -37,12 +32,7 @@ public final class Triangles {
     /** For each triangle; or empty, and all belong to the first. */
     private final int[] partNumbers;
     private final Bounds bounds;
-    /** What is known of its edges; looked for when it is first asked for, and always the same. */
-    private volatile @Nullable Shells shells;
-    /** Made when the mesh is first placed. */
-    private @Nullable Facets facets;
-    /** Made when it is first drawn, and kept while there is memory. */
-    private SoftReference<Sketch> sketch = new SoftReference<>(null);
+    private final Findings found = new Findings();
 
     /** Takes over arrays that nobody else knows. */
     Triangles(double[] places, int[] corners, float[] normals, float[] map, List<String> partNames, int[] partNumbers) {
@@ -77,7 +67,7 @@ public final class Triangles {
      * @param perVertex x y z for each vertex, of any length; 0 0 0 where none is known, and that of the triangle stands for it. Empty for none at all. Copied
      */
     public Triangles withNormals(float[] perVertex) {
-        return new Triangles(places, corners, perVertex.clone(), map, partNames, partNumbers).knowing(shells);
+        return new Triangles(places, corners, perVertex.clone(), map, partNames, partNumbers).knowing(found.shells());
     }
 
     /**
@@ -86,7 +76,7 @@ public final class Triangles {
      * @param perVertex u v for each vertex, 0 0 being the lower left corner of the picture; empty for none. Copied
      */
     public Triangles withMap(float[] perVertex) {
-        return new Triangles(places, corners, normals, perVertex.clone(), partNames, partNumbers).knowing(shells);
+        return new Triangles(places, corners, normals, perVertex.clone(), partNames, partNumbers).knowing(found.shells());
     }
 
     /**
@@ -96,16 +86,16 @@ public final class Triangles {
      * @param perTriangle the number of its part for each triangle; empty if all belong to the first. Copied
      */
     public Triangles withParts(List<String> names, int[] perTriangle) {
-        return new Triangles(places, corners, normals, map, names, perTriangle.clone()).knowing(shells);
+        return new Triangles(places, corners, normals, map, names, perTriangle.clone()).knowing(found.shells());
     }
 
     /** The same without normals and map that nobody needs: of a mesh that is seen flat and in one colour. */
     public Triangles bare() {
-        return new Triangles(places, corners, new float[0], new float[0], partNames, partNumbers).knowing(shells);
+        return new Triangles(places, corners, new float[0], new float[0], partNames, partNumbers).knowing(found.shells());
     }
 
     private Triangles knowing(@Nullable Shells known) {
-        shells = known != null && known.isOriented() ? known : null;
+        found.take(known);
         return this;
     }
 
@@ -181,11 +171,7 @@ public final class Triangles {
 
     /** How large all triangles are together, in square scene units. */
     public double area() {
-        double sum = 0;
-        for (int i = 0; i < corners.length; i += 3) {
-            sum += Math.sqrt(squaredLengthOfProduct(i));
-        }
-        return sum / 2;
+        return Measures.area(places, corners);
     }
 
     /**
@@ -193,7 +179,7 @@ public final class Triangles {
      * twice counts twice. By the divergence theorem, a sixth of the sum of a·(b × c).
      */
     public double volume() {
-        return Shells.sixfoldVolume(places, corners, bounds) / 6;
+        return Measures.sixfoldVolume(places, corners, bounds) / 6;
     }
 
     /**
@@ -201,7 +187,7 @@ public final class Triangles {
      * mesh without any has an inside.
      */
     public int openEdges() {
-        return shells().openEdges();
+        return found.shells(this).openEdges();
     }
 
     /** Whether it has an inside: no {@linkplain #openEdges edge is open}. */
@@ -214,8 +200,8 @@ public final class Triangles {
      * unless it lies within another one, which it then makes hollow. Itself if there is nothing to do.
      */
     public Triangles oriented() {
-        Shells known = shells();
-        return known.isOriented() ? this : turned(known.turned()).knowing(new Shells(known.openEdges(), new BitSet()));
+        Shells known = found.shells(this);
+        return known.isOriented() ? this : Moved.turned(this, known.turned()).knowing(new Shells(known.openEdges(), new BitSet()));
     }
 
     /**
@@ -224,7 +210,7 @@ public final class Triangles {
      * @param angleDegrees 0–180
      */
     public Triangles smoothed(double angleDegrees) {
-        return Smoothing.of(this, Require.within("smooth-angle", angleDegrees, 0, 180)).knowing(shells);
+        return Smoothing.of(this, Require.within("smooth-angle", angleDegrees, 0, 180)).knowing(found.shells());
     }
 
     /** Only the triangles of one part, with all vertices they need. */
@@ -235,47 +221,13 @@ public final class Triangles {
 
     /** The same in another space: places and normals moved, turned and stretched; corners turned round if the map mirrors. */
     public Triangles transformed(Affine toOther) {
-        Affine toThis = toOther.inverse();
-        double[] moved = new double[places.length];
-        float[] turned = new float[normals.length];
-        for (int i = 0; i < moved.length; i += 3) {
-            moved[i] = toOther.pointX(places[i], places[i + 1], places[i + 2]);
-            moved[i + 1] = toOther.pointY(places[i], places[i + 1], places[i + 2]);
-            moved[i + 2] = toOther.pointZ(places[i], places[i + 1], places[i + 2]);
-        }
-        for (int i = 0; i < turned.length; i += 3) {
-            double x = toThis.xx() * normals[i] + toThis.yx() * normals[i + 1] + toThis.zx() * normals[i + 2];
-            double y = toThis.xy() * normals[i] + toThis.yy() * normals[i + 1] + toThis.zy() * normals[i + 2];
-            double z = toThis.xz() * normals[i] + toThis.yz() * normals[i + 1] + toThis.zz() * normals[i + 2];
-            double length = Math.sqrt(x * x + y * y + z * z);
-            double k = length > 0 ? 1 / length : 0;
-            turned[i] = (float) (x * k);
-            turned[i + 1] = (float) (y * k);
-            turned[i + 2] = (float) (z * k);
-        }
-        Triangles other = new Triangles(moved, corners, turned, map, partNames, partNumbers);
-        if (!toOther.mirrors()) {
-            return other;
-        }
-        BitSet all = new BitSet();
-        all.set(0, count());
-        return other.turned(all);
-    }
-
-    /** Turns triangles round. Their normals stay: of a vertex they are right for its neighbours, or wrong for all. */
-    private Triangles turned(BitSet those) {
-        int[] round = corners.clone();
-        for (int t = those.nextSetBit(0); t >= 0; t = those.nextSetBit(t + 1)) {
-            round[3 * t + 1] = corners[3 * t + 2];
-            round[3 * t + 2] = corners[3 * t + 1];
-        }
-        return new Triangles(places, round, normals, map, partNames, partNumbers);
+        return Moved.into(toOther, this);
     }
 
     /** The lines that draw it as seen along a direction: its rim, its sharp edges, and those between what looks here and what looks away. Not all, if there are too many to be seen apart. */
     public List<List<Vec3>> outline(Vec3 along) {
         Objects.requireNonNull(along, "along");
-        return sketch().lines(along);
+        return found.sketch(this).lines(along);
     }
 
     /**
@@ -284,57 +236,13 @@ public final class Triangles {
      * @param parts where its parts are registered, in their order
      */
     public Volume place(Affine toWorld, IntFunction<Parts> parts) {
-        Facets known = facets(parts.apply(0)::isCancelled);
+        Facets known = found.facets(this, parts.apply(0)::isCancelled);
         Affine toLocal = toWorld.inverse();
         MeshPart[] placed = new MeshPart[partNames.size()];
         for (int i = 0; i < placed.length; i++) {
             placed[i] = parts.apply(i).add(number -> new MeshPart(number, this, toLocal));
         }
         return new PlacedMesh(this, known, toWorld, placed);
-    }
-
-    private synchronized Sketch sketch() {
-        Sketch known = sketch.get();
-        if (known == null) {
-            known = new Sketch(this);
-            sketch = new SoftReference<>(known);
-        }
-        return known;
-    }
-
-    private synchronized Facets facets(BooleanSupplier stop) {
-        Facets known = facets;
-        if (known == null) {
-            known = new Facets(this, stop);
-            facets = known;
-        }
-        return known;
-    }
-
-    private Shells shells() {
-        Shells known = shells;
-        if (known == null) {
-            known = Shells.of(places, corners, bounds);
-            shells = known;
-        }
-        return known;
-    }
-
-    /** The square of twice the area of the triangle of which the corners begin at i. */
-    private double squaredLengthOfProduct(int i) {
-        int a = 3 * corners[i];
-        int b = 3 * corners[i + 1];
-        int c = 3 * corners[i + 2];
-        double ux = places[b] - places[a];
-        double uy = places[b + 1] - places[a + 1];
-        double uz = places[b + 2] - places[a + 2];
-        double vx = places[c] - places[a];
-        double vy = places[c + 1] - places[a + 1];
-        double vz = places[c + 2] - places[a + 2];
-        double x = uy * vz - uz * vy;
-        double y = uz * vx - ux * vz;
-        double z = ux * vy - uy * vx;
-        return x * x + y * y + z * z;
     }
 
     /** The raw numbers, for who meets rays with them; not to be changed. */
@@ -381,38 +289,27 @@ public final class Triangles {
      * Numbers are checked by {@link #build}; who reads a file and wants to say where in it they are wrong checks them before.
      */
     public static final class Builder {
-        /** As many numbers as an array can hold, in threes. */
-        private static final int MOST = Integer.MAX_VALUE - 15;
-
         private double[] places = new double[3 * 64];
         private int vertices;
         private int[] corners = new int[3 * 64];
         private int triangles;
         private float[] normals = {};
         private float[] map = {};
-        private final List<String> names = new ArrayList<>();
-        private final Map<String, Integer> numbers = new HashMap<>();
-        private int part;
-        private int[] parts = {};
+        private final GrowingParts parts = new GrowingParts();
 
         Builder() {}
 
         /** Makes room for so many, if it is known: no array then grows. */
         public Builder expect(int vertexCount, int triangleCount) {
-            places = Arrays.copyOf(places, Math.max(places.length, length(vertexCount)));
-            corners = Arrays.copyOf(corners, Math.max(corners.length, length(triangleCount)));
+            places = Arrays.copyOf(places, Math.max(places.length, Growing.threes(vertexCount)));
+            corners = Arrays.copyOf(corners, Math.max(corners.length, Growing.threes(triangleCount)));
             return this;
-        }
-
-        private static int length(int count) {
-            Require.that(count <= MOST / 3, "a mesh has at most " + MOST / 3 + " vertices and as many triangles, but here are " + count);
-            return 3 * Math.max(0, count);
         }
 
         /** Adds a vertex and returns its number. */
         public int vertex(double x, double y, double z) {
             if (3 * vertices == places.length) {
-                places = Arrays.copyOf(places, grown(places.length));
+                places = Arrays.copyOf(places, Growing.from(places.length));
             }
             places[3 * vertices] = x;
             places[3 * vertices + 1] = y;
@@ -443,30 +340,16 @@ public final class Triangles {
 
         /** Says to which part the triangles belong that come from now on: a new one, or one that was named before. */
         public Builder part(String name) {
-            part = numbers.computeIfAbsent(name, key -> {
-                names.add(key);
-                return names.size() - 1;
-            });
-            if (part > 0 && parts.length == 0) {
-                parts = new int[corners.length / 3];
-            }
+            parts.begin(name, triangles);
             return this;
         }
 
         /** Adds a triangle by the numbers of three vertices, counter-clockwise as seen from outside, and returns its number. */
         public int triangle(int a, int b, int c) {
-            if (names.isEmpty()) {
-                part("");
-            }
             if (3 * triangles == corners.length) {
-                corners = Arrays.copyOf(corners, grown(corners.length));
+                corners = Arrays.copyOf(corners, Growing.from(corners.length));
             }
-            if (parts.length > 0) {
-                if (triangles >= parts.length) {
-                    parts = Arrays.copyOf(parts, corners.length / 3);
-                }
-                parts[triangles] = part;
-            }
+            parts.add(triangles);
             corners[3 * triangles] = a;
             corners[3 * triangles + 1] = b;
             corners[3 * triangles + 2] = c;
@@ -481,24 +364,14 @@ public final class Triangles {
             return triangles;
         }
 
-        private static int grown(int length) {
-            Require.that(length < MOST / 3 * 3, "a mesh has at most " + MOST / 3 + " vertices and as many triangles");
-            return (int) Math.min(2L * length, MOST / 3 * 3);
-        }
-
         /**
          * The triangles.
          *
          * @throws IllegalArgumentException if there is none, or a number cannot be; in a sentence that says of which vertex or triangle
          */
         public Triangles build() {
-            return new Triangles(cut(places, 3 * vertices), corners.length == 3 * triangles ? corners : Arrays.copyOf(corners, 3 * triangles),
-                    normals.length == 0 ? normals : Arrays.copyOf(normals, 3 * vertices), map.length == 0 ? map : Arrays.copyOf(map, 2 * vertices),
-                    names.isEmpty() ? List.of("") : names, parts.length == 0 ? parts : Arrays.copyOf(parts, triangles));
-        }
-
-        private static double[] cut(double[] values, int length) {
-            return values.length == length ? values : Arrays.copyOf(values, length);
+            return new Triangles(Growing.cut(places, 3 * vertices), Growing.cut(corners, 3 * triangles), Growing.cut(normals, 3 * vertices), Growing.cut(map, 2 * vertices),
+                    parts.names(), parts.numbers(triangles));
         }
     }
 }

@@ -1,0 +1,57 @@
+package cz.paprsek.shape.mesh;
+
+import cz.paprsek.math.Bounds;
+
+/** How large meshes are: area and space within. */
+final class Measures {
+    private Measures() {}
+
+    /** Of all triangles together, in square scene units. */
+    static double area(double[] places, int[] corners) {
+        double sum = 0;
+        for (int i = 0; i < corners.length; i += 3) {
+            sum += Math.sqrt(squaredLengthOfProduct(places, 3 * corners[i], 3 * corners[i + 1], 3 * corners[i + 2]));
+        }
+        return sum / 2;
+    }
+
+    /** The square of twice the area of a triangle, of which the corners' places begin there. */
+    private static double squaredLengthOfProduct(double[] places, int a, int b, int c) {
+        double ux = places[b] - places[a];
+        double uy = places[b + 1] - places[a + 1];
+        double uz = places[b + 2] - places[a + 2];
+        double vx = places[c] - places[a];
+        double vy = places[c + 1] - places[a + 1];
+        double vz = places[c + 2] - places[a + 2];
+        double x = uy * vz - uz * vy;
+        double y = uz * vx - ux * vz;
+        double z = ux * vy - uy * vx;
+        return x * x + y * y + z * z;
+    }
+
+    /** Six times the space within. Told from the middle, so that far away no digits are lost. */
+    static double sixfoldVolume(double[] places, int[] corners, Bounds bounds) {
+        double x = (bounds.minX() + bounds.maxX()) / 2;
+        double y = (bounds.minY() + bounds.maxY()) / 2;
+        double z = (bounds.minZ() + bounds.maxZ()) / 2;
+        double sum = 0;
+        for (int t = 0; t < corners.length / 3; t++) {
+            sum += sixfoldVolume(places, corners, t, x, y, z);
+        }
+        return sum;
+    }
+
+    /** a·(b × c) of the corners of a triangle, from a point. */
+    static double sixfoldVolume(double[] places, int[] corners, int triangle, double x, double y, double z) {
+        int a = 3 * corners[3 * triangle];
+        int b = 3 * corners[3 * triangle + 1];
+        int c = 3 * corners[3 * triangle + 2];
+        double bx = places[b] - x;
+        double by = places[b + 1] - y;
+        double bz = places[b + 2] - z;
+        double cx = places[c] - x;
+        double cy = places[c + 1] - y;
+        double cz = places[c + 2] - z;
+        return (places[a] - x) * (by * cz - bz * cy) + (places[a + 1] - y) * (bz * cx - bx * cz) + (places[a + 2] - z) * (bx * cy - by * cx);
+    }
+}
