@@ -30,7 +30,7 @@ import picocli.CommandLine.Parameters;
             "Every problem goes to standard error as FILE:LINE:COLUMN: what was expected and what was found.",
             "Warnings go to standard output, likewise with line and column, and do not change the exit code unless --strict is given: materials that give "
                     + "back more light than they get, a camera inside a solid, a light inside an opaque body, an operand that removes nothing, unused "
-                    + "materials, glass of several refractive indices or reaching into other glass, darkness.",
+                    + "materials, glass of several refractive indices or reaching into other glass, or made milky by ambient light, darkness.",
             "Notes are never problems: where bodies of glass touch, which is how water stands in a tumbler."
         },
         footer = {"", "Examples:", "  paprsek validate my.xml", "  paprsek validate 'scenes/**.xml' --json"})

@@ -61,6 +61,7 @@ class ValidateCommandTest {
                         + glass("cylinder", "radius='0.8' height='1' position='0 0.2 0'", 1.33), "difference \"tumbler\" and cylinder #2 touch near "),
                 Arguments.of(LIGHT + "<sphere radius='1'><material color='1 0.5 0'/></sphere>",
                         "material of sphere #1: the color 1 0.5 0 is next to black; colours go up to 255"),
+                Arguments.of(LIGHT + "<ambient color='40 40 40'/>" + glass("sphere", "radius='1'", 1.5), "material of sphere #1 is clear, but ambient light makes it milky"),
                 Arguments.of("<point-light position='2 3 4' color='1 1 1'/><sphere radius='1'/>", "light #1: the color 1 1 1 is next to black"),
                 Arguments.of("<sphere radius=\"1\"/>", "there is no light and no ambient light"),
                 Arguments.of("<point-light position=\"0 0 0\" intensity=\"0\"/><disc radius=\"1\"/>", "there is no light"),
@@ -182,7 +183,7 @@ class ValidateCommandTest {
 
     @Test
     void waterThatStandsInAGlassIsNoProblem() throws IOException {
-        Path file = Scenes.scene(folder.resolve("a.xml"), "<ambient color='gray'/>" + glass("block", "min='0 0 0' max='1 1 1'", 1.5) + glass("block", "min='0 1 0' max='1 2 1'", 1.33));
+        Path file = Scenes.scene(folder.resolve("a.xml"), LIGHT + glass("block", "min='0 0 0' max='1 1 1'", 1.5) + glass("block", "min='0 1 0' max='1 2 1'", 1.33));
         Run run = Run.cli("validate", file, "--strict");
         assertThat(run.code()).isZero();
         assertThat(run.out()).matches("(?s).*a.xml:1:\\d+: note: block #1 and block #2 touch near .*a.xml: valid, 1 note\n");

@@ -79,8 +79,9 @@ final class ReadyMaterials {
         made.put(name, material);
     }
 
+    /** Black, because ambient light counts with the colour, whatever the diffusion: any other makes it milky. */
     private static Material clear(double index) {
-        return Material.color(Rgb.WHITE).withDiffusion(0).withReflection(1).withTransparency(1, index).withFresnel(Fresnel.TRUE);
+        return Material.color(Rgb.BLACK).withDiffusion(0).withReflection(1).withTransparency(1, index).withFresnel(Fresnel.TRUE);
     }
 
     /** @param red of light that is mirrored straight on, the share in linear light */

@@ -40,6 +40,8 @@ import java.util.stream.Stream;
 public final class SceneWarnings {
     /** Sums of decimals such as 0.1 + 0.7 + 0.2 may come out a little above 1. */
     private static final double SLACK = 1e-9;
+    /** The least share of light that a clear body lets through. */
+    private static final double CLEAR = 0.5;
     /** Along each side of a pixel. */
     private static final int FEWEST_FOR_LENS = 3;
 
@@ -138,6 +140,7 @@ public final class SceneWarnings {
     private void material(String what, ScenePath place, Material material) {
         if (material.pattern() instanceof Pattern.Plain plain) {
             color(what, place, plain.color());
+            milk(what, place, material, plain.color());
         }
         // What glass does not mirror it lets through.
         boolean isGlass = material.fresnel() == Fresnel.TRUE;
@@ -167,6 +170,14 @@ public final class SceneWarnings {
 
     private static double share(Material.Share share, int color, double even) {
         return share instanceof Material.ByPattern by ? by.channel().of(by.pattern().palette().get(color)) : even;
+    }
+
+    /** Where nothing is strewn, the colour is there for ambient light alone, and every surface that light meets on its way through adds some. */
+    private void milk(String what, ScenePath place, Material material, Rgb color) {
+        boolean isClear = material.diffusion() == 0 && material.transparency() >= CLEAR && material.fresnel() != Fresnel.METAL;
+        if (isClear && !color.equals(Rgb.BLACK) && !scene.ambient().equals(Rgb.BLACK)) {
+            add("milk", what, place, "color", what + " is clear, but ambient light makes it milky, for that counts with the color whatever the diffusion; give it color=\"0 0 0\"");
+        }
     }
 
     /** In many other formats, colours go up to 1. */

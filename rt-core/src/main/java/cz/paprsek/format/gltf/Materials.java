@@ -126,7 +126,8 @@ final class Materials {
         }
         Tree volume = tree.extension("KHR_materials_volume").orElse(new Tree(tree.path(), Map.of()));
         boolean isThin = volume.number("thicknessFactor", 0) <= 0;
-        Material glass = lit.withTransparency(transmitted, index).withThin(isThin);
+        // Ambient light counts with the colour, which of what strews nothing serves for nothing else.
+        Material glass = (scattered == 0 ? lit.withPattern(new Pattern.Plain(Rgb.BLACK)) : lit).withTransparency(transmitted, index).withThin(isThin);
         return isThin ? glass : attenuated(volume, glass);
     }
 
