@@ -169,7 +169,7 @@ final class RenderCommand implements Callable<Integer> {
         Wishes wishes = new Wishes(size, maxDepth, rays, shown, region, threads);
         List<Target> targets = new Targets(output, format, raw).of(sources());
         Writing writing = new Writing(bits, uncompressed);
-        writing.check(targets);
+        writing.check(targets.stream().map(Target::format).toList());
         View view = new View(mode, camera, light, !noLegend, pixels);
         view.check(targets);
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);

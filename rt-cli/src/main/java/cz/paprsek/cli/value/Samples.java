@@ -23,9 +23,4 @@ public record Samples(int least, int most) {
         }
         return samples;
     }
-
-    /** What a picture is rendered with, in the same words. */
-    public static String text(RenderSettings settings) {
-        return settings.samples() + (settings.isAdaptive() ? ".." + settings.mostSamples() : "");
-    }
 }

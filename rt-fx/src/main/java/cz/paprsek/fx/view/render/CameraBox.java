@@ -3,9 +3,12 @@ package cz.paprsek.fx.view.render;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Tooltip;
@@ -35,8 +38,19 @@ final class CameraBox extends ChoiceBox<Named<Integer>> {
 
     /** The scene as the chosen camera sees it. */
     Scene seen(Scene scene) {
+        return chosen(scene).stream().mapToObj(scene::through).findFirst().orElse(scene);
+    }
+
+    /** What the command line calls the chosen camera; nothing if that is the first. */
+    Optional<String> word(Scene scene) {
+        List<String> names = scene.cameras().stream().map(Camera::name).toList();
+        return chosen(scene).stream().mapToObj(index -> Subject.word(names, index)).findFirst();
+    }
+
+    /** None if it is the first, or has gone. */
+    private OptionalInt chosen(Scene scene) {
         int index = getValue().value();
-        return index > 0 && index < scene.cameras().size() ? scene.through(index) : scene;
+        return index > 0 && index < scene.cameras().size() ? OptionalInt.of(index) : OptionalInt.empty();
     }
 
     /** The name of the chosen camera, if there are several; empty for the only one. */

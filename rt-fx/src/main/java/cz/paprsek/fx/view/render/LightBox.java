@@ -2,8 +2,12 @@ package cz.paprsek.fx.view.render;
 
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.Stream;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Tooltip;
@@ -32,7 +36,18 @@ final class LightBox extends ChoiceBox<Named<Integer>> {
 
     /** The scene with what the chosen light adds; as it is if that has gone. */
     Scene lit(Scene scene) {
+        return chosen(scene).stream().mapToObj(scene::litBy).findFirst().orElse(scene);
+    }
+
+    /** What the command line calls the chosen light; nothing if that is all. */
+    Optional<String> word(Scene scene) {
+        List<String> names = scene.lights().stream().map(Light::name).toList();
+        return chosen(scene).stream().mapToObj(index -> Subject.word(names, index)).findFirst();
+    }
+
+    /** None if it is all, or has gone. */
+    private OptionalInt chosen(Scene scene) {
         int index = getValue().value();
-        return index >= 0 && index < scene.lights().size() ? scene.litBy(index) : scene;
+        return index >= 0 && index < scene.lights().size() ? OptionalInt.of(index) : OptionalInt.empty();
     }
 }

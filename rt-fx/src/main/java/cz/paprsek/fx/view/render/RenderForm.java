@@ -128,8 +128,8 @@ final class RenderForm extends FlowPane {
     }
 
     /** The scene as the chosen camera sees it, with those of its lights that are to be lit. */
-    Scene chosen(Scene scene) {
-        return lights.lit(camera.seen(scene));
+    Subject chosen(Scene scene) {
+        return new Subject(scene, lights.lit(camera.seen(scene)), camera.word(scene), lights.word(scene));
     }
 
     /** What beside its size tells this picture from others; empty for one that shows the light of all lights to the only camera. */

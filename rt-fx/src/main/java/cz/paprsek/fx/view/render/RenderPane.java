@@ -13,11 +13,9 @@ import cz.paprsek.fx.view.picture.PictureStyle;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
-import cz.paprsek.image.ImageOptions;
-import cz.paprsek.image.ImageOptions.Origin;
+import cz.paprsek.image.ImageFormat;
 import cz.paprsek.io.Failures;
 import cz.paprsek.render.RenderOptions;
-import cz.paprsek.scene.Scene;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -154,10 +152,9 @@ public final class RenderPane extends BorderPane {
 
     private void render(RenderOptions options) {
         message.setText("");
-        Scene scene = form.chosen(model.scene());
         RenderTask task;
         try {
-            task = new RenderTask(scene, model.assets(), options);
+            task = new RenderTask(form.chosen(model.scene()), model.assets(), options);
         } catch (IllegalArgumentException | ArithmeticException | OutOfMemoryError tooLarge) {
             message.setText(texts.of("render.too-large", options.settings().width(), options.settings().height()));
             return;
@@ -206,8 +203,8 @@ public final class RenderPane extends BorderPane {
             message.setText(texts.of("render.nothing"));
             return;
         }
-        String name = tab.map(shown -> shown.task().scene().name()).filter(Predicate.not(String::isBlank)).orElse("picture");
-        chooser.choose(getScene().getWindow(), name.replaceAll("[\\\\/:*?\"<>|]", "-") + ".png").ifPresent(file -> write(finished(tab.get(), image.get()), file, tab.get().task().how().withOrigin(origin(tab.get()))));
+        String name = tab.map(shown -> shown.task().subject().whole().name()).filter(Predicate.not(String::isBlank)).orElse("picture");
+        chooser.choose(getScene().getWindow(), name.replaceAll("[\\\\/:*?\"<>|]", "-") + ".png").ifPresent(file -> write(finished(tab.get(), image.get()), file, tab.get().task()));
     }
 
     /** The picture as it is saved: a heat map with its scale. */
@@ -215,15 +212,11 @@ public final class RenderPane extends BorderPane {
         return tab.task().options().mode().scale().map(scale -> Legend.below(image, scale)).orElse(image);
     }
 
-    private static Origin origin(RenderTab tab) {
-        return new Origin(tab.task().scene().name(), "", "Paprsek", "");
-    }
-
-    private void write(Image image, Path file, ImageOptions how) {
+    private void write(Image image, Path file, RenderTask task) {
         Task<Boolean> writing = new Task<>() {
             @Override
             protected Boolean call() throws Exception {
-                ImageFiles.write(image, file, how);
+                ImageFiles.write(image, file, task.saved(ImageFormat.ofFile(file.toString()).orElse(ImageFormat.PNG)));
                 return true;
             }
         };

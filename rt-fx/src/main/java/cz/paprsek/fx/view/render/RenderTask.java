@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.render;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
@@ -12,7 +13,6 @@ import cz.paprsek.render.Renderer;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.RenderSettings;
-import cz.paprsek.scene.Scene;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import javafx.concurrent.Task;
@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * stays. All methods may be called while it runs, from JavaFX's thread.
  */
 final class RenderTask extends Task<RenderResult> {
-    private final Scene scene;
+    private final Subject subject;
     private final Assets assets;
     private final RenderOptions options;
     private final PictureBuffer buffer;
@@ -36,8 +36,8 @@ final class RenderTask extends Task<RenderResult> {
     private volatile @Nullable Image image;
 
     /** @throws ArithmeticException if the picture is larger than any array */
-    RenderTask(Scene scene, Assets assets, RenderOptions options) {
-        this.scene = scene;
+    RenderTask(Subject subject, Assets assets, RenderOptions options) {
+        this.subject = subject;
         this.assets = assets;
         this.options = options;
         this.buffer = new PictureBuffer(options.settings().width(), options.settings().height());
@@ -46,7 +46,7 @@ final class RenderTask extends Task<RenderResult> {
     @Override
     protected RenderResult call() {
         try {
-            RenderScene ready = RenderScene.of(scene, assets, new Monitor());
+            RenderScene ready = RenderScene.of(subject.seen(), assets, new Monitor());
             prepared = ready;
             return Renderer.render(ready, options, new Monitor());
         } finally {
@@ -54,18 +54,23 @@ final class RenderTask extends Task<RenderResult> {
         }
     }
 
-    Scene scene() {
-        return scene;
+    Subject subject() {
+        return subject;
     }
 
     RenderOptions options() {
         return options;
     }
 
-    /** How it is shown and saved: light exposed and toned, all else as it is. */
+    /** How it is shown: light exposed and toned, all else as it is. */
     ImageOptions how() {
         RenderSettings settings = options.settings();
         return options.mode() == RenderMode.SHADED ? ImageOptions.shown(settings.exposure(), settings.tone()) : ImageOptions.DEFAULT;
+    }
+
+    /** How it is saved: as it is shown, and told where it comes from. */
+    ImageOptions saved(ImageFormat format) {
+        return how().withOrigin(subject.origin(options, format));
     }
 
     PictureBuffer buffer() {

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.cli.Main;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
@@ -28,8 +29,10 @@ import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFiles;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -50,6 +53,8 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class RenderPaneTest {
     private static final Scene SCENE = Scene.EMPTY.withName("ball/1").withSettings(new RenderSettings(120, 80, 5, 1))
@@ -274,6 +279,34 @@ class RenderPaneTest {
         answer.set(Optional.of(folder.resolve("none").resolve("a.png")));
         gui.click("#render-save");
         gui.until("the failure is told", () -> message().contains("could not be saved"));
+    }
+
+    /** Camera, light, size and the scene's digest: the bytes are those of the command line. */
+    @ParameterizedTest
+    @ValueSource(strings = {"png", "exr"})
+    @SuppressWarnings("unchecked")
+    void aSavedPictureTellsOfItselfWhatTheCommandLinesTells(String ending) throws Exception {
+        Camera side = Camera.lookingAt(new Vec3(6, 1, 0), Vec3.ZERO);
+        gui.act(() -> model.edit(CHANGE, scene -> scene.withCameras(List.of(scene.camera().named("front"), side)).plus(Light.at(-3, 5, 6).named("lamp"))));
+        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(() -> model.look(1));
+        gui.act(() -> ((ChoiceBox<Object>) gui.node("#render-lights")).getSelectionModel().select(2));
+        enter("#render-width", "64");
+        enter("#render-height", "48");
+        gui.click("#render-start");
+        untilDone();
+        Path saved = folder.resolve("saved." + ending);
+        answer.set(Optional.of(saved));
+        gui.click("#render-save");
+        gui.until("the picture is saved", () -> message().equals("saved." + ending + " saved"));
+        Path scene = folder.resolve("scene.xml");
+        SceneFiles.write(model.scene(), scene);
+        Path expected = folder.resolve("expected." + ending);
+        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"),
+                Main.class.getName(), "render", scene.toString(), "--camera", "2", "--light", "lamp", "--size", "64x48", "-o", expected.toString(), "--quiet").inheritIO().start();
+        assertThat(process.waitFor()).isZero();
+        assertThat(saved).hasSameBinaryContentAs(expected);
+        assertThat(Files.readString(saved, StandardCharsets.ISO_8859_1)).contains("scene sha256 ", "--size 64x48 --samples 1 --max-depth 5 --camera 2 --light lamp");
     }
 
     @Test

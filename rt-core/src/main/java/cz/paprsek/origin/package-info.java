@@ -1,0 +1,2 @@
+/** What pictures tell of where they come from. */
+package cz.paprsek.origin;
