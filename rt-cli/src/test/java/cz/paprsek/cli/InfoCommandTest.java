@@ -6,6 +6,7 @@ import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -92,6 +93,25 @@ class InfoCommandTest {
                 .contains("\"thin\":false,\"emission\":[255,0,0],\"emission-strength\":1}");
         assertThat(Run.cli("db", "find", scene, "--where", "emission.red = 255 and not refractive-index > 0").out()).contains("lamp").doesNotContain("ruby");
         assertThat(Run.cli("db", "list", scene, "--where", "sky = \"gradient\" and background = \"0 0 0\"").out()).contains("glow");
+    }
+
+    /** Every number that is told of it would be wrong nearly everywhere. */
+    @Test
+    void ofAShareThatAPatternSaysThatIsToldAndFromWhatToWhat() throws IOException {
+        Path scene = folder.resolve("d.xml");
+        Files.writeString(scene, "<scene xmlns=\"urn:paprsek:scene:1\"><camera position=\"0 0 5\" target=\"0 0 0\"/><material name=\"floor\">"
+                + "<reflection><checker size=\"1\" even=\"51 51 51\" odd=\"110 110 110\"/></reflection><roughness channel=\"red\"><image file=\"a.png\"/></roughness></material>"
+                + "<sphere radius=\"1\" material=\"floor\"/></scene>");
+        assertThat(Run.cli("info", scene).out()).contains("diffusion 0.8, reflection 0.2..0.4314 by checker, roughness 0..1 by image");
+        String checker = "\"reflection\":{\"least\":0.2,\"most\":0.4313725490196078,\"pattern\":\"checker\"}";
+        String image = "\"roughness\":{\"least\":0,\"most\":1,\"pattern\":\"image\"}";
+        assertThat(Run.cli("info", scene, "--json").out()).contains(checker, image, "\"diffusion\":0.8");
+        for (String table : List.of("material", "sphere")) {
+            assertThat(Run.cli("db", "show", table, scene, "--columns", "diffusion,reflection,roughness", "--csv").text())
+                    .isEqualTo("diffusion,reflection,roughness\n0.8,0.2..0.4314 by checker,0..1 by image\n");
+            assertThat(Run.cli("db", "show", table, scene, "--columns", "reflection").out()).contains(" 0.2..0.4314 by checker");
+            assertThat(Run.cli("db", "show", table, scene, "--json").out()).contains(checker, image);
+        }
     }
 
     @Test

@@ -1,12 +1,14 @@
 package cz.paprsek.material;
 
 import cz.paprsek.attribute.Attribute;
+import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 
@@ -122,6 +124,11 @@ public record Material(
         return emissionStrength > 0 && !emission.equals(Rgb.BLACK);
     }
 
+    /** What says a share point by point, by the name of its attribute; nothing of one that is the same everywhere, or of what is no share. */
+    public Optional<ByPattern> byPattern(String attribute) {
+        return !shares.equals(Shares.EVEN) && Described.values(shares).get(attribute) instanceof ByPattern by ? Optional.of(by) : Optional.empty();
+    }
+
     /** The names of the pictures it needs. */
     public List<String> files() {
         Stream<String> own = relief instanceof NormalMap map ? Stream.of(map.file()) : Stream.of();
@@ -173,6 +180,11 @@ public record Material(
         @Override
         public double most(double even) {
             return pattern.palette().stream().mapToDouble(channel::of).max().orElse(1);
+        }
+
+        /** The smallest share there is: that of the pattern's colours; 0 if nobody knows which there are. */
+        public double least() {
+            return pattern.palette().stream().mapToDouble(channel::of).min().orElse(0);
         }
     }
 

@@ -19,16 +19,23 @@ enum Comparison {
                 : Arrays.stream(values()).filter(comparison -> comparison.sign.equals(written)).findFirst();
     }
 
-    /** Whether two values of one type compare like this. */
+    /** Whether two values of one type compare like this; of what a pattern says, whether something there is does. */
     boolean holds(Value a, Value b) {
-        int order = order(a, b);
         return switch (this) {
-            case EQUAL -> order == 0;
-            case LESS -> order < 0;
-            case LESS_OR_EQUAL -> order <= 0;
-            case GREATER -> order > 0;
-            case GREATER_OR_EQUAL -> order >= 0;
+            case EQUAL -> order(least(a), most(b)) <= 0 && order(most(a), least(b)) >= 0;
+            case LESS -> order(least(a), most(b)) < 0;
+            case LESS_OR_EQUAL -> order(least(a), most(b)) <= 0;
+            case GREATER -> order(most(a), least(b)) > 0;
+            case GREATER_OR_EQUAL -> order(most(a), least(b)) >= 0;
         };
+    }
+
+    private static Value least(Value value) {
+        return value instanceof Value.Range range ? new Value.Scalar(range.least()) : value;
+    }
+
+    private static Value most(Value value) {
+        return value instanceof Value.Range range ? new Value.Scalar(range.most()) : value;
     }
 
     /** Text by the numbers of its characters; numbers by size, −0 being 0. */

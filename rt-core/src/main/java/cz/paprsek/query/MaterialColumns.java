@@ -2,7 +2,9 @@ package cz.paprsek.query;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.ElementTable;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.ByPattern;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
@@ -22,8 +24,17 @@ final class MaterialColumns {
         List<Column<R>> columns = new ArrayList<>(List.of(
                 Column.text("pattern", row -> pattern(of.apply(row))),
                 Column.color("color", row -> of.apply(row).pattern() instanceof Pattern.Plain plain ? Optional.of(plain.color()) : Optional.empty())));
-        columns.addAll(attributes(Material.class, of));
+        Described.of(Material.class).forEach(one -> columns.add(varied(one, of)));
         return columns;
+    }
+
+    /** A share may be said by a pattern. */
+    private static <R> Column<R> varied(Described one, Function<R, Material> of) {
+        Column<R> even = column(one, row -> one.inForce(of.apply(row)));
+        return one.says().value() != Kind.SHARE ? even : new Column<>(even.name(), even.type(), (row, test) -> {
+            Optional<ByPattern> share = of.apply(row).byPattern(one.name());
+            return share.isPresent() ? test.test(Value.Range.of(share.get())) : even.any(row, test);
+        });
     }
 
     /** A column for each attribute of a record, whatever its form; two for one of two numbers. */

@@ -1,5 +1,6 @@
 package cz.paprsek.query;
 
+import cz.paprsek.material.Material.ByPattern;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.text.Numbers;
 import java.util.Objects;
@@ -14,6 +15,35 @@ public sealed interface Value {
         @Override
         public String text() {
             return Numbers.text(value);
+        }
+    }
+
+    /**
+     * A share that a pattern says point by point, and so all from the smallest to the greatest. It compares with a number as one of these does.
+     *
+     * @param pattern its kind, as a scene file has it
+     */
+    record Range(double least, double most, String pattern) implements Value {
+        private static final double DIGITS = 1e4;
+
+        public Range {
+            Objects.requireNonNull(pattern, "pattern");
+        }
+
+        /** That of such a share. */
+        public static Range of(ByPattern share) {
+            double most = share.most(1);
+            return new Range(Math.min(share.least(), most), most, share.pattern().kind());
+        }
+
+        /** {@code 0..0.8 by checker} */
+        @Override
+        public String text() {
+            return Numbers.text(rounded(least)) + ".." + Numbers.text(rounded(most)) + " by " + pattern;
+        }
+
+        private static double rounded(double share) {
+            return Math.rint(share * DIGITS) / DIGITS;
         }
     }
 
@@ -51,12 +81,12 @@ public sealed interface Value {
         }
     }
 
-    /** The order of a sorted column: nothing first, numbers by size, text without regard to case. */
+    /** The order of a sorted column: nothing first, numbers by size, what a pattern says by its greatest, text without regard to case. */
     static int compare(Value a, Value b) {
         Objects.requireNonNull(a, "a");
         Objects.requireNonNull(b, "b");
-        if (a instanceof Scalar x && b instanceof Scalar y) {
-            return Double.compare(x.value, y.value);
+        if (rank(a) == 1 && rank(b) == 1) {
+            return Double.compare(most(a), most(b));
         }
         if (a instanceof Triple x && b instanceof Triple y) {
             int first = Double.compare(x.part(0), y.part(0));
@@ -68,7 +98,11 @@ public sealed interface Value {
         return letters != 0 ? letters : a.text().compareTo(b.text());
     }
 
+    private static double most(Value value) {
+        return value instanceof Range range ? range.most : ((Scalar) value).value;
+    }
+
     private static int rank(Value value) {
-        return value instanceof Nothing ? 0 : value instanceof Scalar ? 1 : value instanceof Triple ? 2 : 3;
+        return value instanceof Nothing ? 0 : value instanceof Scalar || value instanceof Range ? 1 : value instanceof Triple ? 2 : 3;
     }
 }

@@ -8,6 +8,8 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.query.Value;
+import cz.paprsek.query.text.TableText;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -68,7 +70,9 @@ public final class SummaryAsJson {
         } else {
             json.with("pattern", material.pattern().kind());
         }
-        return inForce(json, Described.of(Material.class).stream(), material);
+        Described.of(Material.class).forEach(one -> material.byPattern(one.name()).ifPresentOrElse(
+                share -> json.with(one.name(), TableText.json(Value.Range.of(share))), () -> inForce(json, Stream.of(one), material)));
+        return json;
     }
 
     private static Json of(Bounds box) {

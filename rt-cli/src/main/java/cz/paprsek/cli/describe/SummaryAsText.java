@@ -7,6 +7,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.query.Value;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -14,6 +15,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.text.Numbers;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -58,9 +60,11 @@ public final class SummaryAsText {
 
     /** What counts of attributes, each with its name; a share of nothing, a usual word and a pinhole are not worth one. */
     private static String text(Stream<Described> attributes, Object record) {
-        return attributes.filter(one -> one.says().value() != Kind.NAME)
-                .flatMap(one -> one.inForce(record).map(value -> text(one, value)).filter(value -> !isNothing(one, value)).map(value -> one.name() + " " + value).stream())
-                .collect(Collectors.joining(", "));
+        return attributes.filter(one -> one.says().value() != Kind.NAME).flatMap(one -> named(one, record).stream()).collect(Collectors.joining(", "));
+    }
+
+    private static Optional<String> named(Described one, Object record) {
+        return one.inForce(record).map(value -> text(one, value)).filter(value -> !isNothing(one, value)).map(value -> one.name() + " " + value);
     }
 
     private static boolean isNothing(Described one, String value) {
@@ -114,6 +118,7 @@ public final class SummaryAsText {
     private static String text(Material material) {
         String color = material.pattern() instanceof Pattern.Plain plain ? text(plain.color())
                 : material.pattern().kind();
-        return "color " + color + ", " + text(Described.of(Material.class).stream(), material);
+        return "color " + color + ", " + Described.of(Material.class).stream().flatMap(one -> material.byPattern(one.name())
+                .map(share -> one.name() + " " + Value.Range.of(share).text()).or(() -> named(one, material)).stream()).collect(Collectors.joining(", "));
     }
 }

@@ -34,6 +34,8 @@ public final class TableText {
             Value value = column.cell(row);
             if (value instanceof Value.Scalar number) {
                 json.with(column.name(), number.value());
+            } else if (value instanceof Value.Range range) {
+                json.with(column.name(), json(range));
             } else if (value instanceof Value.Triple triple) {
                 json.with(column.name(), triple.numbers());
             } else if (value instanceof Value.Text text) {
@@ -41,6 +43,11 @@ public final class TableText {
             }
         }
         return json;
+    }
+
+    /** What a pattern says, for programs: the smallest number, the greatest, and the pattern's kind. */
+    public static Json json(Value.Range range) {
+        return new Json().with("least", range.least()).with("most", range.most()).with("pattern", range.pattern());
     }
 
     private static String line(Stream<String> fields) {
