@@ -80,10 +80,26 @@ public class BreakFormulas {
             // Textures and sky.
             new Break("colours of a ramp mixed from the wrong end", "render/surface/MixedColors.java", "channels[lower] + share * (channels[upper] - channels[lower])", "channels[upper] + share * (channels[lower] - channels[upper])"),
             new Break("sky by angle, not by height", "render/surface/Backdrop.java", "double share = Math.min(1, Math.abs(y));", "double share = Math.min(1, Math.abs(StrictMath.asin(Math.max(-1, Math.min(1, y)))) * 2 / Math.PI);"),
-            new Break("sky picture mirrored", "render/surface/Backdrop.java", "StrictMath.atan2(level.ray.dz, level.ray.dx)", "StrictMath.atan2(-level.ray.dz, level.ray.dx)"));
+            new Break("sky picture mirrored", "render/surface/Backdrop.java", "StrictMath.atan2(level.ray.dz, level.ray.dx)", "StrictMath.atan2(-level.ray.dz, level.ray.dx)"),
+            // Bumps, and shares by pattern.
+            new Break("bumps for dents", "render/surface/Bending.java", "hit.bend(k * hit.sx - strength * gx, k * hit.sy - strength * gy, k * hit.sz - strength * gz);",
+                    "hit.bend(k * hit.sx + strength * gx, k * hit.sy + strength * gy, k * hit.sz + strength * gz);"),
+            new Break("all of a bump's slope, also what is across the surface", "render/surface/Bending.java", "double c = (gx * qx + gy * qy + gz * qz) / (hit.sx * qx + hit.sy * qy + hit.sz * qz);",
+                    "gx = slope[0];\n            gy = slope[1];\n            gz = slope[2];\n            double c = 0;"),
+            new Break("bumps that grow steeper with their object", "render/surface/Bending.java", "double k = 1 / Math.sqrt(wx * wx + wy * wy + wz * wz) + strength * c;", "double k = 1 + strength * c;"),
+            new Break("normal map with v down", "render/surface/Bending.java", "strength * (2 * probe.green - 1)", "strength * (1 - 2 * probe.green)"),
+            new Break("strength of a normal map on its z, too", "render/surface/Bending.java", "2 * probe.blue - 1, level.hit", "strength * (2 * probe.blue - 1), level.hit"),
+            new Break("bumps of marble without its turbulence", "render/texture/ValueField.java", "double bent = steep * marble.turbulence();", "double bent = 0;"),
+            new Break("bumps of wood along x only", "render/texture/ValueField.java", "outwards * z + bent * out[2]", "bent * out[2]"),
+            new Break("bent normals that the viewer sees from behind", "render/integrate/Bent.java", "if (away > 0) {", "if (away > 1) {"),
+            new Break("mirrored rays that go into the surface", "render/integrate/Bent.java", "return -2 * (beyond ? Math.max(0, along) : Math.min(0, along));", "return 0;"),
+            new Break("light from behind on bumps", "render/integrate/Bent.java", "return (itself > 0) == (facing > 0) || (hit.isRounded && facing > 0 && itself > -ROUNDED) ? facing : 0;", "return facing;"),
+            new Break("shares decoded as if they were light", "render/surface/Variety.java", "Paint.of(by.pattern(), toDeclared, textures, false)", "Paint.of(by.pattern(), toDeclared, textures, true)"),
+            new Break("luminance as the mean of three", "material/Material.java", "0.2126 * red + 0.7152 * green + 0.0722 * blue", "(red + green + blue) / 3"),
+            new Break("the pattern's smallest share for its greatest", "material/Material.java", "mapToDouble(channel::of).max().orElse(1)", "mapToDouble(channel::of).min().orElse(1)"));
 
     private static final String TESTS = "ClosedFormTest,ReferenceSceneTest,TextbookTest,ShapeContractTest,CsgTest,CrossCheckTest,MetamorphicTest,RendererTest,"
-            + "LightsTest,LensTest,StrewingTest,FresnelTest,AbsorptionTest,RoughTest,PatternTest,PictureTest";
+            + "LightsTest,LensTest,StrewingTest,FresnelTest,AbsorptionTest,RoughTest,PatternTest,PictureTest,ReliefTest,SlopeTest";
     private static final Pattern FAILED = Pattern.compile("\\[ERROR\\] +(\\w+Test\\.\\w+)");
 
     public static void main(String[] words) throws IOException, InterruptedException {

@@ -1,14 +1,21 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.Cameras;
+import cz.paprsek.cli.input.Foreign;
+import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.output.Beside;
+import cz.paprsek.cli.output.Writing;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.format.ForeignScene;
 import cz.paprsek.format.MeshWriter;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFiles;
+import cz.paprsek.image.ImageFormat;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
 import cz.paprsek.pov.PovFiles;
@@ -25,34 +32,46 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Writes a scene in another form. */
+/** Writes a scene, or a picture, in another form. */
 @Command(
         name = "convert",
         description = {
             "Writes a scene in another form; what form, is told by the ending of the new file:",
             ".pov is for POV-Ray 3.7, which computes the same picture from it. What it cannot show exactly is told in a warning.",
             ".xml is our own, in standard order and layout, for tidying up a file written by hand; of a file of another program, with its meshes beside it.",
-            ".obj and .stl are triangles as the file of another program has them, axes and all."
+            ".obj and .stl are triangles as the file of another program has them, axes and all.",
+            "A picture becomes one of another format: png, jpg, hdr, exr …, its light alone, without opacity and layers; --bits, --exposure, --tone and --uncompressed are for that."
         },
         footer = {"", "Examples:", "  paprsek convert showcase.xml showcase.pov", "  paprsek convert mine.xml tidy.xml",
-            "  paprsek convert thing.csg thing.xml", "  paprsek convert part.stl part.obj"})
+            "  paprsek convert thing.csg thing.xml", "  paprsek convert part.stl part.obj",
+            "  paprsek convert light.exr light.png --exposure 1 --tone filmic"})
 final class ConvertCommand implements Callable<Integer> {
     private static final List<String> ENDINGS = List.of("pov", "xml", "obj", "stl");
 
     private final Terminal terminal;
     private final Stop stop;
 
-    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file, or one of another program; - is standard input.")
+    @Parameters(index = "0", paramLabel = "SCENE", description = "A scene file, or one of another program, or a picture; - is standard input.")
     private Path scene;
 
-    @Parameters(index = "1", paramLabel = "FILE", description = "The file to write, ending in .pov, .xml, .obj or .stl.")
+    @Parameters(index = "1", paramLabel = "FILE", description = "The file to write, ending in .pov, .xml, .obj or .stl, or as pictures do.")
     private Path target;
 
     @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
     private Optional<String> camera;
+
+    @Option(names = "--bits", paramLabel = "N", description = "Bits per channel: 8 or 16 of png, 16 or 32 of exr. Default: the smaller number.")
+    private Optional<Integer> bits;
+
+    @Option(names = "--uncompressed", description = "Writes exr as large as it is, for programs that cannot unpack it.")
+    private boolean uncompressed;
+
+    @Mixin
+    private LightWishes shown;
 
     @Option(names = {"-q", "--quiet"}, description = "Prints errors only, no warnings.")
     private boolean quiet;
@@ -66,6 +85,16 @@ final class ConvertCommand implements Callable<Integer> {
     public Integer call() {
         String name = target.toString();
         String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+        Optional<ImageFormat> format = ImageFormat.ofFile(name);
+        if (Foreign.isPicture(scene)) {
+            return picture(format.orElseThrow(() -> new WrongUsage(scene + " is a picture; let the new file end in one of " + ImageFormat.all())));
+        }
+        if (format.isPresent()) {
+            throw new WrongUsage("a scene becomes a picture where it is rendered: paprsek render " + scene + " -o " + name);
+        }
+        if (bits.isPresent() || uncompressed || shown.areSaid()) {
+            throw new WrongUsage("--bits, --uncompressed, --exposure and --tone are for pictures, which " + scene + " is not");
+        }
         if (!ENDINGS.contains(ending)) {
             throw new WrongUsage("cannot tell what form '" + name + "' is to have: let it end in .pov, .xml, .obj or .stl"
                     + Similar.suggestion(ending, ENDINGS));
@@ -84,6 +113,35 @@ final class ConvertCommand implements Callable<Integer> {
         return write(reading, Cameras.through(reading.scenes().get(0), camera), ending);
     }
 
+    private int picture(ImageFormat format) {
+        Writing writing = new Writing(bits, uncompressed);
+        writing.check(List.of(format));
+        Image image;
+        try {
+            image = ImageFiles.read(scene);
+        } catch (IOException unreadable) {
+            terminal.message(Failures.sentence(unreadable));
+            return ExitCode.BAD_SCENE;
+        }
+        try {
+            refuseItself("picture");
+            ImageOptions how = shown.applyTo(writing.options());
+            stop.guard(() -> ImageFiles.write(image, target, format, how));
+            return ExitCode.DONE;
+        } catch (IOException e) {
+            terminal.message(Failures.sentence(target.toString(), e));
+            return ExitCode.FAILED;
+        } catch (IllegalArgumentException refused) {
+            throw new WrongUsage(String.valueOf(refused.getMessage()));
+        }
+    }
+
+    private void refuseItself(String kind) throws IOException {
+        if (Files.exists(target) && Files.exists(scene) && Files.isSameFile(scene, target)) {
+            throw new WrongUsage("the new file would overwrite the " + kind + " " + scene + " itself");
+        }
+    }
+
     private void mesh(SceneReading reading, boolean isObj) throws IOException {
         Triangles mesh = reading.foreign().flatMap(ForeignScene::triangles)
                 .orElseThrow(() -> new WrongUsage("only what holds triangles and nothing else can become OBJ or STL: files such as STL, OBJ, PLY and glTF"));
@@ -99,9 +157,7 @@ final class ConvertCommand implements Callable<Integer> {
     private int write(SceneReading reading, Scene content, String ending) {
         List<String> warnings = new ArrayList<>();
         try {
-            if (Files.exists(target) && Files.exists(scene) && Files.isSameFile(scene, target)) {
-                throw new WrongUsage("the new file would overwrite the scene " + scene + " itself");
-            }
+            refuseItself("scene");
             stop.guard(() -> {
                 switch (ending) {
                     case "pov" -> warnings.addAll(PovFiles.write(content, target));

@@ -7,6 +7,7 @@ import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -37,6 +38,46 @@ class ConvertCommandTest {
         Path scene = Scenes.ball(folder.resolve("ball.xml"));
         assertThat(Run.cli("convert", scene, folder.resolve("tidy.xml")).code()).isZero();
         assertThat(folder.resolve("tidy.xml")).content().isEqualTo(SceneFiles.format(SceneFiles.read(scene)));
+    }
+
+    /** As a render writes the same light: an HDR picture is there to be looked at in the end. */
+    @Test
+    void aPictureBecomesOneOfAnotherFormat() throws IOException {
+        Path scene = Scenes.ball(folder.resolve("ball.xml"));
+        Path light = folder.resolve("light.exr");
+        assertThat(Run.cli("render", scene, "-o", light, "--bits", "32", "-q").code()).isZero();
+        Path converted = folder.resolve("converted.png");
+        assertThat(Run.cli("convert", light, converted, "--exposure", "1.5", "--tone", "filmic", "--bits", "16")).matches(run -> run.code() == 0 && run.text().isEmpty() && run.err().isEmpty());
+        Path rendered = folder.resolve("rendered.png");
+        Run.cli("render", scene, "-o", rendered, "--exposure", "1.5", "--tone", "filmic", "--bits", "16", "-q");
+        assertThat(Run.cli("compare", converted, rendered, "--tolerance", "0").code()).isZero();
+        assertThat(Run.cli("convert", light, folder.resolve("light.hdr")).code()).isZero();
+        assertThat(Run.cli("convert", folder.resolve("light.hdr"), folder.resolve("light.jpg")).code()).isZero();
+    }
+
+    @Test
+    void whatIsNoPictureAndWhatCannotBeOneIsToldInOneLine() throws IOException {
+        Path scene = Scenes.ball(folder.resolve("ball.xml"));
+        Path light = folder.resolve("light.exr");
+        Run.cli("render", scene, "-o", light, "-q");
+        record Wrong(List<Object> words, int code, String sentence) {}
+
+        for (Wrong wrong : List.of(
+                new Wrong(List.of(scene, folder.resolve("a.png")), 2, "a scene becomes a picture where it is rendered: paprsek render " + scene + " -o " + folder.resolve("a.png")),
+                new Wrong(List.of(light, folder.resolve("a.xml")), 2, light + " is a picture; let the new file end in one of png, jpg"),
+                new Wrong(List.of(light, light), 2, "would overwrite the picture"),
+                new Wrong(List.of(light, folder.resolve("a.png"), "--bits", "32"), 2, "png has 8 or 16 bits per channel, not 32"),
+                new Wrong(List.of(light, folder.resolve("a.png"), "--exposure", "1000"), 2, "from -100 to 100"),
+                new Wrong(List.of(light, folder.resolve("no/a.png")), 1, "there is no such folder"),
+                new Wrong(List.of(Files.writeString(folder.resolve("b.exr"), "no"), folder.resolve("a.png")), 3, "b.exr: this is not a picture"),
+                new Wrong(List.of(scene, folder.resolve("a.pov"), "--exposure", "1"), 2, "are for pictures, which " + scene + " is not"))) {
+            List<Object> words = new ArrayList<>(List.of("convert"));
+            words.addAll(wrong.words());
+            Run run = Run.cli(words.toArray());
+            assertThat(run.code()).as(run.err()).isEqualTo(wrong.code());
+            assertThat(run.err()).contains(wrong.sentence());
+        }
+        assertThat(folder.resolve("a.png")).doesNotExist();
     }
 
     @Test

@@ -1,5 +1,6 @@
 package cz.paprsek.cli.input;
 
+import cz.paprsek.image.ImageFormat;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -24,7 +25,7 @@ public final class Foreign {
             Map.entry("png", "a picture" + PICTURE), Map.entry("jpg", "a picture" + PICTURE), Map.entry("jpeg", "a picture" + PICTURE),
             Map.entry("bmp", "a picture" + PICTURE), Map.entry("tif", "a picture" + PICTURE), Map.entry("tiff", "a picture" + PICTURE),
             Map.entry("gif", "a picture" + PICTURE), Map.entry("webp", "a picture" + PICTURE), Map.entry("ppm", "a picture" + PICTURE),
-            Map.entry("pgm", "a picture" + PICTURE), Map.entry("pfm", "a picture" + PICTURE), Map.entry("exr", "a picture" + PICTURE),
+            Map.entry("pgm", "a picture" + PICTURE), Map.entry("pfm", "a picture" + PICTURE), Map.entry("exr", "a picture" + PICTURE), Map.entry("hdr", "a picture" + PICTURE), Map.entry("ppm16", "a picture" + PICTURE),
             Map.entry("svg", "a drawing, not a scene"), Map.entry("xsd", "a schema; it says what scenes may hold, and is none"),
             Map.entry("resume", "what --resume keeps of an interrupted picture; give the scene again, with the same options"),
             Map.entry("zip", "an archive" + PACKED), Map.entry("gz", "a packed file" + PACKED), Map.entry("xz", "a packed file" + PACKED));
@@ -44,6 +45,12 @@ public final class Foreign {
         if (kind.isPresent()) {
             throw new IOException(file + ": " + kind.get());
         }
+    }
+
+    /** Whether it is a picture by its name, and no scene by its first letter. */
+    public static boolean isPicture(Path file) {
+        String name = String.valueOf(file.getFileName());
+        return ImageFormat.ofFile(name).isPresent() && Files.isRegularFile(file) && !isMarkup(file, name);
     }
 
     /** What to do with a scene that stands where a picture should; nothing of others. */

@@ -1,6 +1,7 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.cli.value.Tones;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.scene.RenderSettings;
 import java.util.Optional;
@@ -16,6 +17,15 @@ public final class LightWishes {
         "How light is fitted to a screen: ${COMPLETION-CANDIDATES}. With none, what is brighter than white is white; "
                 + "filmic bends highlights towards white as film does, and darkens shadows a little. Default: the scene's."})
     private Optional<Tone> tone = Optional.empty();
+
+    /**
+     * For a picture that is there.
+     *
+     * @throws IllegalArgumentException if the exposure is out of range
+     */
+    public ImageOptions applyTo(ImageOptions options) {
+        return options.withExposure(exposure.orElse(options.exposure())).withTone(tone.orElse(options.tone()));
+    }
 
     /** Whether something is wished for. */
     public boolean areSaid() {
