@@ -137,6 +137,9 @@ public record Material(
 
     /** All patterns that it has: that of the colour first. */
     public Stream<Pattern> patterns() {
+        if (shares.equals(Shares.EVEN) && !(relief instanceof Bump)) {
+            return Stream.of(pattern);
+        }
         return Stream.of(Stream.of(pattern), shares.all().flatMap(share -> share instanceof ByPattern by ? Stream.of(by.pattern()) : Stream.of()),
                 relief instanceof Bump bump ? Stream.of(bump.pattern()) : Stream.<Pattern>of()).flatMap(some -> some);
     }

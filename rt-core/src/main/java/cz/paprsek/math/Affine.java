@@ -22,6 +22,12 @@ public record Affine(
         return new Affine(by.x(), 0, 0, 0, 0, by.y(), 0, 0, 0, 0, by.z(), 0);
     }
 
+    /** The same numbers as the translation after the scaling has. */
+    public static Affine scalingAndMoving(Vec3 factors, Vec3 by) {
+        // A sum with 0 makes −0 positive, as it is in a product of matrices.
+        return new Affine(factors.x(), 0, 0, 0 + by.x(), 0, factors.y(), 0, 0 + by.y(), 0, 0, factors.z(), 0 + by.z());
+    }
+
     /** Turns about the x axis, then y, then z, each counter-clockwise seen from the positive end of its axis; angles in degrees. */
     public static Affine rotation(Vec3 degrees) {
         double sx = Angles.sin(degrees.x());

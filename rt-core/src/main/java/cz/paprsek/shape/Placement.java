@@ -45,7 +45,7 @@ public record Placement(
 
     /** The map from the shape's own space to the space around it. */
     public Affine toParent() {
-        Affine turn = rotation.equals(Vec3.ZERO) ? Affine.IDENTITY : Affine.rotation(rotation);
-        return Affine.translation(position).after(turn).after(Affine.scaling(scale));
+        return rotation.equals(Vec3.ZERO) ? Affine.scalingAndMoving(scale, position)
+                : Affine.translation(position).after(Affine.rotation(rotation)).after(Affine.scaling(scale));
     }
 }

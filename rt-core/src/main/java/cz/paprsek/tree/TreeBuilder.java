@@ -122,13 +122,12 @@ public final class TreeBuilder {
             if (middle == start) {
                 return Tree.leaf(start, count, cost(start, end));
             }
-            putBox(start, middle, 12 * node);
-            putBox(middle, end, 12 * node + 6);
-            int larger = halfArea(boxes, 12 * node) >= halfArea(boxes, 12 * node + 6) ? 0 : 1;
-            if (larger == 1) {
-                putBox(middle, end, 12 * node);
-                putBox(start, middle, 12 * node + 6);
+            if (!bins.isPlane) {
+                bins.halve(box, start, middle, end);
             }
+            int larger = halfArea(bins.sides, 0) >= halfArea(bins.sides, 6) ? 0 : 1;
+            System.arraycopy(bins.sides, 0, boxes, 12 * node + 6 * larger, 6);
+            System.arraycopy(bins.sides, 6, boxes, 12 * node + 6 - 6 * larger, 6);
             int rightNode = node + middle - start;
             if (count > FORK) {
                 Subtree left = new Subtree(start, middle, node + 1, at + 1);
@@ -148,12 +147,14 @@ public final class TreeBuilder {
     /** Parts the records in two and returns where the second begins; {@code start} if they had better stay one leaf. */
     private int split(int start, int end, int depth, Bins bins) {
         int count = end - start;
+        bins.isPlane = false;
         if (depth < STEEP && bins.find(box, start, end, count)) {
             if (count <= Tree.LEAF && (count - bins.bestCost) * (cost(start, end) / count) <= nodeCost) {
                 return start;
             }
             int middle = partition(start, end, bins);
             if (middle > start && middle < end) {
+                bins.part();
                 return middle;
             }
         }
@@ -201,20 +202,6 @@ public final class TreeBuilder {
         }
     }
 
-    private void putBox(int start, int end, int at) {
-        for (int k = 0; k < 3; k++) {
-            double low = box[6 * start + k];
-            double high = box[6 * start + k + 3];
-            // Not Math.min, here and below: a comparison that mostly goes one way costs far less.
-            for (int i = start + 1; i < end; i++) {
-                low = box[6 * i + k] < low ? box[6 * i + k] : low;
-                high = box[6 * i + k + 3] > high ? box[6 * i + k + 3] : high;
-            }
-            boxes[at + k] = low;
-            boxes[at + k + 3] = high;
-        }
-    }
-
     /** Scratch of one task: counts and boxes of the bins of all three axes, and the best plane found. */
     private final class Bins {
         private final int[] count = new int[3 * BINS];
@@ -222,11 +209,14 @@ public final class TreeBuilder {
         private final double[] low = new double[3];
         private final double[] scale = new double[3];
         private final double[] area = new double[BINS];
-        private final double[] grown = new double[6];
+        /** The boxes of both sides of the last split. */
+        final double[] sides = new double[12];
         private int bins;
         double bestCost;
         int bestAxis;
         int bestBin;
+        /** Whether the last split was along a plane, so that bins tell the boxes of its sides. */
+        boolean isPlane;
 
         /** Finds the plane of least cost; false if all centres coincide. Cost is in surface tests, given that the whole is hit. */
         boolean find(double[] records, int start, int end, int total) {
@@ -256,47 +246,81 @@ public final class TreeBuilder {
 
         private void reset(double[] records, int start, int end) {
             bins = Math.max(4, Math.min(BINS, end - start));
-            for (int axis = 0; axis < 3; axis++) {
-                double least = Double.POSITIVE_INFINITY;
-                double most = Double.NEGATIVE_INFINITY;
-                for (int i = start; i < end; i++) {
-                    double centre = records[6 * i + axis] + records[6 * i + axis + 3];
-                    least = centre < least ? centre : least;
-                    most = centre > most ? centre : most;
-                }
-                low[axis] = least;
-                scale[axis] = most > least ? Math.min(bins / (most - least), Double.MAX_VALUE) : 0;
+            double lowX = Double.POSITIVE_INFINITY;
+            double lowY = Double.POSITIVE_INFINITY;
+            double lowZ = Double.POSITIVE_INFINITY;
+            double highX = Double.NEGATIVE_INFINITY;
+            double highY = Double.NEGATIVE_INFINITY;
+            double highZ = Double.NEGATIVE_INFINITY;
+            // In one pass, for large scenes do not fit into the cache. Not Math.min, here and below: a comparison that mostly goes one way costs far less.
+            for (int i = 6 * start; i < 6 * end; i += 6) {
+                double x = records[i] + records[i + 3];
+                double y = records[i + 1] + records[i + 4];
+                double z = records[i + 2] + records[i + 5];
+                lowX = x < lowX ? x : lowX;
+                lowY = y < lowY ? y : lowY;
+                lowZ = z < lowZ ? z : lowZ;
+                highX = x > highX ? x : highX;
+                highY = y > highY ? y : highY;
+                highZ = z > highZ ? z : highZ;
             }
-            for (int bin = 0; bin < 3 * BINS; bin++) {
+            reset(0, lowX, highX);
+            reset(1, lowY, highY);
+            reset(2, lowZ, highZ);
+        }
+
+        private void reset(int axis, double least, double most) {
+            low[axis] = least;
+            scale[axis] = most > least ? Math.min(bins / (most - least), Double.MAX_VALUE) : 0;
+            for (int bin = axis * BINS; bin < axis * BINS + bins; bin++) {
                 count[bin] = 0;
                 empty(box, 6 * bin);
             }
         }
 
+        /** Finds the boxes of the two sides of the best plane. */
+        void part() {
+            isPlane = true;
+            empty(sides, 0);
+            empty(sides, 6);
+            for (int bin = 0; bin < bins; bin++) {
+                grow(sides, bin < bestBin ? 0 : 6, box, 6 * (bestAxis * BINS + bin));
+            }
+        }
+
+        /** Finds the boxes of two runs of records. */
+        void halve(double[] records, int start, int middle, int end) {
+            empty(sides, 0);
+            empty(sides, 6);
+            for (int i = start; i < end; i++) {
+                grow(sides, i < middle ? 0 : 6, records, 6 * i);
+            }
+        }
+
         private void sweep(int axis, int total) {
             int first = axis * BINS;
-            empty(grown, 0);
+            empty(sides, 0);
             for (int bin = bins - 1; bin > 0; bin--) {
-                grow(grown, 0, box, 6 * (first + bin));
-                area[bin] = halfArea(grown, 0);
+                grow(sides, 0, box, 6 * (first + bin));
+                area[bin] = halfArea(sides, 0);
             }
-            empty(grown, 0);
+            empty(sides, 0);
             int left = 0;
             double best = Double.POSITIVE_INFINITY;
             int at = 0;
             for (int bin = 1; bin < bins; bin++) {
-                grow(grown, 0, box, 6 * (first + bin - 1));
+                grow(sides, 0, box, 6 * (first + bin - 1));
                 left += count[first + bin - 1];
                 if (left > 0 && left < total) {
-                    double cost = halfArea(grown, 0) * left + area[bin] * (total - left);
+                    double cost = halfArea(sides, 0) * left + area[bin] * (total - left);
                     if (cost < best) {
                         best = cost;
                         at = bin;
                     }
                 }
             }
-            grow(grown, 0, box, 6 * (first + bins - 1));
-            double whole = halfArea(grown, 0);
+            grow(sides, 0, box, 6 * (first + bins - 1));
+            double whole = halfArea(sides, 0);
             double cost = whole > 0 ? best / whole : best < Double.POSITIVE_INFINITY ? total : best;
             if (cost < bestCost) {
                 bestCost = cost;
@@ -322,6 +346,5 @@ public final class TreeBuilder {
                 }
             }
         }
-
     }
 }

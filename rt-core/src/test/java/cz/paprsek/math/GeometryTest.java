@@ -54,6 +54,15 @@ class GeometryTest {
     }
 
     @Test
+    void scalingAndMovingAtOnceHasTheVeryNumbersOfOneAfterTheOther() {
+        for (Vec3 by : new Vec3[] {A, B, Vec3.ZERO, new Vec3(-0.0, 1e-300, -1e300)}) {
+            for (Vec3 factors : new Vec3[] {Vec3.ONE, A, B.negated()}) {
+                assertThat(Affine.scalingAndMoving(factors, by)).isEqualTo(Affine.translation(by).after(Affine.scaling(factors)));
+            }
+        }
+    }
+
+    @Test
     void theEmptyBoxAndTheBoxOfAllAreNeutral() {
         assertThat(Bounds.EMPTY.isEmpty()).isTrue();
         assertThat(Bounds.EMPTY.volume()).isZero();
