@@ -3,8 +3,10 @@ package cz.paprsek.pov;
 import static cz.paprsek.pov.PovText.vector;
 import static cz.paprsek.text.Numbers.text;
 
+import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Bump;
 import cz.paprsek.material.Material.ColorChannel;
+import cz.paprsek.material.Material.NormalMap;
 import cz.paprsek.material.Material.Relief;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
@@ -15,6 +17,7 @@ import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -39,19 +42,31 @@ final class PovBumps {
                 : "function { " + height(bump.pattern(), onto(shape).orElse(ANYWHERE)) + " } " + text(amount) + " accuracy " + text(NEAR)) + " }";
     }
 
-    /** Whether POV-Ray can be told. */
-    static boolean isTold(Relief relief) {
+    private static boolean isTold(Relief relief) {
         return relief instanceof Bump bump && PovPatterns.isTold(bump.pattern()) && !(bump.pattern() instanceof Pattern.Checkerboard);
     }
 
-    /** Whether POV-Ray has slopes of another form. */
-    static boolean hasEdges(Relief relief) {
+    private static boolean hasEdges(Relief relief) {
         return relief instanceof Bump bump && isTold(relief) && PovPatterns.isOfCells(bump.pattern());
     }
 
-    /** Whether POV-Ray, which counts all of a slope, can be told that of the surface. */
-    static boolean isAlong(Shape shape) {
-        return onto(shape).isPresent();
+    /** What POV-Ray will show otherwise, in words that follow the name of the object. */
+    static List<String> lost(Material material, Shape shape) {
+        List<String> lost = new ArrayList<>();
+        Relief relief = material.relief();
+        if (relief instanceof NormalMap) {
+            lost.add("POV-Ray is not told the normal-map of its material");
+        } else if (relief instanceof Bump && !isTold(relief)) {
+            lost.add("POV-Ray is not told the bump of its material, which goes by a picture or a checkerboard");
+        } else if (hasEdges(relief)) {
+            lost.add("the edges of its bumps are of a slightly different form in POV-Ray");
+        } else if (relief instanceof Bump && onto(shape).isEmpty()) {
+            lost.add("POV-Ray counts the slope of its bumps across the surface, too");
+        }
+        if (isTold(relief) && (material.transparency() > 0 || !shape.hasInside())) {
+            lost.add("POV-Ray turns its bumps round where they are met from " + (shape.hasInside() ? "within" : "behind"));
+        }
+        return lost;
     }
 
     /** The point of a surface that is nearest to one beside it. */

@@ -2,6 +2,7 @@ package cz.paprsek.pov;
 
 import static cz.paprsek.text.Numbers.text;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;
@@ -88,7 +89,7 @@ final class PovWarnings {
         checkShown(scene.settings());
         checkLights();
         if (scene.camera().lens() instanceof Lens.Perspective lens && lens.aperture() > 0) {
-            sentences.add("POV-Ray has other points of a lens than we; it is given the middle of it, and all is sharp");
+            sentences.add("POV-Ray is told neither aperture nor focus: it has other points of a lens than we, is given the middle of it, and all is sharp");
         }
         checkSize();
         checkOverlap();
@@ -101,7 +102,7 @@ final class PovWarnings {
     private void checkRays(RenderSettings settings) {
         String filter = settings.filter() == PixelFilter.BOX ? "" : ", nor weighs their rays by the filter " + settings.filter();
         if (settings.isAdaptive() || (settings.samples() > 1 && !filter.isEmpty())) {
-            sentences.add("POV-Ray does not sample pixels " + (settings.isAdaptive() ? "at random" : "on a grid") + filter
+            sentences.add("POV-Ray does not sample pixels " + (settings.isAdaptive() ? "at random, by error and confidence" : "on a grid") + filter
                     + "; it is given one ray through the centre of each");
         } else if (settings.samples() > 1) {
             sentences.add("POV-Ray does not sample pixels on a grid; for the same picture render it " + settings.samples()
@@ -121,7 +122,7 @@ final class PovWarnings {
             Light light = scene.lights().get(i);
             String name = light.name().isEmpty() ? "light " + (i + 1) : "\"" + light.name() + "\"";
             if (light instanceof SphereLight) {
-                sentences.add(name + " is a ball; POV-Ray is given a point in its middle, whose shadows are sharp, and what is seen of it casts none");
+                sentences.add(name + " is a ball; POV-Ray is given a point in its middle instead of samples of its radius: shadows are sharp, and what is seen of it casts none");
             }
             isSampled |= !FixedPoints.of(light, i).isEmpty();
         }
@@ -185,11 +186,12 @@ final class PovWarnings {
                 sentences.add(name + " is a metal of several colours; POV-Ray lets it mirror in one");
             }
             if (!PovMaterials.emits(material)) {
-                sentences.add(name + " shines where its own colour is black, or in one light over several colours; POV-Ray multiplies the one by the other");
+                sentences.add(name + ": POV-Ray multiplies the emission by the colour, and does not show it where that is black or there are several");
             }
-            checkVariety(name, object.shape(), material);
+            PovBumps.lost(material, object.shape()).forEach(lost -> sentences.add(name + ": " + lost));
+            checkShares(name, material);
             if (material.roughness() > 0 && (material.reflection() > 0 || material.transparency() > 0)) {
-                sentences.add(name + " is rough; POV-Ray shows it smooth");
+                sentences.add(name + ": POV-Ray is not told the roughness of its material, and shows it smooth");
             }
             if (material.thin() && material.transparency() > 0) {
                 sentences.add(name + " is thin and bends nothing; POV-Ray is told a refractive index of 1, and mirrors on one side");
@@ -198,17 +200,12 @@ final class PovWarnings {
         }
     }
 
-    private void checkVariety(String name, Shape shape, Material material) {
-        if (!(material.relief() instanceof Material.Flat) && !PovBumps.isTold(material.relief())) {
-            sentences.add(name + ": POV-Ray is not told its bumps, which are of a picture, or lie on a figure");
-        } else if (PovBumps.hasEdges(material.relief())) {
-            sentences.add(name + ": the edges of its bumps are of a slightly different form in POV-Ray");
-        } else if (PovBumps.isTold(material.relief()) && !PovBumps.isAlong(shape)) {
-            sentences.add(name + ": POV-Ray counts the slope of its bumps across the surface, too");
-        }
-        if (material.shares().all().anyMatch(share -> share instanceof Material.ByPattern by && !PovPatterns.isTold(by.pattern()))) {
-            sentences.add(name + ": POV-Ray is not told a share of its material that goes by a picture, and takes the greatest");
-        }
+    private void checkShares(String name, Material material) {
+        Described.values(material.shares()).forEach((share, value) -> {
+            if (value instanceof Material.ByPattern by && !PovPatterns.isTold(by.pattern())) {
+                sentences.add(name + ": POV-Ray is not told the " + share + " of its material point by point, as a picture has it, and takes the greatest");
+            }
+        });
     }
 
     private void check(String name, SceneObject object) {
