@@ -52,7 +52,7 @@ class ArchitectureTest {
             .whereLayer("io").mayOnlyBeAccessedByLayers("query", "image", "asset", "worked", "xml", "pov", "format")
             .whereLayer("list").mayOnlyBeAccessedByLayers("scene", "render")
             .whereLayer("tree").mayOnlyBeAccessedByLayers("shape", "render")
-            .whereLayer("attribute").mayOnlyBeAccessedByLayers("material", "shape", "scene", "query", "worked", "words", "xml", "pov")
+            .whereLayer("attribute").mayOnlyBeAccessedByLayers("material", "shape", "scene", "query", "worked", "words", "xml", "pov", "warning")
             .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "query", "image", "render", "explain", "worked", "drawing", "xml", "pov", "standard", "warning", "format", "origin")
             .whereLayer("ray").mayOnlyBeAccessedByLayers("material", "shape", "scene", "render")
             .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "explain", "worked", "words", "drawing", "xml", "pov", "standard", "warning", "format")

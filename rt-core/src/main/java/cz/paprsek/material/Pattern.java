@@ -1,31 +1,25 @@
 package cz.paprsek.material;
 
 import cz.paprsek.attribute.Attribute;
-import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.Element;
+import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 
 /** What gives a surface its colour at each point. */
 public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pattern.Checker, Pattern.Gradient, Pattern.Stripes,
         Pattern.Brick, Pattern.Marble, Pattern.Wood, Pattern.Granite, Pattern.Noise, Pattern.Picture, CustomPattern {
 
-    /** How many noises may be added. */
-    int MOST_OCTAVES = 12;
-    /** The greatest seed of noise. */
-    int MOST_SEED = 1_000_000;
-
     /** The word for its kind: that of its element in a scene file, if it has one. */
     default String kind() {
-        return getClass().getSimpleName().toLowerCase(Locale.ROOT);
+        return ElementTable.name(getClass());
     }
 
-    /** Of a pattern with values from 0 to 1 and what is between: which colours those have. */
+    /** Which colours its values from 0 to 1 have; of one of cells the even ones are 0, and the odd ones 1. */
     default Colors colors() {
         return Colors.DEFAULT;
     }
@@ -33,16 +27,6 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
     /** Its colours, or those that all others are mixed of, the first first; empty if it does not say which it has. */
     default List<Rgb> palette() {
         return colors().stops().stream().map(Stop::color).toList();
-    }
-
-    /** Whether another one has as many colours in the very same places, whatever they are; not if either does not say which it has. */
-    default boolean hasFormOf(Pattern other) {
-        return getClass() == other.getClass() && this instanceof Record && !palette().isEmpty() && form(this).equals(form(other));
-    }
-
-    private static List<Object> form(Pattern pattern) {
-        return Described.values((Record) pattern).values().stream().<Object>map(value -> value instanceof Rgb ? "" : value instanceof Colors colors
-                ? colors.stops().stream().map(Stop::at).toList() : value).toList();
     }
 
     /** Whether it goes by the place in a picture that covers the surface, u and v, rather than by the place in space. */
@@ -65,7 +49,7 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
 
     /**
      * A board of columns × rows squares over a rectangle or disc; the square at the minimum corner is even.
-     * Columns run along the surface's x, rows along its y. At most {@value #MOST} each way.
+     * Columns run along the surface's x, rows along its y.
      */
     @Element("A board of columns x rows squares over a rectangle or a disc; the square at the minimum corner is even.")
     record Checkerboard(
@@ -73,18 +57,16 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             @Attribute(value = Kind.SQUARES, means = "Squares along y") int rows,
             @Attribute(value = Kind.COLOR, means = "Colour of the even ones", otherwise = "255 255 255") Rgb even,
             @Attribute(value = Kind.COLOR, means = "Colour of the odd ones", otherwise = "0 0 0") Rgb odd) implements Pattern {
-        public static final int MOST = 1_000_000;
-
         public Checkerboard {
             Objects.requireNonNull(even, "even");
             Objects.requireNonNull(odd, "odd");
-            Require.within("checkerboard columns", columns, 1, MOST);
-            Require.within("checkerboard rows", rows, 1, MOST);
+            check("checkerboard columns", columns, Kind.SQUARES);
+            check("checkerboard rows", rows, Kind.SQUARES);
         }
 
         @Override
-        public List<Rgb> palette() {
-            return List.of(even, odd);
+        public Colors colors() {
+            return new TwoColors(even, odd);
         }
 
         @Override
@@ -107,9 +89,7 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             @Attribute(value = Kind.COLOR, means = "Colour of the odd ones", otherwise = "0 0 0") Rgb odd,
             Lay lay) implements Pattern {
         public Checker {
-            Objects.requireNonNull(even, "even");
-            Objects.requireNonNull(odd, "odd");
-            Objects.requireNonNull(lay, "lay");
+            checkCells(even, odd, lay);
             Require.sizes("checker size", size);
             Require.place("checker origin", origin);
         }
@@ -120,8 +100,8 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
         }
 
         @Override
-        public List<Rgb> palette() {
-            return List.of(even, odd);
+        public Colors colors() {
+            return new TwoColors(even, odd);
         }
     }
 
@@ -146,15 +126,13 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             @Attribute(value = Kind.COLOR, means = "Colour of the odd ones", otherwise = "0 0 0") Rgb odd,
             Lay lay) implements Pattern {
         public Stripes {
-            Objects.requireNonNull(even, "even");
-            Objects.requireNonNull(odd, "odd");
-            Objects.requireNonNull(lay, "lay");
+            checkCells(even, odd, lay);
             Require.size("stripes size", size);
         }
 
         @Override
-        public List<Rgb> palette() {
-            return List.of(even, odd);
+        public Colors colors() {
+            return new TwoColors(even, odd);
         }
     }
 
@@ -173,16 +151,14 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             @Attribute(value = Kind.COLOR, means = "Colour of the mortar", otherwise = "0 0 0") Rgb odd,
             Lay lay) implements Pattern {
         public Brick {
-            Objects.requireNonNull(even, "even");
-            Objects.requireNonNull(odd, "odd");
-            Objects.requireNonNull(lay, "lay");
+            checkCells(even, odd, lay);
             Require.sizes("brick size", size);
             Require.sizeOrZero("brick mortar", mortar);
         }
 
         @Override
-        public List<Rgb> palette() {
-            return List.of(even, odd);
+        public Colors colors() {
+            return new TwoColors(even, odd);
         }
     }
 
@@ -203,11 +179,9 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             @Attribute(value = Kind.SEED, means = "Which of many noises", otherwise = "0") int seed,
             Colors colors, Lay lay) implements Pattern {
         public Marble {
-            Objects.requireNonNull(colors, "colors");
-            Objects.requireNonNull(lay, "lay");
             Require.size("marble frequency", frequency);
             Require.sizeOrZero("marble turbulence", turbulence);
-            checkNoise("marble", octaves, seed);
+            checkNoise("marble", octaves, seed, colors, lay);
         }
     }
 
@@ -223,11 +197,9 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             @Attribute(value = Kind.SEED, means = "Which of many noises", otherwise = "0") int seed,
             Colors colors, Lay lay) implements Pattern {
         public Wood {
-            Objects.requireNonNull(colors, "colors");
-            Objects.requireNonNull(lay, "lay");
             Require.size("wood frequency", frequency);
             Require.sizeOrZero("wood turbulence", turbulence);
-            checkNoise("wood", octaves, seed);
+            checkNoise("wood", octaves, seed, colors, lay);
         }
     }
 
@@ -238,9 +210,7 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             @Attribute(value = Kind.SEED, means = "Which of many noises", otherwise = "0") int seed,
             Colors colors, Lay lay) implements Pattern {
         public Granite {
-            Objects.requireNonNull(colors, "colors");
-            Objects.requireNonNull(lay, "lay");
-            checkNoise("granite", octaves, seed);
+            checkNoise("granite", octaves, seed, colors, lay);
         }
     }
 
@@ -251,9 +221,7 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
             @Attribute(value = Kind.SEED, means = "Which of many noises", otherwise = "0") int seed,
             Colors colors, Lay lay) implements Pattern {
         public Noise {
-            Objects.requireNonNull(colors, "colors");
-            Objects.requireNonNull(lay, "lay");
-            checkNoise("noise", octaves, seed);
+            checkNoise("noise", octaves, seed, colors, lay);
         }
     }
 
@@ -281,11 +249,6 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
         /** As large as the shape says, filtered by what a pixel covers. */
         public static Picture of(String file) {
             return new Picture(file, Filter.SMOOTH, Mapping.UV, Lay.NONE);
-        }
-
-        @Override
-        public String kind() {
-            return "image";
         }
 
         @Override
@@ -318,9 +281,21 @@ public sealed interface Pattern permits Pattern.Plain, Pattern.Checkerboard, Pat
         BOX
     }
 
-    private static void checkNoise(String pattern, int octaves, int seed) {
-        Require.within(pattern + " octaves", octaves, 1, MOST_OCTAVES);
-        Require.within(pattern + " seed", seed, 0, MOST_SEED);
+    private static void checkCells(Rgb even, Rgb odd, Lay lay) {
+        Objects.requireNonNull(even, "even");
+        Objects.requireNonNull(odd, "odd");
+        Objects.requireNonNull(lay, "lay");
+    }
+
+    private static void checkNoise(String pattern, int octaves, int seed, Colors colors, Lay lay) {
+        Objects.requireNonNull(colors, "colors");
+        Objects.requireNonNull(lay, "lay");
+        check(pattern + " octaves", octaves, Kind.OCTAVES);
+        check(pattern + " seed", seed, Kind.SEED);
+    }
+
+    private static void check(String what, int value, Kind kind) {
+        Require.within(what, value, (int) kind.least(), (int) kind.most());
     }
 
     /** Which colour a pattern has at each of its values from 0 to 1. */

@@ -88,9 +88,7 @@ final class PovPatterns {
     }
 
     private String entries(Pattern pattern) {
-        List<Rgb> palette = pattern.palette();
-        List<Pattern.Stop> stops = isOfCells(pattern) ? List.of(new Pattern.Stop(0, palette.get(0)), new Pattern.Stop(1, palette.get(1))) : pattern.colors().stops();
-        return map + " { " + stops.stream().map(stop -> "[" + text(stop.at()) + " " + entry.apply(stop.color()) + "]").collect(Collectors.joining(" ")) + " }";
+        return map + " { " + pattern.colors().stops().stream().map(stop -> "[" + text(stop.at()) + " " + entry.apply(stop.color()) + "]").collect(Collectors.joining(" ")) + " }";
     }
 
     /** Whether it is of two colours with edges between. */

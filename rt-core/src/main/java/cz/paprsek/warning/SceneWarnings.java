@@ -1,5 +1,6 @@
 package cz.paprsek.warning;
 
+import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Fresnel;
 import cz.paprsek.material.MaterialName;
@@ -156,7 +157,7 @@ public final class SceneWarnings {
     private static double together(Material material, boolean isGlass) {
         List<Material.ByPattern> varied = Stream.of(material.shares().diffusion(), material.shares().reflection(), material.shares().transparency())
                 .filter(Material.ByPattern.class::isInstance).map(Material.ByPattern.class::cast).toList();
-        if (varied.size() < 2 || varied.stream().anyMatch(by -> !by.pattern().hasFormOf(varied.get(0).pattern()))) {
+        if (varied.size() < 2 || varied.stream().anyMatch(by -> !areAlike(by.pattern(), varied.get(0).pattern()))) {
             return Double.POSITIVE_INFINITY;
         }
         double most = 0;
@@ -166,6 +167,16 @@ public final class SceneWarnings {
             most = Math.max(most, share(material.shares().diffusion(), i, material.diffusion()) + (isGlass ? Math.max(reflection, transparency) : reflection + transparency));
         }
         return most;
+    }
+
+    /** Whether two patterns have as many colours in the very same places, whatever they are; not if either does not say which it has. */
+    private static boolean areAlike(Pattern one, Pattern other) {
+        return one.getClass() == other.getClass() && one instanceof Record && !one.palette().isEmpty() && form(one).equals(form(other));
+    }
+
+    private static List<Object> form(Pattern pattern) {
+        return Described.values((Record) pattern).values().stream().<Object>map(value -> value instanceof Rgb ? "" : value instanceof Pattern.Colors colors
+                ? colors.stops().stream().map(Pattern.Stop::at).toList() : value).toList();
     }
 
     private static double share(Material.Share share, int color, double even) {

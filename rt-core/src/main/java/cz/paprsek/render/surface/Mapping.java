@@ -20,10 +20,10 @@ abstract class Mapping {
     static Mapping of(Pattern.Mapping mapping, Affine toPattern, Affine within) {
         return switch (mapping) {
             case UV -> new ByShape(within);
-            case PLANAR -> new Planar(toPattern);
-            case SPHERICAL -> new Spherical(toPattern);
-            case CYLINDER -> new Around(toPattern);
-            case BOX -> new Box(toPattern);
+            case PLANAR -> new InSpace(toPattern, (at, x, y, z, space) -> flat(at, x, y));
+            case SPHERICAL -> new InSpace(toPattern, (at, x, y, z, space) -> at.mapGlobe(x, y, z));
+            case CYLINDER -> new InSpace(toPattern, (at, x, y, z, space) -> at.mapAround(x, z, y));
+            case BOX -> new InSpace(toPattern, Mapping::box);
         };
     }
 
@@ -45,84 +45,51 @@ abstract class Mapping {
         }
     }
 
-    private abstract static class InSpace extends Mapping {
-        private final Affine toPattern;
+    /** By the point in the picture's own space. */
+    private interface Onto {
+        /** Sets u and v. */
+        void map(Hit at, double x, double y, double z, Affine space);
+    }
 
-        InSpace(Affine toPattern) {
+    private static final class InSpace extends Mapping {
+        private final Affine toPattern;
+        private final Onto onto;
+
+        InSpace(Affine toPattern, Onto onto) {
             this.toPattern = toPattern;
+            this.onto = onto;
         }
 
         @Override
-        final void map(Hit at, Part part, int face) {
-            map(at, toPattern.pointX(at.px, at.py, at.pz), toPattern.pointY(at.px, at.py, at.pz), toPattern.pointZ(at.px, at.py, at.pz), toPattern);
+        void map(Hit at, Part part, int face) {
+            onto.map(at, toPattern.pointX(at.px, at.py, at.pz), toPattern.pointY(at.px, at.py, at.pz), toPattern.pointZ(at.px, at.py, at.pz), toPattern);
         }
-
-        /** Sets u and v by the point in the picture's own space. */
-        abstract void map(Hit at, double x, double y, double z, Affine space);
     }
 
     /** Onto the plane z = 0. */
-    private static final class Planar extends InSpace {
-        Planar(Affine toPattern) {
-            super(toPattern);
-        }
-
-        @Override
-        void map(Hit at, double x, double y, double z, Affine space) {
-            at.u = x;
-            at.v = y;
-        }
-    }
-
-    /** As a globe about the origin, the middle of the picture towards +z. */
-    private static final class Spherical extends InSpace {
-        Spherical(Affine toPattern) {
-            super(toPattern);
-        }
-
-        @Override
-        void map(Hit at, double x, double y, double z, Affine space) {
-            at.mapGlobe(x, y, z);
-        }
-    }
-
-    /** As a label around the y axis, as high as 1. */
-    private static final class Around extends InSpace {
-        Around(Affine toPattern) {
-            super(toPattern);
-        }
-
-        @Override
-        void map(Hit at, double x, double y, double z, Affine space) {
-            at.mapAround(x, z, y);
-        }
+    private static void flat(Hit at, double x, double y) {
+        at.u = x;
+        at.v = y;
     }
 
     /** From the side of a cube that the surface faces most, upright and not mirrored; from above as seen by somebody who stands at +z. */
-    private static final class Box extends InSpace {
-        Box(Affine toPattern) {
-            super(toPattern);
-        }
-
-        @Override
-        void map(Hit at, double x, double y, double z, Affine space) {
-            // The normal in the picture's space: its dot products with that space's axes, as they are in the world, would do as well.
-            double nx = space.directionX(at.nx, at.ny, at.nz);
-            double ny = space.directionY(at.nx, at.ny, at.nz);
-            double nz = space.directionZ(at.nx, at.ny, at.nz);
-            double sizeX = Math.abs(nx);
-            double sizeY = Math.abs(ny);
-            double sizeZ = Math.abs(nz);
-            if (sizeY >= sizeX && sizeY >= sizeZ) {
-                at.u = x;
-                at.v = ny > 0 ? -z : z;
-            } else if (sizeX >= sizeZ) {
-                at.u = nx > 0 ? -z : z;
-                at.v = y;
-            } else {
-                at.u = nz > 0 ? x : -x;
-                at.v = y;
-            }
+    private static void box(Hit at, double x, double y, double z, Affine space) {
+        // The normal in the picture's space: its dot products with that space's axes, as they are in the world, would do as well.
+        double nx = space.directionX(at.nx, at.ny, at.nz);
+        double ny = space.directionY(at.nx, at.ny, at.nz);
+        double nz = space.directionZ(at.nx, at.ny, at.nz);
+        double sizeX = Math.abs(nx);
+        double sizeY = Math.abs(ny);
+        double sizeZ = Math.abs(nz);
+        if (sizeY >= sizeX && sizeY >= sizeZ) {
+            at.u = x;
+            at.v = ny > 0 ? -z : z;
+        } else if (sizeX >= sizeZ) {
+            at.u = nx > 0 ? -z : z;
+            at.v = y;
+        } else {
+            at.u = nz > 0 ? x : -x;
+            at.v = y;
         }
     }
 }

@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
 
 /** {@code <material>}, named or within an object. */
 @XmlAccessorType(XmlAccessType.FIELD)
-final class MaterialBean extends Located {
+final class MaterialBean extends PatternBeans.AroundBean {
     @XmlAttribute String name = "";
     @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) @Nullable Rgb color;
     @XmlAttribute @Nullable Double diffusion;
@@ -40,18 +40,6 @@ final class MaterialBean extends Located {
     @XmlAttribute(name = "attenuation-distance") double attenuationDistance = Material.DEFAULT.attenuationDistance();
     @XmlAttribute @XmlJavaTypeAdapter(Adapters.Color.class) Rgb emission = Material.DEFAULT.emission();
     @XmlAttribute(name = "emission-strength") double emissionStrength = Material.DEFAULT.emissionStrength();
-    @XmlElements({
-        @XmlElement(name = "checkerboard", type = PatternBeans.CheckerboardBean.class),
-        @XmlElement(name = "checker", type = PatternBeans.CheckerBean.class),
-        @XmlElement(name = "gradient", type = PatternBeans.GradientBean.class),
-        @XmlElement(name = "stripes", type = PatternBeans.StripesBean.class),
-        @XmlElement(name = "brick", type = PatternBeans.BrickBean.class),
-        @XmlElement(name = "marble", type = PatternBeans.MarbleBean.class),
-        @XmlElement(name = "wood", type = PatternBeans.WoodBean.class),
-        @XmlElement(name = "granite", type = PatternBeans.GraniteBean.class),
-        @XmlElement(name = "noise", type = PatternBeans.NoiseBean.class),
-        @XmlElement(name = "image", type = PatternBeans.ImageBean.class)})
-    List<PatternBeans.PatternBean> patterns = new ArrayList<>();
     @XmlElement(name = "diffusion") List<ReliefBeans.ShareBean> diffusions = new ArrayList<>();
     @XmlElement(name = "specular") List<ReliefBeans.ShareBean> speculars = new ArrayList<>();
     @XmlElement(name = "reflection") List<ReliefBeans.ShareBean> reflections = new ArrayList<>();
@@ -60,7 +48,7 @@ final class MaterialBean extends Located {
     @XmlElements({
         @XmlElement(name = "bump", type = ReliefBeans.BumpBean.class),
         @XmlElement(name = "normal-map", type = ReliefBeans.NormalMapBean.class)})
-    List<ReliefBeans.PartBean> reliefs = new ArrayList<>();
+    List<ReliefBeans.Bending> reliefs = new ArrayList<>();
 
     Material toMaterial() {
         Material standard = Material.DEFAULT;
@@ -69,7 +57,7 @@ final class MaterialBean extends Located {
         Require.that(reliefs.size() <= 1, "a material has one <bump> or <normal-map> at most; remove one of them");
         return new Material(pattern(), or(diffusion, standard.diffusion()), or(specular, standard.specular()), shininess, or(reflection, standard.reflection()),
                 or(transparency, standard.transparency()), refractiveIndex, Fresnel.valueOf(fresnel.toUpperCase(Locale.ROOT)), or(roughness, standard.roughness()), thin,
-                attenuationColor, attenuationDistance, emission, emissionStrength, shares, reliefs.isEmpty() ? Relief.FLAT : ((ReliefBeans.Bending) reliefs.get(0)).toRelief());
+                attenuationColor, attenuationDistance, emission, emissionStrength, shares, reliefs.isEmpty() ? Relief.FLAT : reliefs.get(0).toRelief());
     }
 
     private static double or(@Nullable Double given, double otherwise) {
