@@ -58,7 +58,7 @@ class ArchitectureTest {
             .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "explain", "worked", "words", "drawing", "xml", "pov", "standard", "warning", "format")
             .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "explain", "worked", "words", "drawing", "xml", "pov", "standard", "warning", "format", "origin")
             .whereLayer("query").mayNotBeAccessedByAnyLayer()
-            .whereLayer("image").mayOnlyBeAccessedByLayers("asset", "render", "drawing", "pov", "origin")
+            .whereLayer("image").mayOnlyBeAccessedByLayers("asset", "render", "drawing", "pov", "origin", "format")
             .whereLayer("asset").mayOnlyBeAccessedByLayers("render", "format")
             .whereLayer("explain").mayOnlyBeAccessedByLayers("render", "worked", "drawing")
             .whereLayer("worked").mayOnlyBeAccessedByLayers("drawing")

@@ -2,14 +2,16 @@ package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Foreign;
+import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.LightWishes;
+import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.SceneReading;
-import cz.paprsek.cli.output.Beside;
 import cz.paprsek.cli.output.Writing;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.format.Belongings;
 import cz.paprsek.format.ForeignScene;
 import cz.paprsek.format.MeshWriter;
 import cz.paprsek.image.Image;
@@ -42,7 +44,7 @@ import picocli.CommandLine.Parameters;
         description = {
             "Writes a scene in another form; what form, is told by the ending of the new file:",
             ".pov is for POV-Ray 3.7, which computes the same picture from it. What it cannot show exactly is told in a warning.",
-            ".xml is our own, in standard order and layout, for tidying up a file written by hand; of a file of another program, with its meshes beside it.",
+            ".xml is our own, in standard order and layout, for tidying up a file written by hand; for both, pictures and meshes are put beside the new file.",
             ".obj and .stl are triangles as the file of another program has them, axes and all.",
             "A picture becomes one of another format: png, jpg, hdr, exr …, its light alone, without opacity and layers; --bits, --exposure, --tone and --uncompressed are for that."
         },
@@ -154,15 +156,25 @@ final class ConvertCommand implements Callable<Integer> {
         });
     }
 
+    /** Takes along what the scene needs, and says what of it is missing. */
+    private List<String> belongings(Scene content, boolean areUnpacked) throws IOException {
+        Optional<Path> folder = Incoming.isOnce(scene) ? Optional.empty() : Optional.ofNullable(scene.toAbsolutePath().getParent());
+        List<String> missing = new Belongings(content, new Pictures().of(scene), folder).take(target, areUnpacked);
+        return missing.stream().map(name -> name + " is missing, and is not taken along").toList();
+    }
+
     private int write(SceneReading reading, Scene content, String ending) {
         List<String> warnings = new ArrayList<>();
         try {
             refuseItself("scene");
             stop.guard(() -> {
                 switch (ending) {
-                    case "pov" -> warnings.addAll(PovFiles.write(content, target));
+                    case "pov" -> {
+                        warnings.addAll(belongings(content, true));
+                        warnings.addAll(PovFiles.write(content, target));
+                    }
                     case "xml" -> {
-                        Beside.write(reading, target);
+                        warnings.addAll(belongings(content, false));
                         SceneFiles.write(content, target);
                     }
                     default -> mesh(reading, ending.equals("obj"));

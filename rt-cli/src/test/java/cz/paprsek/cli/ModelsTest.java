@@ -61,6 +61,51 @@ class ModelsTest {
         assertThat(folder.resolve("b.ppm")).hasSameBinaryContentAs(folder.resolve("a.ppm"));
     }
 
+    /** A model with its materials in another file, and a picture in a third. */
+    private Path painted() throws IOException {
+        Files.createDirectories(folder.resolve("from/pictures"));
+        Image picture = new Image(2, 2);
+        for (int i = 0; i < 4; i++) {
+            picture.set(i % 2, i / 2, i < 2 ? 1 : 0, i % 2, 0.5);
+        }
+        ImageFiles.write(picture, folder.resolve("from/pictures/p.png"));
+        Files.writeString(folder.resolve("from/m.mtl"), "newmtl m\nKd 1 1 1\nmap_Kd pictures/p.png\n");
+        return Files.writeString(folder.resolve("from/painted.obj"), "mtllib m.mtl\nusemtl m\n" + OBJ.replace("v 0 0 5\n", "v 0 0 5\nvt 0 0\nvt 1 0\nvt 0 1\n").replaceAll("f (\\d) (\\d) (\\d)", "f $1/1 $2/2 $3/3"));
+    }
+
+    @Test
+    void whatAModelNeedsGoesToTheOtherFolderToo() throws IOException {
+        Path painted = painted();
+        Path to = Files.createDirectories(folder.resolve("to"));
+        for (String name : new String[] {"painted.xml", "painted.pov"}) {
+            assertThat(Run.cli("convert", painted, to.resolve(name), "-q")).satisfies(run -> assertThat(run.code()).as(run.err()).isZero());
+        }
+        for (String name : new String[] {"painted.obj", "m.mtl", "pictures/p.png"}) {
+            assertThat(to.resolve(name)).hasSameBinaryContentAs(folder.resolve("from").resolve(name));
+        }
+        assertThat(Run.cli("render", painted, "-o", folder.resolve("a.ppm"), "--size", "32x24").code()).isZero();
+        assertThat(Run.cli("render", to.resolve("painted.xml"), "-o", folder.resolve("b.ppm"), "--size", "32x24").code()).isZero();
+        assertThat(folder.resolve("b.ppm")).hasSameBinaryContentAs(folder.resolve("a.ppm"));
+    }
+
+    @Test
+    void filesOfOthersAreNotOverwritten() throws IOException {
+        Path painted = painted();
+        Path to = Files.createDirectories(folder.resolve("to/pictures")).getParent();
+        Files.writeString(to.resolve("pictures/p.png"), "somebody's");
+        Run run = Run.cli("convert", painted, to.resolve("painted.xml"));
+        assertThat(run.code()).isEqualTo(1);
+        assertThat(run.err()).isEqualTo(to.resolve("painted.xml") + ": there is another picture pictures/p.png beside it; give one of them another name\n");
+        assertThat(to.resolve("pictures/p.png")).hasContent("somebody's");
+        assertThat(to.resolve("painted.xml")).doesNotExist();
+        Path csg = Files.writeString(folder.resolve("thing.csg"), "linear_extrude(height=1,twist=90,slices=9,scale=[1,1]) { square(size=[1,1],center=false); }");
+        Files.writeString(folder.resolve("thing-1.obj"), OBJ);
+        assertThat(Run.cli("convert", csg, folder.resolve("thing.xml")).err()).contains("there is another mesh thing-1.obj beside it").hasLineCount(1);
+        assertThat(folder.resolve("thing-1.obj")).hasContent(OBJ);
+        assertThat(Run.cli("convert", csg, to.resolve("thing.xml")).code()).isZero();
+        assertThat(Run.cli("convert", csg, to.resolve("thing.xml")).code()).as("once more, the same").isZero();
+    }
+
     @Test
     void trianglesGoFromFormatToFormat() {
         Path stl = folder.resolve("corner.stl");

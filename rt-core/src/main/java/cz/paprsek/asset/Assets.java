@@ -299,6 +299,9 @@ public final class Assets {
         }
 
         synchronized void supply(byte[] content) {
+            if (bytes == content) {
+                return;
+            }
             bytes = content;
             digest = sha256(content);
         }

@@ -20,14 +20,16 @@ import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.mesh.Triangles;
 import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * A file of another program as a scene that can be rendered at once: what is in it, where y is up, and what a picture needs besides.
@@ -35,10 +37,9 @@ import java.util.Optional;
  * @param scene with the triangles of its meshes
  * @param convention what the numbers of the file mean; a z that goes up there goes up here
  * @param triangles what a file of triangles holds, in its own space
- * @param meshes triangles that lie in no file, by the names of those that they are to be written to beside the scene
  * @param notes what is in the file but not taken along, in sentences
  */
-public record ForeignScene(Scene scene, Convention convention, Optional<Triangles> triangles, Map<String, Triangles> meshes, List<String> notes) {
+public record ForeignScene(Scene scene, Convention convention, Optional<Triangles> triangles, List<String> notes) {
     private static final Placement Z_UP = Placement.NONE.withRotation(new Vec3(-90, 0, 0));
     private static final Material PLAIN = Material.color(new Rgb(205, 208, 214)).withDiffusion(0.85).withHighlight(0.2, 40);
     /** Edges of what stands for something round, in degrees. */
@@ -48,7 +49,6 @@ public record ForeignScene(Scene scene, Convention convention, Optional<Triangle
         Objects.requireNonNull(scene, "scene");
         Objects.requireNonNull(convention, "convention");
         Objects.requireNonNull(triangles, "triangles");
-        meshes = Map.copyOf(meshes);
         notes = List.copyOf(notes);
     }
 
@@ -76,36 +76,50 @@ public record ForeignScene(Scene scene, Convention convention, Optional<Triangle
         Mesh mesh = Mesh.of(file).read(MeshFiles.whole(file, assets));
         SceneObject object = SceneObject.of(mesh).named(name).placed(model.convention().isZUp() ? Z_UP : Placement.NONE)
                 .madeOf(model.materialOf().isEmpty() ? PLAIN : Inherited.INHERITED);
-        return new ForeignScene(Stage.of(name, List.of(object), model.cameras(), model.lights()), model.convention(), Optional.of(model.triangles()), Map.of(), model.notes());
+        return new ForeignScene(Stage.of(name, List.of(object), model.cameras(), model.lights()), model.convention(), Optional.of(model.triangles()), model.notes());
     }
 
     private static ForeignScene openscad(String file, String name, Assets assets) throws IOException {
         Notes notes = new Notes();
-        Map<String, Triangles> meshes = new LinkedHashMap<>();
+        Kept kept = new Kept(name);
         String folder = file.substring(0, file.lastIndexOf('/') + 1);
         List<Operand> bodies = CsgReader.read(bytes(file, assets), beside -> assets.bytes(folder + beside), notes,
-                (triangles, isRound) -> kept(triangles, name, meshes).withSmoothAngle(isRound ? ROUND : 0));
+                (triangles, isRound) -> kept.mesh(triangles).withSmoothAngle(isRound ? ROUND : 0));
         List<SceneObject> objects = new ArrayList<>();
         for (Operand body : bodies) {
             objects.add(new SceneObject("", body.solid(), CsgReader.upright(body.placement()), body.material() == Inherited.INHERITED ? Material.color(CsgReader.COLOR) : body.material()));
         }
         List<Camera> cameras = List.of();
         List<Light> lights = List.of();
-        return new ForeignScene(Stage.of(name, objects, cameras, lights), CsgReader.CONVENTION, Optional.empty(), meshes, notes.toList());
+        return new ForeignScene(Stage.of(name, objects, cameras, lights), CsgReader.CONVENTION, Optional.empty(), notes.toList());
     }
 
     private static ForeignScene nff(String file, String name, Assets assets) throws IOException {
         Notes notes = new Notes();
-        Map<String, Triangles> meshes = new LinkedHashMap<>();
-        Scene scene = NffReader.read(new ByteArrayInputStream(bytes(file, assets)), notes, triangles -> kept(triangles, name, meshes));
-        return new ForeignScene(scene.withName(name), new Convention("", false), Optional.empty(), meshes, notes.toList());
+        Kept kept = new Kept(name);
+        Scene scene = NffReader.read(new ByteArrayInputStream(bytes(file, assets)), notes, triangles -> kept.mesh(triangles));
+        return new ForeignScene(scene.withName(name), new Convention("", false), Optional.empty(), notes.toList());
     }
 
-    /** Triangles as if they had been read from a file of their own. */
-    private static Mesh kept(Triangles triangles, String name, Map<String, Triangles> meshes) {
-        String file = name + "-" + (meshes.size() + 1) + ".obj";
-        meshes.put(file, triangles);
-        return Mesh.of(file).read(new Mesh.Whole(file, triangles, Map.of()));
+    /** Makes meshes of triangles that lie in no file: as if they had been read from one, which they bring along. */
+    private static final class Kept {
+        private final String name;
+        private int count;
+
+        Kept(String name) {
+            this.name = name;
+        }
+
+        Mesh mesh(Triangles triangles) {
+            String file = name + "-" + ++count + ".obj";
+            ByteArrayOutputStream text = new ByteArrayOutputStream();
+            try {
+                MeshWriter.obj(triangles, text);
+            } catch (IOException impossible) {
+                throw new UncheckedIOException("memory takes everything", impossible);
+            }
+            return Mesh.of(file).read(new Mesh.Whole(file, triangles, Map.of(), Map.of(file, text.toByteArray()), Set.of()));
+        }
     }
 
     private static byte[] bytes(String file, Assets assets) throws IOException {

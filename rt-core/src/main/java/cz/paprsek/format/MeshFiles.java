@@ -3,7 +3,6 @@ package cz.paprsek.format;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.format.model.Model;
 import cz.paprsek.material.Material;
-import cz.paprsek.material.Pattern;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
@@ -16,11 +15,14 @@ import cz.paprsek.shape.Solid;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
 
@@ -31,7 +33,7 @@ public final class MeshFiles {
     /**
      * The same scene with the triangles of its meshes, as far as they can be read; itself if there is nothing to read.
      *
-     * @param assets where files come from; each is read once
+     * @param assets where files come from; each is read once, and the files within it are among them from then on
      * @param problems told of every mesh that cannot be read, or has open edges and is an operand all the same: where it is, and why in one sentence
      */
     public static Scene read(Scene scene, Assets assets, BiConsumer<BodyAt, IOException> problems) {
@@ -74,12 +76,12 @@ public final class MeshFiles {
     }
 
     private static Mesh read(Mesh mesh, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
-        if (mesh.isRead()) {
-            return mesh;
-        }
         try {
-            Mesh read = mesh.read(whole(mesh.file(), assets));
+            Mesh read = mesh.isRead() ? mesh : mesh.read(whole(mesh.file(), assets));
             read.triangles();
+            for (Map.Entry<String, byte[]> inner : read.within().entrySet()) {
+                assets.supply(inner.getKey(), inner.getValue());
+            }
             return read;
         } catch (IllegalArgumentException refused) {
             problems.accept(at, new IOException(refused.getMessage(), refused));
@@ -113,23 +115,23 @@ public final class MeshFiles {
      */
     public static Mesh.Whole whole(String file, Assets assets) throws IOException {
         Read read = assets.decoded(file, new Decoder(assets));
-        return read.wholes.computeIfAbsent(file, name -> whole(name, read.model));
+        return read.wholes.computeIfAbsent(file, name -> whole(name, read));
     }
 
-    private static Mesh.Whole whole(String file, Model model) {
+    private static Mesh.Whole whole(String file, Read read) {
+        Model model = read.model;
         Map<String, Material> materials = new HashMap<>();
+        Set<String> companions = new TreeSet<>(read.asked);
         model.materialOf().forEach((part, name) -> {
             Material material = model.materials().get(name);
             if (material != null) {
-                materials.put(part, beside(file, material, model));
+                Material found = beside(file, material, model);
+                materials.put(part, found);
+                companions.addAll(found.files());
             }
         });
-        return new Mesh.Whole(file, model.triangles(), materials);
-    }
-
-    /** The pictures that are within a file, by the names that its materials have for them. */
-    public static Map<String, byte[]> pictures(String file, Assets assets) throws IOException {
-        return model(file, assets).pictures();
+        companions.removeAll(model.pictures().keySet());
+        return new Mesh.Whole(file, model.triangles(), materials, model.pictures(), companions);
     }
 
     /** All that is in a file, as {@link #whole} reads it. */
@@ -137,12 +139,9 @@ public final class MeshFiles {
         return assets.decoded(file, new Decoder(assets)).model;
     }
 
-    /** A material whose picture is found from the scene's folder; one within the file itself has a name that begins there already. */
+    /** A material whose pictures are found from the scene's folder; those within the file itself have names that begin there already. */
     private static Material beside(String file, Material material, Model model) {
-        if (!(material.pattern() instanceof Pattern.Picture picture)) {
-            return material;
-        }
-        return model.pictures().containsKey(picture.file()) ? material : material.withPattern(new Pattern.Picture(folder(file) + picture.file(), picture.filter(), picture.mapping(), picture.lay()));
+        return Renaming.of(material, name -> model.pictures().containsKey(name) ? name : folder(file) + name);
     }
 
     private static String folder(String file) {
@@ -152,9 +151,10 @@ public final class MeshFiles {
     /**
      * A file that has been read.
      *
+     * @param asked the files beside it that were read with it
      * @param wholes what meshes have of it, by the name that they call it, so that all share one tree
      */
-    private record Read(Model model, Map<String, Mesh.Whole> wholes) {}
+    private record Read(Model model, Set<String> asked, Map<String, Mesh.Whole> wholes) {}
 
     /** Those for the same assets are equal. */
     private record Decoder(Assets assets) implements Assets.Decoder<Read> {
@@ -166,7 +166,14 @@ public final class MeshFiles {
             again.reset();
             ForeignFormat format = ForeignFormat.of(name, head).filter(ForeignFormat::isMesh)
                     .orElseThrow(() -> new IOException("this is none of the files that hold meshes: STL, OBJ, PLY, glTF"));
-            return new Read(ForeignFiles.model(name, format, again, size, other -> assets.bytes(folder(name) + Objects.requireNonNull(other, "other"))), new ConcurrentHashMap<>());
+            Set<String> asked = new TreeSet<>();
+            Model model = ForeignFiles.model(name, format, again, size, other -> {
+                String beside = folder(name) + Objects.requireNonNull(other, "other");
+                ByteBuffer content = assets.bytes(beside);
+                asked.add(beside);
+                return content;
+            });
+            return new Read(model, asked, new ConcurrentHashMap<>());
         }
     }
 }

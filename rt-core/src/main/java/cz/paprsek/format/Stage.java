@@ -39,6 +39,7 @@ final class Stage {
         if (bounds.isEmpty() || !bounds.isFinite()) {
             bounds = SOMETHING;
         }
+        bounds = seen(bounds);
         Vec3 centre = new Vec3((bounds.minX() + bounds.maxX()) / 2, (bounds.minY() + bounds.maxY()) / 2, (bounds.minZ() + bounds.maxZ()) / 2);
         double radius = Math.max(new Vec3(bounds.maxX() - bounds.minX(), bounds.maxY() - bounds.minY(), bounds.maxZ() - bounds.minZ()).length() / 2, 1e-30);
         List<Camera> all = new ArrayList<>(cameras);
@@ -47,6 +48,14 @@ final class Stage {
         with.add(SceneObject.of(new Plane()).named(free("floor", objects)).at(0, bounds.minY(), 0).madeOf(FLOOR));
         return Scene.EMPTY.withName(name).withSettings(RenderSettings.DEFAULT.withSamples(2, 8)).withSky(new Scene.Sky.Gradient(new Rgb(150, 175, 205), new Rgb(232, 236, 240), Rgb.grey(150)))
                 .withAmbient(Rgb.grey(lights.isEmpty() ? 118 : 60)).withCameras(all).withLights(lights.isEmpty() ? List.of(light(centre, radius)) : lights).withObjects(with);
+    }
+
+    /** With a size: what is all in one place, or nearly so for its distance from the origin, gets some room around it. */
+    private static Bounds seen(Bounds b) {
+        double far = Math.max(Math.max(Math.abs(b.minX() + b.maxX()), Math.abs(b.minY() + b.maxY())), Math.abs(b.minZ() + b.maxZ())) / 2;
+        double size = Math.max(Math.max(b.maxX() - b.minX(), b.maxY() - b.minY()), b.maxZ() - b.minZ());
+        double room = size > 1e-9 * far ? 0 : far > 0 ? 1e-3 * far : 1;
+        return new Bounds(b.minX() - room, b.minY() - room, b.minZ() - room, b.maxX() + room, b.maxY() + room, b.maxZ() + room);
     }
 
     private static String free(String wanted, List<SceneObject> objects) {

@@ -138,7 +138,7 @@ public final class ImageFiles {
      */
     public static StoredImage readStored(Path file) throws IOException {
         ImageFormat ending = ImageFormat.ofFile(file.toString()).orElse(ImageFormat.PNG);
-        return read(file, input -> read(input, ending));
+        return read(file, input -> read(input, ending, true));
     }
 
     /**
@@ -174,8 +174,17 @@ public final class ImageFiles {
      * @throws IOException saying what is wrong with the content, without the name
      */
     public static StoredImage readStored(byte[] content, String name) throws IOException {
+        return read(content, name, true);
+    }
+
+    /** As {@link #readStored(byte[], String)}, with opacity if it is a PNG that has any. */
+    public static StoredImage readWithOpacity(byte[] content, String name) throws IOException {
+        return read(content, name, false);
+    }
+
+    private static StoredImage read(byte[] content, String name, boolean isOpaque) throws IOException {
         try (BinaryInput input = new BinaryInput(new ByteArrayInputStream(content), content.length, ReadLimits.bytes())) {
-            return read(input, ImageFormat.ofFile(name).orElse(ImageFormat.PNG));
+            return read(input, ImageFormat.ofFile(name).orElse(ImageFormat.PNG), isOpaque);
         } catch (IllegalArgumentException unreadable) {
             throw new IOException(unreadable.getMessage(), unreadable);
         } catch (OutOfMemoryError tooLarge) {
@@ -183,7 +192,7 @@ public final class ImageFiles {
         }
     }
 
-    private static StoredImage read(BinaryInput input, ImageFormat ending) throws IOException {
+    private static StoredImage read(BinaryInput input, ImageFormat ending, boolean isOpaque) throws IOException {
         byte[] start = input.peek(16);
         if (ending == ImageFormat.TXT) {
             return BrightnessReader.encoded(input.rest());
@@ -192,7 +201,7 @@ public final class ImageFiles {
             return BrightnessReader.linear(input.rest());
         }
         if (PngReader.canRead(start)) {
-            return Png.read(input);
+            return Png.read(input, isOpaque);
         }
         if (ExrReader.canRead(start)) {
             return Exr.read(input);

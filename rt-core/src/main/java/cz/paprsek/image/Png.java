@@ -26,13 +26,31 @@ final class Png {
         PngWriter.write(new PngHead(image.width(), image.height(), bits, image.isTransparent() ? RGBA : RGB), origin.texts(), rows, out);
     }
 
-    static StoredImage read(BinaryInput input) throws IOException {
+    /** @param isOpaque whether opacity is passed over, and the light of a pixel is that of the part it covers */
+    static StoredImage read(BinaryInput input, boolean isOpaque) throws IOException {
         PngReader reader = PngReader.of(input);
+        return isOpaque || !reader.hasOpacity() ? opaque(reader) : transparent(reader);
+    }
+
+    private static StoredImage transparent(PngReader reader) throws IOException {
+        ReadLimits.check(reader.head().width(), reader.head().height(), 4);
+        Image image = Image.ofTransparent(reader.head().width(), reader.head().height());
+        double[] light = light(reader.last(), reader.gamma());
+        reader.read((y, x, step, count, rgb, opacity) -> {
+            for (int i = 0; i < count; i++) {
+                double cover = opacity[i] / (double) reader.last();
+                image.set(x + i * step, y, cover * light[rgb[3 * i]], cover * light[rgb[3 * i + 1]], cover * light[rgb[3 * i + 2]], cover);
+            }
+        });
+        return new StoredImage(image, reader.last() > 255 ? Precision.SIXTEEN_BIT : Precision.EIGHT_BIT, reader.isGrey());
+    }
+
+    private static StoredImage opaque(PngReader reader) throws IOException {
         boolean isEightBit = reader.last() <= 255 && isSrgb(reader.gamma());
         Image image = isEightBit ? ReadLimits.blankOfEightBit(reader.head().width(), reader.head().height())
                 : ReadLimits.blank(reader.head().width(), reader.head().height());
         double[] light = light(reader.last(), reader.gamma());
-        reader.read((y, x, step, count, rgb) -> {
+        reader.read((y, x, step, count, rgb, opacity) -> {
             for (int i = 0; i < count; i++) {
                 image.set(x + i * step, y, light[rgb[3 * i]], light[rgb[3 * i + 1]], light[rgb[3 * i + 2]]);
             }

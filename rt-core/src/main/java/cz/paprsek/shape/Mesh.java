@@ -16,6 +16,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
@@ -44,7 +45,7 @@ public record Mesh(
 
     /** Triangles made in code, with their own normals or flat; such a mesh can be rendered, but no scene file can hold it. */
     public static Mesh of(Triangles triangles) {
-        return new Mesh("", "", 0, new Content(new Whole("", true, triangles, Map.of()), "", 0));
+        return new Mesh("", "", 0, new Content(new Whole("", true, triangles, Map.of(), Map.of(), Set.of()), "", 0));
     }
 
     /** All of a file's triangles, which have not been read yet. */
@@ -92,6 +93,18 @@ public record Mesh(
         return whole == null ? List.of() : triangles().parts().stream().map(whole.materials::get).filter(Objects::nonNull).toList();
     }
 
+    /** Files that lie nowhere else: pictures within its own by the names that its materials have for them, and that itself if nobody has written it yet. */
+    public Map<String, byte[]> within() {
+        Whole whole = content.whole;
+        return whole == null ? Map.of() : whole.within;
+    }
+
+    /** The names of the files that its own needs beside itself, relative to the scene's folder. */
+    public Set<String> companions() {
+        Whole whole = content.whole;
+        return whole == null ? Set.of() : whole.companions;
+    }
+
     @Override
     public Bounds bounds() {
         return isRead() ? triangles().bounds() : Bounds.EMPTY;
@@ -120,6 +133,8 @@ public record Mesh(
         private final boolean madeInCode;
         private final Triangles triangles;
         private final Map<String, Material> materials;
+        private final Map<String, byte[]> within;
+        private final Set<String> companions;
         /** What has been made of it and is still in use. */
         private final Map<String, WeakReference<Triangles>> made = new ConcurrentHashMap<>();
 
@@ -130,14 +145,26 @@ public record Mesh(
          * @param materials what parts are made of, by their names, where the scene gives a mesh no material
          */
         public Whole(String file, Triangles triangles, Map<String, Material> materials) {
-            this(file, false, triangles, materials);
+            this(file, triangles, materials, Map.of(), Set.of());
         }
 
-        private Whole(String file, boolean madeInCode, Triangles triangles, Map<String, Material> materials) {
+        /**
+         * The content of a file that comes with others.
+         *
+         * @param within the others that lie nowhere else, by their names as from the scene's folder; no copies are made
+         * @param companions names of the others that lie beside it
+         */
+        public Whole(String file, Triangles triangles, Map<String, Material> materials, Map<String, byte[]> within, Set<String> companions) {
+            this(file, false, triangles, materials, within, companions);
+        }
+
+        private Whole(String file, boolean madeInCode, Triangles triangles, Map<String, Material> materials, Map<String, byte[]> within, Set<String> companions) {
             this.file = Objects.requireNonNull(file, "file");
             this.madeInCode = madeInCode;
             this.triangles = Objects.requireNonNull(triangles, "triangles");
             this.materials = Map.copyOf(materials);
+            this.within = Map.copyOf(within);
+            this.companions = Set.copyOf(companions);
         }
 
         private synchronized Triangles made(String part, double smoothAngle) {

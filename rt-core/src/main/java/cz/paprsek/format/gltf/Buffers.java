@@ -57,8 +57,13 @@ final class Buffers {
                 throw owner.fault("uri", "this is not base64");
             }
         }
+        return beside(owner, name(owner, uri));
+    }
+
+    /** A file beside the document. */
+    ByteBuffer beside(Tree owner, String name) throws IOException {
         try {
-            return companions.bytes(name(owner, uri)).duplicate();
+            return companions.bytes(name).duplicate();
         } catch (FormatFault own) {
             throw own;
         } catch (IOException unreadable) {

@@ -24,7 +24,7 @@ public final class GltfReader {
     private static final int JSON = 0x4E4F534A;
     private static final int BIN = 0x004E4942;
     private static final Set<String> UNDERSTOOD = Set.of("KHR_lights_punctual", "KHR_materials_ior", "KHR_materials_transmission", "KHR_materials_volume",
-            "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_texture_transform", "KHR_mesh_quantization");
+            "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_texture_transform", "KHR_mesh_quantization", "KHR_node_visibility");
     private static final List<String> UNREAD = List.of("animations", "skins");
 
     private GltfReader() {}

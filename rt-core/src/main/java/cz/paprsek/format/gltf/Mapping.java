@@ -1,5 +1,7 @@
 package cz.paprsek.format.gltf;
 
+import cz.paprsek.material.Pattern;
+import cz.paprsek.math.Vec3;
 import java.io.IOException;
 import java.util.Optional;
 
@@ -11,6 +13,7 @@ import java.util.Optional;
  * @source Khronos Group, KHR_texture_transform
  */
 record Mapping(int set, double offsetU, double offsetV, double rotation, double scaleU, double scaleV) {
+    static final Mapping PLAIN = new Mapping(0, 0, 0, 0, 1, 1);
 
     static Mapping of(Tree info) throws IOException {
         int set = info.whole("texCoord", 0);
@@ -30,5 +33,24 @@ record Mapping(int set, double offsetU, double offsetV, double rotation, double 
     /** Going up, as ours does. */
     double v(double u, double v) {
         return 1 - (-StrictMath.sin(rotation) * scaleU * u + StrictMath.cos(rotation) * scaleV * v + offsetV);
+    }
+
+    /**
+     * How a picture of this mapping is to lie where vertices have the places of another: both scale and move the same set, and neither turns it.
+     *
+     * @return nothing if one turns, or takes another set
+     */
+    Optional<Pattern.Lay> within(Mapping other) {
+        if (equals(other)) {
+            return Optional.of(Pattern.Lay.NONE);
+        }
+        double u = scaleU / other.scaleU;
+        double v = scaleV / other.scaleV;
+        boolean isFinite = u != 0 && v != 0 && Double.isFinite(1 / u) && Double.isFinite(1 / v);
+        if (set != other.set || rotation != 0 || other.rotation != 0 || !isFinite) {
+            return Optional.empty();
+        }
+        double fromV = 1 - offsetV - v * (1 - other.offsetV);
+        return Optional.of(new Pattern.Lay(new Vec3(other.offsetU - offsetU / u, -fromV / v, 0), Vec3.ZERO, new Vec3(1 / u, 1 / v, 1)));
     }
 }

@@ -2,33 +2,36 @@ package cz.paprsek.format.gltf;
 
 import cz.paprsek.format.model.FormatFault;
 import cz.paprsek.format.model.Notes;
+import cz.paprsek.image.Image;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Material.ByPattern;
+import cz.paprsek.material.Material.ColorChannel;
+import cz.paprsek.material.Material.Even;
 import cz.paprsek.material.Material.Fresnel;
+import cz.paprsek.material.Material.Share;
+import cz.paprsek.material.Material.Shares;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
 /**
- * Materials as ours. What conducts at least by half is a metal: it mirrors all, in its colour. Everything else scatters its colour and mirrors by Fresnel's equations, unless
- * its roughness is above {@value #MATTE}, where that is hardly seen. What is transmitted is let through, bent if there is a volume, and as through a thin wall if there is none.
+ * Materials as ours, by their {@link Finish}. What is transmitted is let through, bent if there is a volume, and as through a thin wall if there is none. What is cut out or mixed
+ * with what is behind it lets that through unbent. Where our shares come of several pictures or of a factor, pictures of our own are made.
  *
  * @source Khronos Group, glTF 2.0 Specification, 2021, §3.9 and appendix B
  */
 final class Materials {
-    private static final double MATTE = 0.6;
-    private static final List<String> UNREAD_PICTURES = List.of("normalTexture", "occlusionTexture", "emissiveTexture");
-
     private final Tree document;
     private final Images images;
     private final Notes notes;
     private final Map<Integer, String> names = new HashMap<>();
+    private final Map<Integer, Slots> slots = new HashMap<>();
     private final Set<String> taken = new HashSet<>();
     private final Map<String, Material> materials = new LinkedHashMap<>();
 
@@ -54,40 +57,56 @@ final class Materials {
                 known = wanted + " " + i;
             }
             names.put(index, known);
-            materials.put(known, material(material));
+            materials.put(known, material(material, slots(index), String.valueOf(index)));
         }
         return known;
     }
 
-    /** How the places in the picture of a material are to be changed, and which of several are meant. */
+    /** How the places in the pictures of a material are to be changed, and which of several are meant. */
     Mapping mapping(int index) throws IOException {
-        Tree info = document.item("materials", index).childOrNothing("pbrMetallicRoughness").childOrNothing("baseColorTexture");
-        return Mapping.of(info);
+        return slots(index).mapping();
     }
 
-    private Material material(Tree tree) throws IOException {
+    private Slots slots(int index) throws IOException {
+        Slots known = slots.get(index);
+        if (known == null) {
+            known = Slots.of(document.item("materials", index), document, images, notes);
+            slots.put(index, known);
+        }
+        return known;
+    }
+
+    /** @param number of the material, for the names of pictures that are made for it */
+    private Material material(Tree tree, Slots pictures, String number) throws IOException {
         Tree pbr = tree.childOrNothing("pbrMetallicRoughness");
         double[] base = factors(pbr, "baseColorFactor", 1, 1, 1, 1);
         Rgb color = Rgb.ofLinear(base[0], base[1], base[2]);
-        Optional<String> picture = picture(pbr, color);
-        Pattern pattern = picture.<Pattern>map(Pattern.Picture::of).orElse(new Pattern.Plain(color));
-        UNREAD_PICTURES.stream().filter(tree::has).forEach(name -> notes.add(tree.path(), name + " is not read"));
-        if (pbr.has("metallicRoughnessTexture")) {
-            notes.add(tree.path(), "metallicRoughnessTexture is not read, only the factors");
-        }
+        Pattern pattern = pictures.color().isPresent() ? pictures.picture(tinted(pictures.color().get(), base, number), notes) : new Pattern.Plain(color);
+        Material relief = relief(tree, Material.DEFAULT.withPattern(pattern), pictures);
         if (tree.extension("KHR_materials_unlit").isPresent()) {
-            if (picture.isPresent()) {
+            if (pictures.color().isPresent()) {
                 notes.add(tree.path(), "a picture without light is lit");
-                return Material.DEFAULT.withPattern(pattern).withDiffusion(1);
+                return relief.withDiffusion(1);
             }
             return Material.color(Rgb.BLACK).withDiffusion(0).withEmission(color, 1);
         }
-        double opacity = opacity(tree, base[3]);
-        boolean isMetal = pbr.share("metallicFactor", 1, 0, 1) >= 0.5 && !pbr.has("metallicRoughnessTexture");
-        double roughness = pbr.share("roughnessFactor", 1, 0, 1);
-        Material plain = Material.DEFAULT.withPattern(pattern);
-        Material finished = isMetal ? plain.withDiffusion(0).withReflection(1).withFresnel(Fresnel.METAL).withRoughness(roughness) : dielectric(tree, plain, opacity, roughness);
-        return emission(tree, finished);
+        Tree transmission = tree.extension("KHR_materials_transmission").orElse(Tree.NOTHING);
+        Channel cover = cover(tree, base[3], pictures);
+        Channel rough = channel(pictures.metal(), Channel.GREEN, pbr.share("roughnessFactor", 1, 0, 1));
+        Finish finish = new Finish(cover, channel(pictures.metal(), Channel.BLUE, pbr.share("metallicFactor", 1, 0, 1)), rough,
+                channel(pictures.transmission(), Channel.RED, transmission.share("transmissionFactor", 0, 0, 1)));
+        boolean isGlass = !finish.isMetal() && transmission.number("transmissionFactor", 0) > 0;
+        Tree volume = isGlass ? tree.extension("KHR_materials_volume").orElse(Tree.NOTHING) : Tree.NOTHING;
+        boolean isThin = finish.isSeenThrough() && volume.number("thicknessFactor", 0) <= 0;
+        Material even = relief.withDiffusion(finish.diffusion()).withReflection(finish.reflection()).withTransparency(finish.transparency(), index(tree, finish))
+                .withFresnel(finish.isMetal() ? Fresnel.METAL : finish.mirrors() ? Fresnel.TRUE : Fresnel.FALSE).withRoughness(finish.mirrors() ? rough.most() : 0).withThin(isThin);
+        Material finished = even.withShares(shares(even, finish, rough, pictures, number));
+        return emission(tree, isThin || !isGlass ? finished : attenuated(volume, finished), pictures);
+    }
+
+    private static double index(Tree tree, Finish finish) throws FormatFault {
+        double index = tree.extension("KHR_materials_ior").orElse(Tree.NOTHING).number("ior", 1.5);
+        return finish.isMetal() || !finish.mirrors() ? 1 : Math.min(100, Math.max(1, index));
     }
 
     private static double[] factors(Tree owner, String name, double... otherwise) throws FormatFault {
@@ -100,35 +119,64 @@ final class Materials {
         return values;
     }
 
-    private double opacity(Tree tree, double alpha) throws FormatFault {
-        return switch (tree.text("alphaMode", "OPAQUE")) {
-            case "OPAQUE" -> 1;
-            case "BLEND" -> alpha;
-            case "MASK" -> {
-                notes.add(tree.path(), "alphaMode MASK is not read, all is shown");
-                yield 1;
-            }
+    private Channel channel(Optional<Slot> slot, int shift, double factor) throws IOException {
+        return slot.isEmpty() || factor == 0 ? Channel.of(factor) : Channel.of(decoded(slot.get(), false), shift, factor);
+    }
+
+    private Image decoded(Slot slot, boolean withOpacity) throws IOException {
+        return images.decoded(slot.texture(), slot.file(), withOpacity);
+    }
+
+    /** How much of what is behind it a surface covers. */
+    private Channel cover(Tree tree, double alpha, Slots pictures) throws IOException {
+        String mode = tree.text("alphaMode", "OPAQUE");
+        Channel all = mode.equals("OPAQUE") ? Channel.of(1) : pictures.color().isEmpty() ? Channel.of(alpha) : Channel.of(decoded(pictures.color().get(), true), Channel.ALPHA, alpha);
+        return switch (mode) {
+            case "OPAQUE", "BLEND" -> all;
+            case "MASK" -> all.cut(tree.number("alphaCutoff", 0.5));
             default -> throw tree.fault("alphaMode", "this must be OPAQUE, MASK or BLEND");
         };
     }
 
-    private Material dielectric(Tree tree, Material plain, double opacity, double roughness) throws FormatFault {
-        double index = Math.min(100, Math.max(1, tree.extension("KHR_materials_ior").orElse(tree).number("ior", 1.5)));
-        Tree transmission = tree.extension("KHR_materials_transmission").orElse(new Tree(tree.path(), Map.of()));
-        double transmitted = transmission.share("transmissionFactor", 0, 0, 1);
-        boolean mirrors = roughness <= MATTE || transmitted > 0;
-        double scattered = (1 - transmitted) * opacity;
-        Material lit = plain.withDiffusion(mirrors ? 0.96 * scattered : scattered).withReflection(mirrors ? 1 : 0).withFresnel(mirrors ? Fresnel.TRUE : Fresnel.FALSE)
-                .withRoughness(mirrors ? roughness : 0);
-        if (transmitted == 0) {
-            Material bent = mirrors && index > 1 ? lit.withTransparency(1 - opacity, index) : lit.withTransparency(1 - opacity, 1);
-            return opacity < 1 ? bent.withThin(true) : bent;
+    /** A picture times a colour, in linear light. */
+    private Slot tinted(Slot slot, double[] color, String number) throws IOException {
+        if (color[0] == 1 && color[1] == 1 && color[2] == 1) {
+            return slot;
         }
-        Tree volume = tree.extension("KHR_materials_volume").orElse(new Tree(tree.path(), Map.of()));
-        boolean isThin = volume.number("thicknessFactor", 0) <= 0;
-        // Ambient light counts with the colour, which of what strews nothing serves for nothing else.
-        Material glass = (scattered == 0 ? lit.withPattern(new Pattern.Plain(Rgb.BLACK)) : lit).withTransparency(transmitted, index).withThin(isThin);
-        return isThin ? glass : attenuated(volume, glass);
+        Image picture = decoded(slot, false);
+        Image tinted = Image.ofEightBit(picture.width(), picture.height());
+        for (int y = 0; y < picture.height(); y++) {
+            for (int x = 0; x < picture.width(); x++) {
+                tinted.set(x, y, picture.red(x, y) * color[0], picture.green(x, y) * color[1], picture.blue(x, y) * color[2]);
+            }
+        }
+        return slot.with(images.made("color-" + number, tinted));
+    }
+
+    private Material relief(Tree tree, Material material, Slots pictures) throws IOException {
+        if (pictures.normal().isEmpty()) {
+            return material;
+        }
+        Slot slot = pictures.normal().get();
+        double strength = tree.childOrNothing("normalTexture").number("scale", 1);
+        return material.withRelief(new Material.NormalMap(slot.file(), strength, slot.filter(), Pattern.Mapping.UV, pictures.lay(slot, notes)));
+    }
+
+    private Shares shares(Material even, Finish finish, Channel roughness, Slots pictures, String number) throws IOException {
+        Share same = new Even();
+        Share rough = even.roughness() == 0 || roughness.isEven() ? same : rough(roughness, pictures, number);
+        if (finish.isEven()) {
+            return new Shares(same, same, same, same, rough);
+        }
+        Slot from = pictures.metal().or(pictures::color).or(pictures::transmission).orElseThrow();
+        Pattern picture = pictures.picture(from.with(images.made("shares-" + number, finish.shares())), notes);
+        return new Shares(new ByPattern(ColorChannel.RED, picture), same, new ByPattern(ColorChannel.GREEN, picture), new ByPattern(ColorChannel.BLUE, picture), rough);
+    }
+
+    private Share rough(Channel roughness, Slots pictures, String number) throws IOException {
+        Slot slot = pictures.metal().orElseThrow();
+        Slot own = roughness.factor() == 1 ? slot : slot.with(images.made("roughness-" + number, Finish.picture(roughness)));
+        return new ByPattern(ColorChannel.GREEN, pictures.picture(own, notes));
     }
 
     /** There, light is c^(d/D) of what it was; here exp(−(1 − c)·d/D), which comes to the same with another colour and, for dark ones, another distance. */
@@ -144,21 +192,30 @@ final class Materials {
         return distance > 0 ? glass.withAttenuation(Rgb.ofLinear(1 - lost[0] / most, 1 - lost[1] / most, 1 - lost[2] / most), distance / most) : glass;
     }
 
-    private static Material emission(Tree tree, Material material) throws FormatFault {
+    /** Light that differs from point to point shines everywhere as its mean does. */
+    private Material emission(Tree tree, Material material, Slots pictures) throws IOException {
         double[] color = factors(tree, "emissiveFactor", 0, 0, 0);
-        double strength = tree.extension("KHR_materials_emissive_strength").orElse(tree).number("emissiveStrength", 1);
-        return color[0] + color[1] + color[2] > 0 ? material.withEmission(Rgb.ofLinear(color[0], color[1], color[2]), Math.max(0, Math.min(1e12, strength))) : material;
+        double strength = Math.max(0, Math.min(1e12, tree.extension("KHR_materials_emissive_strength").orElse(Tree.NOTHING).number("emissiveStrength", 1)));
+        if (tree.has("emissiveTexture")) {
+            notes.add(tree.path(), "emissiveTexture is read as its mean");
+            double[] mean = pictures.emission().isEmpty() ? new double[3] : mean(decoded(pictures.emission().get(), false));
+            for (int i = 0; i < 3; i++) {
+                color[i] *= mean[i];
+            }
+        }
+        return color[0] + color[1] + color[2] > 0 ? material.withEmission(Rgb.ofLinear(color[0], color[1], color[2]), strength) : material;
     }
 
-    private Optional<String> picture(Tree pbr, Rgb color) throws IOException {
-        Optional<Tree> info = pbr.child("baseColorTexture");
-        if (info.isEmpty()) {
-            return Optional.empty();
+    private static double[] mean(Image image) {
+        double[] sum = new double[3];
+        for (int y = 0; y < image.height(); y++) {
+            for (int x = 0; x < image.width(); x++) {
+                sum[0] += image.red(x, y);
+                sum[1] += image.green(x, y);
+                sum[2] += image.blue(x, y);
+            }
         }
-        Optional<String> name = images.ofTexture(info.get().needed("index"));
-        if (name.isPresent() && !color.equals(Rgb.WHITE)) {
-            notes.add(pbr.path(), "baseColorFactor is not read beside a picture");
-        }
-        return name;
+        double count = (double) image.width() * image.height();
+        return new double[] {sum[0] / count, sum[1] / count, sum[2] / count};
     }
 }

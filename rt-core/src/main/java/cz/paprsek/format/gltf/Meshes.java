@@ -109,7 +109,7 @@ final class Meshes {
     private int vertices(Tree attributes, float[] places, int material, Affine toWorld) throws IOException {
         int count = places.length / 3;
         float[] normals = attributes.has("NORMAL") ? accessors.floats(attributes.needed("NORMAL"), "VEC3") : new float[0];
-        Mapping mapping = material < 0 ? new Mapping(0, 0, 0, 0, 1, 1) : materials.mapping(material);
+        Mapping mapping = material < 0 ? Mapping.PLAIN : materials.mapping(material);
         String set = "TEXCOORD_" + mapping.set();
         float[] map = attributes.has(set) ? accessors.floats(attributes.needed(set), "VEC2") : new float[0];
         if ((normals.length > 0 && normals.length != places.length) || (map.length > 0 && map.length != 2 * count)) {

@@ -57,6 +57,10 @@ final class Nodes {
                 throw node.fault("this node is within itself, or has two parents");
             }
             seen.set(step.node);
+            Optional<Tree> visibility = node.extension("KHR_node_visibility");
+            if (visibility.isPresent() && visibility.get().has("visible") && !visibility.get().flag("visible")) {
+                continue;
+            }
             Affine here = step.toWorld.after(placement(node));
             show(node, here);
             int[] children = node.indexes("children", count);

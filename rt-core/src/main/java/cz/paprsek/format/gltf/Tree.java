@@ -13,6 +13,7 @@ import java.util.Optional;
  * @param path as in {@code meshes[3].primitives[0]}; empty for the document
  */
 record Tree(String path, Map<String, Object> members) {
+    static final Tree NOTHING = new Tree("", Map.of());
 
     static Tree of(ByteBuffer json) throws FormatFault {
         byte[] text = new byte[json.remaining()];

@@ -12,7 +12,7 @@ import java.util.zip.InflaterInputStream;
 import java.util.zip.ZipException;
 
 /**
- * Reads PNG files of every kind: all depths, colour types and both orders of rows. Opacity is passed over.
+ * Reads PNG files of every kind: all depths, colour types and both orders of rows, with opacity.
  *
  * @source PNG Specification (Third Edition)
  */
@@ -31,6 +31,8 @@ public final class PngReader {
     private final PngHead head;
     private final boolean isInterlaced;
     private byte[] palette = {};
+    /** Opacity of the palette's colours, or else the one colour that is transparent. */
+    private byte[] transparent = {};
     private long gamma;
     private boolean isSrgb;
 
@@ -41,8 +43,9 @@ public final class PngReader {
          * Some pixels of a row: columns x, x + step, …
          *
          * @param rgb three samples of each pixel, 0 to {@link PngReader#last}
+         * @param opacity one sample of each pixel, as above; none at all if the file has no opacity
          */
-        void pixels(int y, int x, int step, int count, int[] rgb);
+        void pixels(int y, int x, int step, int count, int[] rgb, int[] opacity);
     }
 
     private PngReader(BinaryInput input) throws IOException {
@@ -98,6 +101,11 @@ public final class PngReader {
         return head.color() == 0 || head.color() == 4;
     }
 
+    /** Whether some pixels may be transparent. */
+    public boolean hasOpacity() {
+        return head.color() >= 4 || transparent.length > 0;
+    }
+
     /** 100 000 times the power that turns light into samples; 0 if the samples are sRGB-encoded or the file does not say. */
     public long gamma() {
         return isSrgb ? 0 : gamma;
@@ -135,6 +143,7 @@ public final class PngReader {
         byte[] above = new byte[pixel + length];
         byte[] row = new byte[pixel + length];
         int[] rgb = new int[3 * columns];
+        int[] opacity = new int[hasOpacity() ? columns : 0];
         for (int y = pass[1]; y < head.height(); y += pass[3]) {
             int filter = stream.read();
             if (filter >= FILTERS.length) {
@@ -145,7 +154,10 @@ public final class PngReader {
             }
             FILTERS[filter].undo(row, above, pixel);
             unpack(row, pixel, columns, rgb);
-            sink.pixels(y, pass[0], pass[2], columns, rgb);
+            for (int x = 0; x < opacity.length; x++) {
+                opacity[x] = opacity(row, pixel, x, rgb);
+            }
+            sink.pixels(y, pass[0], pass[2], columns, rgb, opacity);
             byte[] swap = above;
             above = row;
             row = swap;
@@ -172,6 +184,23 @@ public final class PngReader {
         }
     }
 
+    private int opacity(byte[] row, int from, int x, int[] rgb) {
+        if (head.color() >= 4) {
+            return sample(row, from, (x + 1) * head.channels() - 1);
+        }
+        if (head.color() == 3) {
+            int index = sample(row, from, x);
+            return index < transparent.length ? transparent[index] & 0xFF : last();
+        }
+        for (int c = 0; c < head.channels(); c++) {
+            int key = (transparent[2 * c] & 0xFF) << 8 | (transparent[2 * c + 1] & 0xFF);
+            if (rgb[3 * x + c] != key) {
+                return last();
+            }
+        }
+        return 0;
+    }
+
     private int sample(byte[] row, int from, int index) {
         return switch (head.bits()) {
             case 16 -> (row[from + 2 * index] & 0xFF) << 8 | (row[from + 2 * index + 1] & 0xFF);
@@ -188,6 +217,7 @@ public final class PngReader {
         for (String type = chunks.next(); !type.equals("IDAT"); type = chunks.next()) {
             switch (type) {
                 case "PLTE" -> palette = chunks.content(3 * 256);
+                case "tRNS" -> transparent = chunks.content(256);
                 case "gAMA" -> gamma = chunks.length() == 4 ? number(chunks.content(4), 0) : 0;
                 case "sRGB" -> isSrgb = true;
                 case "IEND" -> throw new IOException("a PNG without pixels");
@@ -200,6 +230,10 @@ public final class PngReader {
         }
         if (head.color() == 3 && (palette.length == 0 || palette.length % 3 != 0)) {
             throw new IOException("the picture is damaged: its palette has " + palette.length + " bytes");
+        }
+        // What cannot be opacity is none.
+        if (head.color() >= 4 || (head.color() != 3 && transparent.length != 2 * head.channels())) {
+            transparent = new byte[0];
         }
     }
 

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model.file;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.format.Belongings;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.io.AtomicFile;
@@ -92,7 +93,7 @@ public final class Document {
      */
     public void save(SceneSource to) throws IOException, SceneFileException {
         Scene scene = model.scene();
-        Assets there = source.get().filter(place -> place.isBeside(to)).isPresent() ? model.assets() : Companions.taken(scene, model.assets(), to);
+        Assets there = source.get().filter(place -> place.isBeside(to)).isPresent() ? model.assets() : taken(scene, to);
         SceneSource.Kept written = to.write(scene, source.get().equals(Optional.of(to)) ? known : Optional.empty(), text);
         source.set(Optional.of(written.source()));
         stamp = FileStamp.of(to.file());
@@ -100,6 +101,12 @@ public final class Document {
         text = written.text();
         model.setAssets(there);
         model.saved(scene);
+    }
+
+    private Assets taken(Scene scene, SceneSource to) throws IOException {
+        Optional<Path> from = source.get().flatMap(place -> Optional.ofNullable(place.file().toAbsolutePath().getParent()));
+        new Belongings(scene, model.assets(), from).take(to.file(), false);
+        return Assets.beside(to.file());
     }
 
     /**
