@@ -91,7 +91,8 @@ class ModelsTest {
     @Test
     void filesOfOthersAreNotOverwritten() throws IOException {
         Path painted = painted();
-        Path to = Files.createDirectories(folder.resolve("to/pictures")).getParent();
+        Path to = folder.resolve("to");
+        Files.createDirectories(to.resolve("pictures"));
         Files.writeString(to.resolve("pictures/p.png"), "somebody's");
         Run run = Run.cli("convert", painted, to.resolve("painted.xml"));
         assertThat(run.code()).isEqualTo(1);

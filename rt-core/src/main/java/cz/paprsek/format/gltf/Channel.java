@@ -2,18 +2,29 @@ package cz.paprsek.format.gltf;
 
 import cz.paprsek.image.Image;
 
-/**
- * A number that differs from point to point of a picture, or is the same everywhere.
- *
- * @param samples 0–255 by rows; none if the number is the same everywhere
- * @param factor what they are multiplied by, 255 being 1; or the number itself
- * @param cutoff from which value on the number is 1, and 0 below; not a number if it counts as it is
- */
-record Channel(int width, int height, byte[] samples, double factor, double cutoff) {
+/** A number that differs from point to point of a picture, or is the same everywhere. */
+final class Channel {
     static final int ALPHA = 24;
     static final int RED = 16;
     static final int GREEN = 8;
     static final int BLUE = 0;
+
+    private final int width;
+    private final int height;
+    /** 0–255 by rows; none if the number is the same everywhere. */
+    private final byte[] samples;
+    /** What they are multiplied by, 255 being 1; or the number itself. */
+    private final double factor;
+    /** From which value on the number is 1, and 0 below; not a number if it counts as it is. */
+    private final double cutoff;
+
+    private Channel(int width, int height, byte[] samples, double factor, double cutoff) {
+        this.width = width;
+        this.height = height;
+        this.samples = samples;
+        this.factor = factor;
+        this.cutoff = cutoff;
+    }
 
     static Channel of(double number) {
         return new Channel(1, 1, new byte[0], number, Double.NaN);
@@ -32,6 +43,19 @@ record Channel(int width, int height, byte[] samples, double factor, double cuto
 
     Channel cut(double at) {
         return new Channel(width, height, samples, factor, at);
+    }
+
+    int width() {
+        return width;
+    }
+
+    int height() {
+        return height;
+    }
+
+    /** What the samples of the picture are multiplied by. */
+    double factor() {
+        return factor;
     }
 
     boolean isEven() {
