@@ -60,7 +60,8 @@ public record Rgb(double red, double green, double blue) {
      */
     public static double encoded(double light) {
         double v = light <= 0.0031308 ? light * 12.92 : 1.055 * StrictMath.pow(light, 1 / 2.4) - 0.055;
-        return v * 255;
+        // The sum comes a step too low where light is white, as it is most often.
+        return light == 1 ? 255 : v * 255;
     }
 
     /** How light is fitted to what a screen can show. */

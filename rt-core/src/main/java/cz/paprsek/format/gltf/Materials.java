@@ -100,6 +100,13 @@ final class Materials {
         boolean isThin = finish.isSeenThrough() && volume.number("thicknessFactor", 0) <= 0;
         Material even = relief.withDiffusion(finish.diffusion()).withReflection(finish.reflection()).withTransparency(finish.transparency(), index(tree, finish))
                 .withFresnel(finish.isMetal() ? Fresnel.METAL : finish.mirrors() ? Fresnel.TRUE : Fresnel.FALSE).withRoughness(finish.mirrors() ? rough.most() : 0).withThin(isThin);
+        if (finish.isEven() && finish.diffusion() == 0 && !finish.isMetal()) {
+            // Clear glass has no colour of its own that light from everywhere could show.
+            if (base[0] * base[1] * base[2] < 1 || pictures.color().isPresent()) {
+                notes.add(tree.path(), "what is let through takes the attenuationColor only, not the colour of the surface");
+            }
+            even = even.withPattern(new Pattern.Plain(Rgb.BLACK));
+        }
         Material finished = even.withShares(shares(even, finish, rough, pictures, number));
         return emission(tree, isThin || !isGlass ? finished : attenuated(volume, finished), pictures);
     }
