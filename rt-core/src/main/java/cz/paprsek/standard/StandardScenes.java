@@ -106,6 +106,17 @@ public final class StandardScenes {
 
     /** A ring with waves, of about so many triangles, all of one mesh, over a floor; three lights. */
     public static Scene mesh(int triangles) {
+        return threeLights(empty("mesh" + triangles, new Vec3(0, 2.4, 3.6), new Vec3(0, 0.4, 0)).withObjects(List.of(floor(6, 0.15),
+                SceneObject.of(Mesh.of(ring(triangles))).madeOf(mirror(new Rgb(200, 170, 120), 0.2)))));
+    }
+
+    /** One ring of about so many triangles, strewn and turned at random in many places; three lights. */
+    public static Scene instances(int bodies, int triangles) {
+        Require.within("bodies", bodies, 1, 10_000_000);
+        return strewn("instances" + bodies, bodies, Mesh.of(ring(triangles)));
+    }
+
+    private static Triangles ring(int triangles) {
         Require.within("triangles", triangles, 100, 50_000_000);
         int tube = (int) Math.round(Math.sqrt(triangles / 8.0));
         int around = 4 * tube;
@@ -128,8 +139,7 @@ public final class StandardScenes {
                 out.triangle(here + j, there + next, there + j);
             }
         }
-        return threeLights(empty("mesh" + triangles, new Vec3(0, 2.4, 3.6), new Vec3(0, 0.4, 0)).withObjects(List.of(floor(6, 0.15),
-                SceneObject.of(Mesh.of(out.build())).madeOf(mirror(new Rgb(200, 170, 120), 0.2)))));
+        return out.build();
     }
 
     private static Scene empty(String name, Vec3 eye, Vec3 target) {

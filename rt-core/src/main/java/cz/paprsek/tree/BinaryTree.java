@@ -8,31 +8,10 @@ final class BinaryTree extends Tree {
     private final double[] boxes;
     private final int[] child;
 
-    /** Takes over a tree that has numbers to spare: they are left out. */
     BinaryTree(double[] boxes, int[] child, int root, int depth) {
-        super(Math.min(root, 0), depth);
-        int inner = depth == 0 ? 0 : count(child, root);
-        this.boxes = new double[12 * inner];
-        this.child = new int[2 * inner];
-        if (inner > 0) {
-            copy(boxes, child, root, 0);
-        }
-    }
-
-    private static int count(int[] child, int name) {
-        return name < 0 ? 0 : 1 + count(child, child[2 * name]) + count(child, child[2 * name + 1]);
-    }
-
-    /** Copies a subtree to the nodes from {@code to} on, parents first; returns the number after its last. */
-    private int copy(double[] itsBoxes, int[] itsChild, int node, int to) {
-        System.arraycopy(itsBoxes, 12 * node, boxes, 12 * to, 12);
-        int next = to + 1;
-        for (int side = 0; side < 2; side++) {
-            int name = itsChild[2 * node + side];
-            child[2 * to + side] = name < 0 ? name : next;
-            next = name < 0 ? next : copy(itsBoxes, itsChild, name, next);
-        }
-        return next;
+        super(root, depth);
+        this.boxes = boxes;
+        this.child = child;
     }
 
     /** The nearest inner node is opened again and again until all are leaves, or there would be too many. */

@@ -39,6 +39,8 @@ final class WideNodes {
             this.depth = 1;
         } else if (depth > 0) {
             locate();
+            // About so many it takes: a node opens four or five of the binary ones.
+            reserve(1 + child.length / 9);
             widen(root, 1);
         }
         planes = Arrays.copyOf(planes, STRIDE * size);
@@ -71,7 +73,7 @@ final class WideNodes {
             int largest = -1;
             double most = Double.NEGATIVE_INFINITY;
             for (int i = 0; i < count; i++) {
-                double area = binary[at[i] / 6] < 0 ? Double.NEGATIVE_INFINITY : TreeBuilder.halfArea(boxes, at[i]);
+                double area = binary[at[i] / 6] < 0 ? Double.NEGATIVE_INFINITY : halfArea(at[i]);
                 if (area > most) {
                     most = area;
                     largest = i;
@@ -93,15 +95,27 @@ final class WideNodes {
         return node;
     }
 
+    /** Half the surface of a box. */
+    private double halfArea(int b) {
+        double x = boxes[b + 3] - boxes[b];
+        double y = boxes[b + 4] - boxes[b + 1];
+        double z = boxes[b + 5] - boxes[b + 2];
+        return x * y + y * z + z * x;
+    }
+
     private int add() {
         if (size * WIDTH == child.length) {
-            planes = Arrays.copyOf(planes, Math.max(STRIDE, 2 * planes.length));
-            child = Arrays.copyOf(child, Math.max(WIDTH, 2 * child.length));
+            reserve(size + size / 4 + 1);
         }
         for (int slot = 0; slot < WIDTH; slot++) {
             fill(size, slot, 0, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY);
         }
         return size++;
+    }
+
+    private void reserve(int count) {
+        planes = Arrays.copyOf(planes, STRIDE * count);
+        child = Arrays.copyOf(child, WIDTH * count);
     }
 
     private void fill(int node, int slot, int name, float low, float high) {

@@ -80,7 +80,7 @@ class TreeTest {
         for (int questions : new int[] {0, 1, 10, 100}) {
             Boxes boxes = new Boxes(new Random(1), 50_000, 1, 0);
             AtomicInteger asked = new AtomicInteger();
-            TreeBuilder builder = new TreeBuilder(boxes.box.clone(), boxes.order, boxes.cost, () -> asked.getAndIncrement() >= questions);
+            TreeBuilder builder = new TreeBuilder(ItemBoxes.of(boxes.box), boxes.order, boxes.cost, () -> asked.getAndIncrement() >= questions);
             assertThatThrownBy(builder::build).isInstanceOf(CancellationException.class);
             assertThat(asked.get()).isBetween(questions + 1, questions + 200);
         }
@@ -122,7 +122,7 @@ class TreeTest {
                     padded[b + 3 + k] += 1e-12 * magnitude;
                 }
             }
-            return new TreeBuilder(padded, order, cost, () -> false).build();
+            return new TreeBuilder(ItemBoxes.of(padded), order, cost, () -> false).build();
         }
     }
 

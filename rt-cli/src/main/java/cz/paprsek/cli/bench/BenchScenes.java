@@ -45,6 +45,8 @@ final class BenchScenes implements Iterable<String> {
 
     private static Map<String, Supplier<Scene>> known() {
         Map<String, Supplier<Scene>> scenes = new LinkedHashMap<>(STANDARD);
+        scenes.put("mesh10M", () -> StandardScenes.mesh(10_000_000));
+        scenes.put("instances", () -> StandardScenes.instances(1000, 100_000));
         GROWING.forEach(scenes::putIfAbsent);
         return Collections.unmodifiableMap(scenes);
     }

@@ -7,12 +7,15 @@ import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Mesh;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Measures scenes: each is prepared and rendered several times, in turn with the other program if there is one, so that what disturbs the
@@ -31,6 +34,7 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
     /**
      * What was measured of one scene: medians, seconds.
      *
+     * @param objects how many there are; where there are meshes, how many triangles, those of one mesh in many places counted once
      * @param trace the time on the clock that one picture took
      * @param bytes the memory that the scene and all that was prepared of it take
      * @param cpu the processor time of all workers for it
@@ -66,7 +70,7 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
         Scene scene = size.map(s -> standard.withSettings(standard.settings().withSize(s.width(), s.height()))).orElse(standard);
         RenderOptions options = RenderOptions.of(scene).withThreads(threads);
         double[] build = new double[rounds];
-        RenderScene ready = prepare(scene, build);
+        RenderScene ready = prepare(name, scene, build);
         long bytes = Math.max(0, usedBytes() - before);
         double[] trace = new double[rounds];
         double[] cpu = new double[rounds];
@@ -85,16 +89,27 @@ record Benchmark(Stop stop, Optional<Size> size, int threads, int rounds, Option
                 theirs[i] = their;
             }
         }
-        return new Result(name, scene.objects().size(), rays, bytes, median(build), median(trace), median(cpu), median(theirs),
+        return new Result(name, size(scene), rays, bytes, median(build), median(trace), median(cpu), median(theirs),
                 ratios(theirs, cpu).min().orElse(Double.NaN), ratios(theirs, cpu).max().orElse(Double.NaN));
     }
 
-    private RenderScene prepare(Scene scene, double[] seconds) throws InterruptedIOException {
+    private static int size(Scene scene) {
+        int triangles = meshes(scene).mapToInt(mesh -> mesh.triangles().count()).sum();
+        return triangles == 0 ? scene.objects().size() : triangles;
+    }
+
+    private static Stream<Mesh> meshes(Scene scene) {
+        return scene.objects().stream().map(SceneObject::shape).filter(Mesh.class::isInstance).map(Mesh.class::cast).distinct();
+    }
+
+    /** Prepares a scene again and again: with new meshes, for these keep what has been made of them. */
+    private RenderScene prepare(String name, Scene scene, double[] seconds) throws InterruptedIOException {
+        boolean isNew = meshes(scene).findAny().isPresent();
         RenderScene ready = RenderScene.of(scene);
         double spent = ready.buildSeconds();
         for (int i = 0; i < rounds; i++) {
             if (spent < BUILDING) {
-                ready = RenderScene.of(scene);
+                ready = RenderScene.of(isNew ? BenchScenes.make(name) : scene);
                 spent += ready.buildSeconds();
             }
             seconds[i] = ready.buildSeconds();

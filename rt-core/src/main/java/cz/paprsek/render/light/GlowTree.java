@@ -1,5 +1,6 @@
 package cz.paprsek.render.light;
 
+import cz.paprsek.tree.ItemBoxes;
 import cz.paprsek.tree.Tree;
 import cz.paprsek.tree.TreeBuilder;
 import java.util.Arrays;
@@ -24,7 +25,7 @@ final class GlowTree {
             cost[i] = (float) bodies[i].surface.cost();
         }
         int[] order = IntStream.range(0, bodies.length).toArray();
-        Tree tree = new TreeBuilder(boxes, order, cost, () -> false).build();
+        Tree tree = new TreeBuilder(ItemBoxes.of(boxes), order, cost, () -> false).build();
         return new GlowTree(tree, Arrays.stream(order).mapToObj(i -> bodies[i]).toArray(Glow[]::new));
     }
 }

@@ -8,6 +8,7 @@ import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
+import cz.paprsek.tree.ItemBoxes;
 import cz.paprsek.tree.Search;
 import cz.paprsek.tree.Tree;
 import cz.paprsek.tree.TreeBuilder;
@@ -113,11 +114,8 @@ public final class Bodies {
         });
         int[] infinite = IntStream.range(0, count).filter(i -> !isEmpty(box, i) && !isFinite(box, i)).toArray();
         int[] finite = IntStream.range(0, count).filter(i -> !isEmpty(box, i) && isFinite(box, i)).toArray();
-        for (int i = 0; i < finite.length && finite.length < count; i++) {
-            System.arraycopy(box, 6 * finite[i], box, 6 * i, 6);
-        }
         // Building puts the numbers of the finite ones into the order of the leaves.
-        Tree tree = new TreeBuilder(box, finite, cost, stop).build();
+        Tree tree = new TreeBuilder(ItemBoxes.of(box), finite, cost, stop).build();
         return new Bodies(surfaces, opaque, finite, infinite, tree);
     }
 

@@ -13,6 +13,9 @@ final class Facets {
     /** By so much of the mesh's largest coordinate boxes are grown, far more than rounding moves a crossing. */
     private static final double MARGIN = 1e-12;
 
+    /** What it takes to meet a triangle, in units of what a sphere takes. */
+    private static final float COST = 1;
+
     final double[] places;
     /** In the order of the tree's leaves: the corners of each triangle, as where their coordinates begin, and its number. */
     final int[] corners;
@@ -28,31 +31,30 @@ final class Facets {
         int count = mesh.count();
         double margin = MARGIN * mesh.bounds().magnitude();
         box = mesh.bounds().grown(margin);
-        double[] boxes = new double[6 * count];
         numbers = new int[count];
-        for (int t = 0; t < count; t++) {
-            TreeBuilder.stopIfAsked(t, stop);
-            numbers[t] = t;
-            int a = 3 * vertices[3 * t];
-            int b = 3 * vertices[3 * t + 1];
-            int c = 3 * vertices[3 * t + 2];
-            for (int k = 0; k < 3; k++) {
-                double p = places[a + k];
-                double q = places[b + k];
-                double r = places[c + k];
-                boxes[6 * t + k] = (p < q ? p < r ? p : r : q < r ? q : r) - margin;
-                boxes[6 * t + 3 + k] = (p > q ? p > r ? p : r : q > r ? q : r) + margin;
-            }
-        }
+        Arrays.setAll(numbers, t -> t);
         float[] cost = new float[count];
-        Arrays.fill(cost, 1);
+        Arrays.fill(cost, COST);
         // Building puts the numbers into the order of the leaves.
-        tree = new TreeBuilder(boxes, numbers, cost, stop).build();
+        tree = new TreeBuilder((t, to, at) -> putBox(vertices, t, margin, to, at), numbers, cost, stop).build();
         corners = new int[3 * count];
         for (int i = 0; i < count; i++) {
             for (int k = 0; k < 3; k++) {
                 corners[3 * i + k] = 3 * vertices[3 * numbers[i] + k];
             }
+        }
+    }
+
+    private void putBox(int[] vertices, int triangle, double margin, double[] to, int at) {
+        int a = 3 * vertices[3 * triangle];
+        int b = 3 * vertices[3 * triangle + 1];
+        int c = 3 * vertices[3 * triangle + 2];
+        for (int k = 0; k < 3; k++) {
+            double p = places[a + k];
+            double q = places[b + k];
+            double r = places[c + k];
+            to[at + k] = (p < q ? p < r ? p : r : q < r ? q : r) - margin;
+            to[at + 3 + k] = (p > q ? p > r ? p : r : q > r ? q : r) + margin;
         }
     }
 }

@@ -1,6 +1,7 @@
 package cz.paprsek.shape.placed;
 
 import cz.paprsek.math.Bounds;
+import cz.paprsek.tree.ItemBoxes;
 import cz.paprsek.tree.Search;
 import cz.paprsek.tree.Tree;
 import cz.paprsek.tree.TreeBuilder;
@@ -24,13 +25,13 @@ public final class Operands {
         this.boxes = boxes;
         endless = IntStream.range(0, boxes.length).filter(i -> !boxes[i].isFinite()).toArray();
         finite = IntStream.range(0, boxes.length).filter(i -> boxes[i].isFinite() && !boxes[i].isEmpty()).toArray();
-        double[] box = new double[6 * finite.length];
+        double[] box = new double[6 * boxes.length];
         float[] costs = new float[boxes.length];
-        for (int i = 0; i < finite.length; i++) {
-            TreeBuilder.put(box, i, boxes[finite[i]]);
-            costs[finite[i]] = (float) cost[finite[i]];
+        for (int i : finite) {
+            TreeBuilder.put(box, i, boxes[i]);
+            costs[i] = (float) cost[i];
         }
-        tree = new TreeBuilder(box, finite, costs, stop).build();
+        tree = new TreeBuilder(ItemBoxes.of(box), finite, costs, stop).build();
     }
 
     /** Pushes the numbers of the operands whose boxes the ray meets, in rising order. */
