@@ -7,39 +7,28 @@ import cz.paprsek.math.Vec3;
 import java.util.Locale;
 
 /** Pulls what a light or camera is grabbed by. */
-final class GripDrag implements Drag {
+final class GripDrag extends Drag.Changing {
     /** Angles of a hand are of this coarseness, so that they can be read; and with Ctrl held. */
     private static final double DEGREES = 0.5;
     private static final double FINE_DEGREES = 0.1;
     /** Steps of a free hand in one of the grid: less than a pixel each. */
     private static final double FINE = 20;
 
-    private final Gesture gesture;
     private final Grip grip;
-    private final Axes axes;
-    private final Viewport view;
     private final Texts texts;
-    private final boolean snaps;
-    private final double startX;
-    private final double startY;
     private String figures = "";
 
     GripDrag(Gesture gesture, Grip grip, Axes axes, Viewport view, Texts texts, boolean snaps, double startX, double startY) {
-        this.gesture = gesture;
+        super(gesture, axes, view, snaps, startX, startY);
         this.grip = grip;
-        this.axes = axes;
-        this.view = view;
         this.texts = texts;
-        this.snaps = snaps;
-        this.startX = startX;
-        this.startY = startY;
     }
 
     @Override
     public void to(double x, double y, Keys keys) {
-        double byU = (x - startX) / view.scale();
-        double byV = (startY - y) / view.scale();
-        boolean snap = snaps && !keys.free();
+        double byU = byU(x);
+        double byV = byV(y);
+        boolean snap = snaps(keys);
         double step = Grid.step(view.scale());
         if (grip instanceof Grip.Dial dial) {
             double value = dial.at(dial.place().plus(axes.vector(byU, byV)), dial.isAngle() ? keys.free() ? FINE_DEGREES : DEGREES : snap ? step : step / FINE);
@@ -52,16 +41,6 @@ final class GripDrag implements Drag {
             // Looking along an up of its own, or at itself, a camera has no view, which is refused: the last one stays until the mouse has moved on.
             gesture.preview(scene -> aim.turned().apply(scene, point));
         }
-    }
-
-    @Override
-    public void end() {
-        gesture.commit();
-    }
-
-    @Override
-    public void cancel() {
-        gesture.cancel();
     }
 
     @Override

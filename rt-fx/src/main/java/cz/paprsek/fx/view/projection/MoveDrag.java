@@ -9,19 +9,13 @@ import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 
 /** Moves items in the plane of the projection. */
-final class MoveDrag implements Drag {
-    private final Gesture gesture;
+final class MoveDrag extends Drag.Changing {
     private final Set<ScenePath> items;
-    private final Axes axes;
-    private final Viewport view;
     private final Box box;
     private final double referenceU;
     private final double referenceV;
     private final Snapping snapping;
-    private final boolean snaps;
     private final Color guideColor;
-    private final double startX;
-    private final double startY;
     private double guideU = Double.NaN;
     private double guideV = Double.NaN;
     private double byU;
@@ -33,29 +27,24 @@ final class MoveDrag implements Drag {
      */
     MoveDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, Box reference, Snapping snapping, boolean snaps,
             Color guideColor, double startX, double startY) {
-        this.gesture = gesture;
+        super(gesture, axes, view, snaps, startX, startY);
         this.items = items;
-        this.axes = axes;
-        this.view = view;
         this.box = box;
         this.referenceU = reference.minU();
         this.referenceV = reference.minV();
         this.snapping = snapping;
-        this.snaps = snaps;
         this.guideColor = guideColor;
-        this.startX = startX;
-        this.startY = startY;
     }
 
     @Override
     public void to(double x, double y, Keys keys) {
-        boolean onlyV = keys.straight() && Math.abs(x - startX) < Math.abs(y - startY);
+        double du = byU(x);
+        double dv = byV(y);
+        boolean onlyV = keys.straight() && Math.abs(du) < Math.abs(dv);
         boolean onlyU = keys.straight() && !onlyV;
-        double du = (x - startX) / view.scale();
-        double dv = (startY - y) / view.scale();
         guideU = Double.NaN;
         guideV = Double.NaN;
-        if (snaps && !keys.free()) {
+        if (snaps(keys)) {
             Snapping.Move alongU = snapping.alongU(box, du, referenceU, view);
             Snapping.Move alongV = snapping.alongV(box, dv, referenceV, view);
             du = alongU.by();
@@ -66,16 +55,6 @@ final class MoveDrag implements Drag {
         byU = onlyV ? 0 : du;
         byV = onlyU ? 0 : dv;
         gesture.preview(scene -> Moves.translated(scene, items, axes.vector(byU, byV)));
-    }
-
-    @Override
-    public void end() {
-        gesture.commit();
-    }
-
-    @Override
-    public void cancel() {
-        gesture.cancel();
     }
 
     @Override

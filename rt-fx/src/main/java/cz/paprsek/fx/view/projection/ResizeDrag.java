@@ -8,21 +8,15 @@ import java.util.Locale;
 import java.util.Set;
 
 /** Stretches items from the side or corner opposite to the handle. */
-final class ResizeDrag implements Drag {
+final class ResizeDrag extends Drag.Changing {
     /** As small as a thing can be made in one go. */
     private static final double SMALLEST = 1e-3;
 
-    private final Gesture gesture;
     private final Set<ScenePath> items;
-    private final Axes axes;
-    private final Viewport view;
     private final Box box;
     private final Vec3 depth;
     private final Handle handle;
-    private final boolean snaps;
     private final boolean proportional;
-    private final double startX;
-    private final double startY;
     private double width;
     private double height;
 
@@ -32,24 +26,19 @@ final class ResizeDrag implements Drag {
      */
     ResizeDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, Vec3 depth, Handle handle, boolean snaps,
             boolean proportional, double startX, double startY) {
-        this.gesture = gesture;
+        super(gesture, axes, view, snaps, startX, startY);
         this.items = items;
-        this.axes = axes;
-        this.view = view;
         this.box = box;
         this.depth = depth;
         this.handle = handle;
-        this.snaps = snaps;
         this.proportional = proportional;
-        this.startX = startX;
-        this.startY = startY;
     }
 
     @Override
     public void to(double x, double y, Keys keys) {
-        boolean snap = snaps && !keys.free();
-        double alongU = factor(handle.alongU(), box.minU(), box.maxU(), (x - startX) / view.scale(), snap);
-        double alongV = factor(handle.alongV(), box.minV(), box.maxV(), (startY - y) / view.scale(), snap);
+        boolean snap = snaps(keys);
+        double alongU = factor(handle.alongU(), box.minU(), box.maxU(), byU(x), snap);
+        double alongV = factor(handle.alongV(), box.minV(), box.maxV(), byV(y), snap);
         boolean corner = handle.alongU() != 0 && handle.alongV() != 0;
         boolean even = corner && keys.straight() != proportional;
         double evenly = Math.abs(alongU - 1) > Math.abs(alongV - 1) ? alongU : alongV;
@@ -77,15 +66,5 @@ final class ResizeDrag implements Drag {
 
     private static double pivot(int side, double min, double max) {
         return side == 0 ? (min + max) / 2 : side > 0 ? min : max;
-    }
-
-    @Override
-    public void end() {
-        gesture.commit();
-    }
-
-    @Override
-    public void cancel() {
-        gesture.cancel();
     }
 }

@@ -9,17 +9,13 @@ import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 
 /** Turns items about the axis that points at the viewer, through the middle of their box. */
-final class TurnDrag implements Drag {
+final class TurnDrag extends Drag.Changing {
     private static final double SNAP_DEGREES = 15;
     /** Angles of a free hand are of this coarseness, so that they can be read. */
     private static final double FREE_DEGREES = 0.5;
 
-    private final Gesture gesture;
     private final Set<ScenePath> items;
-    private final Axes axes;
-    private final Viewport view;
     private final Box box;
-    private final boolean snaps;
     private final Color color;
     private final double startAngle;
     private double degrees;
@@ -27,12 +23,9 @@ final class TurnDrag implements Drag {
     private double mouseY;
 
     TurnDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, boolean snaps, Color color, double startX, double startY) {
-        this.gesture = gesture;
+        super(gesture, axes, view, snaps, startX, startY);
         this.items = items;
-        this.axes = axes;
-        this.view = view;
         this.box = box;
-        this.snaps = snaps;
         this.color = color;
         this.startAngle = angle(startX, startY);
         this.mouseX = startX;
@@ -43,7 +36,7 @@ final class TurnDrag implements Drag {
     public void to(double x, double y, Keys keys) {
         mouseX = x;
         mouseY = y;
-        double grain = snaps && !keys.free() ? SNAP_DEGREES : FREE_DEGREES;
+        double grain = snaps(keys) ? SNAP_DEGREES : FREE_DEGREES;
         double turned = Math.toDegrees(angle(x, y) - startAngle);
         degrees = Math.IEEEremainder(Math.rint(turned / grain) * grain, 360);
         gesture.preview(scene -> degrees == 0 ? scene
@@ -52,16 +45,6 @@ final class TurnDrag implements Drag {
 
     private double angle(double x, double y) {
         return Math.atan2(view.y(box.centreV()) - y, x - view.x(box.centreU()));
-    }
-
-    @Override
-    public void end() {
-        gesture.commit();
-    }
-
-    @Override
-    public void cancel() {
-        gesture.cancel();
     }
 
     @Override

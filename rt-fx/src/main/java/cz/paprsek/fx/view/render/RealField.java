@@ -4,36 +4,17 @@ import cz.paprsek.fx.model.property.Expression;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.text.Numbers;
 import java.util.function.DoublePredicate;
-import javafx.beans.property.ReadOnlyBooleanProperty;
-import javafx.beans.property.ReadOnlyBooleanWrapper;
-import javafx.css.PseudoClass;
-import javafx.scene.control.TextField;
-import javafx.scene.control.Tooltip;
 
 /** A field for a number, also as a small sum such as 1/255; what is out of range is marked, and has no value. */
-final class RealField extends TextField {
-    private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
-
+final class RealField extends CheckedField {
     private final Texts texts;
     private final DoublePredicate range;
-    private final ReadOnlyBooleanWrapper valid = new ReadOnlyBooleanWrapper(true);
 
     RealField(String id, String hint, Texts texts, DoublePredicate range, double first) {
+        super(id, hint, hint, 4);
         this.texts = texts;
         this.range = range;
-        setId(id);
-        setPrefColumnCount(4);
-        setTooltip(new Tooltip(hint));
-        setAccessibleText(hint);
-        textProperty().addListener((property, old, now) -> {
-            valid.set(isInRange(now));
-            pseudoClassStateChanged(REFUSED, !valid.get());
-        });
         set(first);
-    }
-
-    ReadOnlyBooleanProperty validProperty() {
-        return valid.getReadOnlyProperty();
     }
 
     void set(double value) {
@@ -45,7 +26,8 @@ final class RealField extends TextField {
         return Expression.value(getText());
     }
 
-    private boolean isInRange(String text) {
+    @Override
+    boolean isInRange(String text) {
         try {
             return range.test(Expression.value(text));
         } catch (IllegalArgumentException refused) {

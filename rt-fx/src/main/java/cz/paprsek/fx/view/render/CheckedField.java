@@ -1,0 +1,32 @@
+package cz.paprsek.fx.view.render;
+
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.css.PseudoClass;
+import javafx.scene.control.TextField;
+import javafx.scene.control.Tooltip;
+
+/** A field for a number. What is out of range is marked, and has no value. */
+abstract class CheckedField extends TextField {
+    private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
+
+    private final ReadOnlyBooleanWrapper valid = new ReadOnlyBooleanWrapper(true);
+
+    CheckedField(String id, String name, String hint, int columns) {
+        setId(id);
+        setPrefColumnCount(columns);
+        setTooltip(new Tooltip(hint));
+        setAccessibleText(name);
+        textProperty().addListener((property, old, now) -> {
+            valid.set(isInRange(now));
+            pseudoClassStateChanged(REFUSED, !valid.get());
+        });
+    }
+
+    /** Whether it is a number within range. */
+    abstract boolean isInRange(String text);
+
+    final ReadOnlyBooleanProperty validProperty() {
+        return valid.getReadOnlyProperty();
+    }
+}
