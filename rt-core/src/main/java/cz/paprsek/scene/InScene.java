@@ -8,4 +8,10 @@ public record InScene<T>(Scene scene, T part) {
         Objects.requireNonNull(scene, "scene");
         Objects.requireNonNull(part, "part");
     }
+
+    /** The part alone, of which the scene is not: {@code ball}, or {@code bowl/block#2} for an operand. */
+    @Override
+    public String toString() {
+        return part instanceof ScenePath path && path.isIn(scene) ? path.text(scene) : part.toString();
+    }
 }

@@ -53,6 +53,12 @@ class ScenePathTest {
     }
 
     @Test
+    void whatIsInASceneIsToldWithoutTheScene() {
+        assertThat(List.of(new InScene<>(SCENE, ScenePath.body(1, 1, 1)), new InScene<>(SCENE, ScenePath.light(1)), new InScene<>(SCENE, "word"), new InScene<>(SCENE, ScenePath.body(9))))
+                .extracting(InScene::toString).containsExactly("bowl/holes/left", "light:lamp", "word", "BodyAt[numbers=[9]]");
+    }
+
+    @Test
     void camerasOfWhichThereAreSeveralAreToldApart() {
         Scene scene = SCENE.withCameras(List.of(Camera.DEFAULT, Camera.DEFAULT.named("above")));
         assertThat(ScenePath.parse(scene, "camera:above")).isEqualTo(ScenePath.camera(1));
