@@ -46,23 +46,25 @@ class ArchitectureTest {
             .layer("origin").definedBy("cz.paprsek.origin")
             .layer("standard").definedBy("cz.paprsek.standard")
             .layer("warning").definedBy("cz.paprsek.warning")
+            .layer("teach").definedBy("cz.paprsek.teach..")
             .whereLayer("origin").mayNotBeAccessedByAnyLayer()
             .whereLayer("standard").mayNotBeAccessedByAnyLayer()
             .whereLayer("warning").mayNotBeAccessedByAnyLayer()
+            .whereLayer("teach").mayNotBeAccessedByAnyLayer()
             .whereLayer("io").mayOnlyBeAccessedByLayers("query", "image", "asset", "worked", "xml", "pov", "format")
             .whereLayer("list").mayOnlyBeAccessedByLayers("scene", "render")
             .whereLayer("tree").mayOnlyBeAccessedByLayers("shape", "render")
             .whereLayer("attribute").mayOnlyBeAccessedByLayers("material", "shape", "scene", "query", "worked", "words", "xml", "pov", "warning")
-            .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "query", "image", "render", "explain", "worked", "drawing", "xml", "pov", "standard", "warning", "format", "origin")
+            .whereLayer("material").mayOnlyBeAccessedByLayers("shape", "scene", "query", "image", "render", "explain", "worked", "drawing", "xml", "pov", "standard", "warning", "format", "origin", "teach")
             .whereLayer("ray").mayOnlyBeAccessedByLayers("material", "shape", "scene", "render")
-            .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "explain", "worked", "words", "drawing", "xml", "pov", "standard", "warning", "format")
-            .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "explain", "worked", "words", "drawing", "xml", "pov", "standard", "warning", "format", "origin")
+            .whereLayer("shape").mayOnlyBeAccessedByLayers("scene", "query", "render", "explain", "worked", "words", "drawing", "xml", "pov", "standard", "warning", "format", "teach")
+            .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "explain", "worked", "words", "drawing", "xml", "pov", "standard", "warning", "format", "origin", "teach")
             .whereLayer("query").mayNotBeAccessedByAnyLayer()
-            .whereLayer("image").mayOnlyBeAccessedByLayers("asset", "render", "drawing", "pov", "origin", "format")
+            .whereLayer("image").mayOnlyBeAccessedByLayers("asset", "render", "drawing", "pov", "origin", "format", "teach")
             .whereLayer("asset").mayOnlyBeAccessedByLayers("render", "format")
             .whereLayer("explain").mayOnlyBeAccessedByLayers("render", "worked", "drawing")
             .whereLayer("worked").mayOnlyBeAccessedByLayers("drawing")
-            .whereLayer("words").mayOnlyBeAccessedByLayers("worked", "drawing")
+            .whereLayer("words").mayOnlyBeAccessedByLayers("worked", "drawing", "teach")
             .whereLayer("drawing").mayNotBeAccessedByAnyLayer()
             .whereLayer("render").mayOnlyBeAccessedByLayers("drawing", "pov", "origin")
             .whereLayer("xml").mayOnlyBeAccessedByLayers("origin")
@@ -85,6 +87,11 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule TEXT_SEES_ONLY_MATH = noClasses().that().resideInAPackage("cz.paprsek.text")
             .should().dependOnClassesThat(resideInAPackage("cz.paprsek..").and(resideOutsideOfPackages("cz.paprsek.text", "cz.paprsek.math")));
+
+    /** The plain tracer is an answer of its own: of shapes it knows what is written down, not how the renderer meets them. */
+    @ArchTest
+    static final ArchRule PLAIN_TRACER_SHARES_NOTHING_WITH_THE_RENDERER = noClasses().that().resideInAPackage("cz.paprsek.teach..")
+            .should().dependOnClassesThat().resideInAnyPackage("cz.paprsek.render..", "cz.paprsek.shape.placed", "cz.paprsek.ray", "cz.paprsek.tree");
 
     @ArchTest
     static final ArchRule NO_CYCLES = slices().matching("cz.paprsek.(**)").should().beFreeOfCycles();
