@@ -51,7 +51,7 @@ class InfoCommandTest {
     void aSceneIsDescribedForScripts() {
         assertThat(Run.cli("info", file, "--json").out())
                 .startsWith("{\"file\":\"")
-                .contains("\"render\":{\"width\":16,\"height\":8,\"max-depth\":5,\"samples\":1,\"filter\":\"box\",\"exposure\":0,\"tone\":\"none\"}")
+                .contains("\"render\":{\"width\":16,\"height\":8,\"max-depth\":5,\"integrator\":\"whitted\",\"samples\":1,\"filter\":\"box\",\"exposure\":0,\"tone\":\"none\"}")
                 .contains("\"lights\":[{\"name\":\"key\",\"kind\":\"point-light\",\"position\":[2,3,4],\"color\":[255,255,255],\"intensity\":0.5}]")
                 .contains("\"objects\":3,\"kinds\":{\"block\":{\"objects\":0,\"operands\":1},")
                 .endsWith("\"unbounded\":1,\"bounds\":{\"min\":[-3,0,-1],\"max\":[1,2,1]}}\n")

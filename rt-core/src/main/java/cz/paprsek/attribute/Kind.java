@@ -38,8 +38,8 @@ public enum Kind {
     PIXELS(Form.WHOLE, "pixels", "a whole number from 1 to 32768", Range.from(1).to(32_768)),
     DEPTH(Form.WHOLE, "depth", "a whole number from 1 to 250", Range.from(1).to(250)),
     /** One whole number, or two with two dots between, which two components of the same name have: the second 0 if there is one. */
-    SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, or two such as 2..8", Range.from(1).to(16)),
-    MOST_SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, or two such as 2..8", Range.from(0).to(16)),
+    SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, of paths to 1000000, or two such as 2..8", Range.from(1).to(1_000_000)),
+    MOST_SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, of paths to 1000000, or two such as 2..8", Range.from(0).to(1_000_000)),
     /** Doublings of light. */
     STOPS(Form.NUMBER, "stops", "a number of stops from -100 to 100", Range.from(-100).to(100)),
     CONFIDENCE(Form.NUMBER, "confidence", "a number above 0 and below 1", Range.above(0).below(1)),

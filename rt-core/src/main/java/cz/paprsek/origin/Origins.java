@@ -60,7 +60,7 @@ public final class Origins {
     /** In the words of the command line. */
     private static String settings(RenderOptions render, Optional<String> camera, Optional<String> light) {
         RenderSettings settings = render.settings();
-        StringBuilder text = new StringBuilder("--size " + settings.width() + "x" + settings.height() + " --samples " + samples(settings)
+        StringBuilder text = new StringBuilder("--size " + settings.width() + "x" + settings.height() + (settings.isPath() ? " --integrator path" : "") + " --samples " + samples(settings)
                 + " --max-depth " + settings.maxDepth());
         if (settings.isAdaptive()) {
             text.append(" --error ").append(Numbers.text(settings.error())).append(" --confidence ").append(Numbers.text(settings.confidence()));

@@ -101,7 +101,10 @@ final class PovWarnings {
 
     private void checkRays(RenderSettings settings) {
         String filter = settings.filter() == PixelFilter.BOX ? "" : ", nor weighs their rays by the filter " + settings.filter();
-        if (settings.isAdaptive() || (settings.samples() > 1 && !filter.isEmpty())) {
+        if (settings.isPath()) {
+            sentences.add("POV-Ray does not follow paths of light; its picture is that of --integrator whitted, without the light that surfaces send each other"
+                    + filter + ", with one ray through the centre of each pixel");
+        } else if (settings.isAdaptive() || (settings.samples() > 1 && !filter.isEmpty())) {
             sentences.add("POV-Ray does not sample pixels " + (settings.isAdaptive() ? "at random, by error and confidence" : "on a grid") + filter
                     + "; it is given one ray through the centre of each");
         } else if (settings.samples() > 1) {

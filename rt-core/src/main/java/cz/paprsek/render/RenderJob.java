@@ -5,8 +5,10 @@ import cz.paprsek.image.Layers;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.integrate.Integrator;
+import cz.paprsek.render.integrate.Paths;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.show.DepthRange;
 import cz.paprsek.render.show.LayerTracer;
@@ -28,7 +30,6 @@ final class RenderJob implements Workers.Work {
     private static final int TOGETHER = 8;
     /** In place of the column and row of a fault outside of any pixel. */
     private static final int NOWHERE = -1;
-    private static final int ONLY_PASS = 0;
 
     private final RenderScene scene;
     private final RenderOptions options;
@@ -41,9 +42,12 @@ final class RenderJob implements Workers.Work {
     private final int block;
     private final int columns;
     private final int tiles;
+    private final int tilesOfAllPasses;
     private final int stride;
     private final AtomicInteger next = new AtomicInteger();
     private final AtomicInteger done = new AtomicInteger();
+    /** Passes over the picture that are complete. */
+    private int passes;
     private volatile boolean stopped;
     /** What was thrown first, and in what pixel; noted in fields that are there already, because it may be that no memory is left. */
     private @Nullable Throwable fault;
@@ -59,13 +63,14 @@ final class RenderJob implements Workers.Work {
         this.store = store;
         Tile region = options.region();
         image = options.transparent() ? Image.ofTransparent(region.width(), region.height()) : new Image(region.width(), region.height());
-        film = new Film(image, region.x(), region.y(), options.planes().size());
+        film = new Film(image, region.x(), region.y(), options.planes().size(), options.kept());
         depths = options.mode() == RenderMode.DEPTH
                 ? DepthRange.of(scene.world(), eye, RenderOptions.coarse(options.settings().width(), options.step()),
                         RenderOptions.coarse(options.settings().height(), options.step())) : DepthRange.NONE;
-        block = Math.max(1, TOGETHER / options.settings().samples());
+        block = Math.max(1, TOGETHER / (options.settings().isPath() ? (int) Math.ceil(Math.sqrt(options.settings().samples())) : options.settings().samples()));
         columns = (region.width() + SIDE - 1) / SIDE;
         tiles = columns * ((region.height() + SIDE - 1) / SIDE);
+        tilesOfAllPasses = (int) Math.min(Integer.MAX_VALUE, (long) tiles * options.passes());
         stride = stride(tiles);
     }
 
@@ -89,6 +94,27 @@ final class RenderJob implements Workers.Work {
 
     boolean isComplete() {
         return done.get() == tiles;
+    }
+
+    /** How many tiles are done, those of passes that are complete included. */
+    private int told(int inThisPass) {
+        return (int) Math.min(tilesOfAllPasses, (long) passes * tiles + inThisPass);
+    }
+
+    /** Makes ready for another pass, if one is to follow that which is complete. */
+    boolean goesOn() {
+        try {
+            if (!film.wantedMore() || !monitor.passed(image, passes + 1)) {
+                return false;
+            }
+        } catch (Throwable thrown) {
+            fail(thrown);
+            return false;
+        }
+        passes++;
+        done.set(0);
+        next.set(0);
+        return true;
     }
 
     @Override
@@ -168,6 +194,7 @@ final class RenderJob implements Workers.Work {
         List<Object> purpose = List.of(scene.world(), options.mode(), settings.withSize(1, 1), options.fixedSampler(), options.numbers(), depths, options.layers(), options.transparent());
         return desk.integrator(purpose, () -> !options.layers().isEmpty() || options.transparent()
                 ? new LayerTracer(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()), options.layers(), options.transparent())
+                : options.isInPasses() ? new Paths(scene.world(), settings.maxDepth(), new Passes(settings, options.fixedSampler()))
                 : options.mode() == RenderMode.SHADED ? new Whitted(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()))
                 : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), Sampling.of(shown, options.fixedSampler()), depths, options.numbers()));
     }
@@ -203,8 +230,12 @@ final class RenderJob implements Workers.Work {
         int y = tile.y();
         long raysBefore = integrator.rays();
         try {
-            if (store.load(inPicture(tile), ONLY_PASS, film)) {
-                monitor.found(tile, image, done.incrementAndGet(), tiles);
+            if (passes == 0 && store.load(inPicture(tile), passes, film)) {
+                // Whether that is all there is to it, the next pass will tell.
+                if (film.isInPasses()) {
+                    film.wantMore();
+                }
+                monitor.found(tile, image, told(done.incrementAndGet()), tilesOfAllPasses);
                 return;
             }
             for (y = tile.y(); y < tile.y() + tile.height(); y += block) {
@@ -217,9 +248,12 @@ final class RenderJob implements Workers.Work {
                     }
                 }
             }
-            monitor.traced(integrator.rays() - raysBefore);
-            store.save(inPicture(tile), ONLY_PASS, film);
-            monitor.finished(tile, image, done.incrementAndGet(), tiles);
+            long rays = integrator.rays() - raysBefore;
+            monitor.traced(rays);
+            if (passes == 0 || rays > 0) {
+                store.save(inPicture(tile), passes, film);
+            }
+            monitor.finished(tile, image, told(done.incrementAndGet()), tilesOfAllPasses);
         } catch (IOException unkept) {
             fail(unkept);
         } catch (Throwable thrown) {

@@ -28,9 +28,20 @@ public interface RenderMonitor {
      * A tile of the picture is complete.
      *
      * @param tile its pixels, in the coordinates of the image under way
-     * @param image the image under way; pixels of finished tiles no longer change
-     * @param done tiles finished so far, this one included
-     * @param total tiles in all
+     * @param image the image under way; pixels of finished tiles no longer change, unless there is another pass
+     * @param done tiles finished so far, those of earlier passes and this one included
+     * @param total tiles in all, of all passes there may be
      */
     default void finished(Tile tile, Image image, int done, int total) {}
+
+    /**
+     * A pass over the whole picture is complete, and another one will make it better. Called by the thread that waits for the picture, while nothing is traced.
+     *
+     * @param image the picture as good as it is
+     * @param passes how many there have been
+     * @return whether to go on; if not, the picture is as it is, and counts as complete
+     */
+    default boolean passed(Image image, int passes) {
+        return true;
+    }
 }

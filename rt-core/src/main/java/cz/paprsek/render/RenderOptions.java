@@ -3,6 +3,7 @@ package cz.paprsek.render;
 import cz.paprsek.math.Require;
 import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.render.sample.Passes;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.List;
@@ -35,6 +36,8 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
         layers = List.copyOf(layers);
         Require.that(layers.stream().distinct().count() == layers.size(), "each layer can be asked for once: " + layers);
         Require.that(mode == RenderMode.SHADED || (layers.isEmpty() && !transparent), "layers and transparency are of pictures of light, not of " + mode);
+        Require.that(!settings.isPath() || (layers.isEmpty() && !transparent), "layers and transparency are of the integrator whitted, not of path");
+        Require.that(!settings.isPath() || mode.scale().isEmpty(), "what mode " + mode + " counts are rays of the integrator whitted, not of path");
         int columns = coarse(settings.width(), step);
         int rows = coarse(settings.height(), step);
         Require.that(region.x() + region.width() <= columns && region.y() + region.height() <= rows,
@@ -51,6 +54,11 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
     /** What the scene asks for. */
     public static RenderOptions of(Scene scene) {
         return of(scene.settings());
+    }
+
+    /** With others of the same size, for the same region. */
+    public RenderOptions withSettings(RenderSettings other) {
+        return new RenderOptions(other, region, mode, threads, numbers, fixedSampler, step, layers, transparent);
     }
 
     public RenderOptions withThreads(int count) {
@@ -95,9 +103,24 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
         return new RenderOptions(settings, whole, mode, threads, numbers, fixedSampler, pixels, layers, transparent);
     }
 
-    /** How many numbers each pixel gets: three of light, with opacity that, and those of layers. */
+    /** How many numbers each pixel gets: three of light, with opacity that, those of layers, and those that are kept from pass to pass. */
     public int channels() {
-        return (transparent ? 4 : 3) + planes().size();
+        return (transparent ? 4 : 3) + planes().size() + kept();
+    }
+
+    /** How many numbers of each pixel are kept from one pass to the next; none if all of the picture's tiles are made once and for all. */
+    int kept() {
+        return isInPasses() ? Passes.kept(settings) : 0;
+    }
+
+    /** Whether the picture is made in passes, each of which makes all of it better. */
+    public boolean isInPasses() {
+        return mode == RenderMode.SHADED && settings.isPath() && layers.isEmpty() && !transparent;
+    }
+
+    /** Into how many passes a picture is divided at most: one, unless it is {@linkplain #isInPasses made in passes}. */
+    public int passes() {
+        return isInPasses() ? Passes.passes(settings) : 1;
     }
 
     /** The names of the planes of all layers. */

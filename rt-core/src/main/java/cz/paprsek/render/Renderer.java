@@ -89,9 +89,12 @@ public final class Renderer implements AutoCloseable {
         Objects.requireNonNull(store, "store");
         long begin = System.nanoTime();
         RenderJob job = job(scene, options, monitor, store);
-        if (!workers.run(Math.min(options.threads(), job.tiles()), job)) {
-            Thread.currentThread().interrupt();
-        }
+        do {
+            if (!workers.run(Math.min(options.threads(), job.tiles()), job)) {
+                Thread.currentThread().interrupt();
+            }
+            job.throwFailure();
+        } while (job.isComplete() && job.goesOn());
         job.throwFailure();
         RenderResult.Stats stats = job.stats(scene.buildSeconds(), (System.nanoTime() - begin) / 1e9);
         return new RenderResult(job.image(), job.layers(), stats, job.isComplete() ? Outcome.DONE : Outcome.CANCELLED);

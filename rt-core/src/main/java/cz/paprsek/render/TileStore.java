@@ -23,7 +23,8 @@ public interface TileStore {
      * Puts a tile on the film, if it is known from an earlier render of the same picture. Asked before the tile is traced.
      *
      * @param tile its pixels, in the coordinates of the whole picture
-     * @param pass which pass over the picture, from 0; a picture that is no progressive one has one
+     * @param pass which pass over the picture, from 0; a picture that is not made in passes has one. Asked in the first only: what is known may be of a later one, and
+     *     the film then holds what goes on from there
      * @return whether it was known; if not, the film is as it was
      */
     boolean load(Tile tile, int pass, Film into) throws IOException;

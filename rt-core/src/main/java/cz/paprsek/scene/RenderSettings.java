@@ -17,10 +17,12 @@ import java.util.stream.Stream;
  *
  * @param width picture width in pixels, 1–{@value #LARGEST_SIDE}
  * @param height picture height in pixels, 1–{@value #LARGEST_SIDE}
- * @param maxDepth levels of rays, the eye ray being level 1; 1–{@value #DEEPEST}
- * @param samples rays along each side of a pixel: 1 for one ray through its centre, n for a regular grid of n × n; 1–{@value #MOST_SAMPLES}
- * @param mostSamples 0 for that grid; else a pixel gets samples² random rays, and more, at most mostSamples², until its error is as small as it
- *     shall be: by the spread of its own rays, whatever is beside it; samples–{@value #MOST_SAMPLES}
+ * @param maxDepth levels of rays, the eye ray being level 1; of paths, how often light is scattered at most; 1–{@value #DEEPEST}
+ * @param integrator how light is gathered
+ * @param samples rays along each side of a pixel: 1 for one ray through its centre, n for a regular grid of n × n; 1–{@value #MOST_SAMPLES}.
+ *     Of paths, how many there are in a pixel; 1–{@value #MOST_PATHS}
+ * @param mostSamples 0 for that grid, or number; else a pixel gets samples² random rays, or samples paths, and more, at most mostSamples² or mostSamples,
+ *     until its error is as small as it shall be: by the spread of its own rays, whatever is beside it; from samples on
  * @param error how far the value that is shown of a pixel may be from the true one, 1 being from black to white; above 0
  * @param confidence how probable it is to be that close; above 0 and below 1
  * @param filter how a pixel's rays are strewn around its centre
@@ -32,8 +34,10 @@ public record RenderSettings(
         @Attribute(value = Kind.PIXELS, means = "Picture width in pixels", otherwise = "800") int width,
         @Attribute(value = Kind.PIXELS, means = "Picture height in pixels", otherwise = "600") int height,
         @Attribute(value = Kind.DEPTH, means = "Levels of rays, the eye ray being level 1", otherwise = "5") int maxDepth,
+        @Attribute(value = Kind.WORD, means = "How light is gathered: whitted follows mirrors, glass and the lights, path all ways that light can come", otherwise = "whitted")
+        Integrator integrator,
         @Attribute(value = Kind.SAMPLES, name = "samples", means = "Rays along each side of a pixel: N for a grid of N x N, A..B for A x A random ones and "
-                + "more, at most B x B, until the error is small", otherwise = "1") int samples,
+                + "more, at most B x B, until the error is small. With the integrator path, the number of paths in a pixel, which is 64 if not given", otherwise = "1") int samples,
         @Attribute(value = Kind.MOST_SAMPLES, inForce = "allowedSamples", name = "samples", means = "") int mostSamples,
         @Attribute(value = Kind.POSITIVE, inForce = "allowedError", means = "With samples A..B, how far the value shown of a pixel may be from the true one; 1 is from black to white",
                 otherwise = "0.01") double error,
@@ -44,6 +48,9 @@ public record RenderSettings(
     public static final int LARGEST_SIDE = 32_768;
     public static final int DEEPEST = 250;
     public static final int MOST_SAMPLES = 16;
+    public static final int MOST_PATHS = 1_000_000;
+    /** In a pixel, if nobody says how many. */
+    public static final int USUAL_PATHS = 64;
     public static final int MOST_STOPS = 100;
     public static final RenderSettings DEFAULT = new RenderSettings(800, 600, 5, 1);
 
@@ -51,8 +58,9 @@ public record RenderSettings(
         Require.within("render width", width, 1, LARGEST_SIDE);
         Require.within("render height", height, 1, LARGEST_SIDE);
         Require.within("render max-depth", maxDepth, 1, DEEPEST);
-        Require.within("render samples", samples, 1, MOST_SAMPLES);
-        Require.within("render samples, the most of them,", mostSamples, 0, MOST_SAMPLES);
+        Objects.requireNonNull(integrator, "integrator");
+        Require.within("render samples", samples, 1, integrator.mostSamples());
+        Require.within("render samples, the most of them,", mostSamples, 0, integrator.mostSamples());
         Require.that(mostSamples == 0 || mostSamples >= samples,
                 "render samples must go from the lesser to the greater number, but go from " + samples + " to " + mostSamples);
         Require.positive("render error", error);
@@ -64,7 +72,12 @@ public record RenderSettings(
 
     /** A regular grid of rays in each pixel. */
     public RenderSettings(int width, int height, int maxDepth, int samples) {
-        this(width, height, maxDepth, samples, 0, 0.01, 0.95, PixelFilter.BOX, 0, Tone.NONE);
+        this(width, height, maxDepth, Integrator.WHITTED, samples, 0, 0.01, 0.95, PixelFilter.BOX, 0, Tone.NONE);
+    }
+
+    /** Whether light comes any way it can, rather than by mirrors, glass and straight from the lights. */
+    public boolean isPath() {
+        return integrator == Integrator.PATH;
     }
 
     /** Whether each pixel gets as many rays as it needs, rather than a grid of them. */
@@ -74,11 +87,11 @@ public record RenderSettings(
 
     /** How many rays a pixel gets at most. */
     public int mostRays() {
-        int side = Math.max(samples, mostSamples);
-        return side * side;
+        int most = Math.max(samples, mostSamples);
+        return isPath() ? most : most * most;
     }
 
-    /** The square root of how many rays a pixel gets if it needs them; empty for a grid, whose pixels are not judged. */
+    /** The most samples, as they are written, that a pixel gets if it needs them; empty for a grid, whose pixels are not judged. */
     public OptionalInt allowedSamples() {
         return isAdaptive() ? OptionalInt.of(mostSamples) : OptionalInt.empty();
     }
@@ -94,41 +107,91 @@ public record RenderSettings(
     }
 
     public RenderSettings withSize(int newWidth, int newHeight) {
-        return new RenderSettings(newWidth, newHeight, maxDepth, samples, mostSamples, error, confidence, filter, exposure, tone);
+        return new RenderSettings(newWidth, newHeight, maxDepth, integrator, samples, mostSamples, error, confidence, filter, exposure, tone);
     }
 
     public RenderSettings withMaxDepth(int levels) {
-        return new RenderSettings(width, height, levels, samples, mostSamples, error, confidence, filter, exposure, tone);
+        return new RenderSettings(width, height, levels, integrator, samples, mostSamples, error, confidence, filter, exposure, tone);
     }
 
-    /** With a regular grid. */
+    /** With another integrator, and as many samples as that takes if nobody says how many; as it is if that is its own. */
+    public RenderSettings withIntegrator(Integrator kind) {
+        return kind == integrator ? this : new RenderSettings(width, height, maxDepth, kind, kind.usualSamples(), 0, error, confidence, filter, exposure, tone);
+    }
+
+    /** With a regular grid, or of paths with a number of them. */
     public RenderSettings withSamples(int perSide) {
         return withSamples(perSide, 0);
     }
 
-    /** With random rays, from least² to most² in a pixel; a most of 0 stands for a regular grid. */
+    /** With random rays, from least² to most² in a pixel, or as many paths; a most of 0 stands for a regular grid, or as many paths as the least. */
     public RenderSettings withSamples(int least, int most) {
-        return new RenderSettings(width, height, maxDepth, least, most, error, confidence, filter, exposure, tone);
+        return new RenderSettings(width, height, maxDepth, integrator, least, most, error, confidence, filter, exposure, tone);
     }
 
     public RenderSettings withError(double target) {
-        return new RenderSettings(width, height, maxDepth, samples, mostSamples, target, confidence, filter, exposure, tone);
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, target, confidence, filter, exposure, tone);
     }
 
     public RenderSettings withConfidence(double probability) {
-        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, probability, filter, exposure, tone);
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, probability, filter, exposure, tone);
     }
 
     public RenderSettings withFilter(PixelFilter kind) {
-        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, confidence, kind, exposure, tone);
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, confidence, kind, exposure, tone);
     }
 
     public RenderSettings withExposure(double stops) {
-        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, confidence, filter, stops, tone);
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, confidence, filter, stops, tone);
     }
 
     public RenderSettings withTone(Tone curve) {
-        return new RenderSettings(width, height, maxDepth, samples, mostSamples, error, confidence, filter, exposure, curve);
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, confidence, filter, exposure, curve);
+    }
+
+    /** Which ways light comes. */
+    public enum Integrator {
+        /** Straight from the lights, by mirrors and through glass. */
+        WHITTED("straight from the lights, by mirrors and through glass", 1, MOST_SAMPLES),
+        /** Any way, from surface to surface. */
+        PATH("any way, from surface to surface", USUAL_PATHS, MOST_PATHS);
+
+        private final String meaning;
+        private final int usualSamples;
+        private final int mostSamples;
+
+        Integrator(String meaning, int usualSamples, int mostSamples) {
+            this.meaning = meaning;
+            this.usualSamples = usualSamples;
+            this.mostSamples = mostSamples;
+        }
+
+        /** Which ways light comes, in a few words. */
+        public String meaning() {
+            return meaning;
+        }
+
+        /** The samples of settings that say none. */
+        public int usualSamples() {
+            return usualSamples;
+        }
+
+        /** The largest number of samples that can be written. */
+        public int mostSamples() {
+            return mostSamples;
+        }
+
+        /** The name as people type it. */
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
+        /** The integrator of that name, in any case. */
+        public static Optional<Integrator> of(String name) {
+            Objects.requireNonNull(name, "name");
+            return Stream.of(values()).filter(kind -> kind.name().equalsIgnoreCase(name)).findFirst();
+        }
     }
 
     /** From where around its centre a pixel gathers light, and with what weight: what its rays are strewn by. */

@@ -13,6 +13,7 @@ import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PlacedLight;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -117,9 +118,9 @@ public final class SceneWarnings {
     private void lenses() {
         OptionalInt open = IntStream.range(0, scene.cameras().size())
                 .filter(i -> scene.cameras().get(i).lens() instanceof Lens.Perspective lens && lens.aperture() > 0).findFirst();
-        int most = Math.max(scene.settings().samples(), scene.settings().mostSamples());
-        if (open.isPresent() && most < FEWEST_FOR_LENS) {
-            add("lens-samples", "", ScenePath.camera(open.getAsInt()), "aperture", "a camera's lens has an aperture, but a pixel has " + (most == 1 ? "one ray" : most * most + " rays") + "; blur will be grain: give <render> samples=\"4\" or more");
+        int most = scene.settings().mostRays();
+        if (open.isPresent() && most < FEWEST_FOR_LENS * FEWEST_FOR_LENS) {
+            add("lens-samples", "", ScenePath.camera(open.getAsInt()), "aperture", "a camera's lens has an aperture, but a pixel has " + (most == 1 ? "one ray" : most + " rays") + "; blur will be grain: give <render> samples=\"" + (scene.settings().isPath() ? RenderSettings.USUAL_PATHS : FEWEST_FOR_LENS + 1) + "\" or more");
         }
     }
 

@@ -29,6 +29,8 @@ class SamePictureEverywhereTest {
             found.append(digest(scene.withSettings(scene.settings().withSize(200, 150)))).append("  ").append(name).append('\n');
         }
         found.append(digest(Scenes.random(21, 60).withSettings(new RenderSettings(200, 150, 6, 2)))).append("  random\n");
+        Scene paths = SceneFiles.read(Path.of("../scenes/cornell.xml"));
+        found.append(digest(paths.withSettings(paths.settings().withSize(40, 40).withSamples(72)))).append("  cornell\n");
         assertThat(found.toString()).as("digests on Java %s, to be recorded in %s if the change is meant", Runtime.version(), RECORD)
                 .isEqualTo(Files.readString(RECORD));
     }

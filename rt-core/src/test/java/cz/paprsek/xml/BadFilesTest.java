@@ -204,7 +204,7 @@ class BadFilesTest {
                 in("<render samples='8..2'/>", "3:9: render samples must go from the lesser to the greater number, but go from 8 to 2"),
                 in("<render samples='8..2'/>\n<sphere radius='0'/>", "3:9: render samples must go from the lesser to the greater number, but go from 8 to 2",
                         "4:9: sphere radius must be a finite number above 0, but is \"0\""),
-                in("<render samples='2..0'/>", "3:9: render samples must be a whole number from 1 to 16, or two such as 2..8, but is \"2..0\""),
+                in("<render samples='2..0'/>", "3:9: render samples must be a whole number from 1 to 16, of paths to 1000000, or two such as 2..8, but is \"2..0\""),
                 in("<render hight='3'/>\n<sphere radius='0'/>", "3:9: <render> has no attribute \"hight\"; did you mean \"height\"?",
                         "4:9: sphere radius must be a finite number above 0, but is \"0\""),
                 in("<sphere radius='1' name='a&#27;[31mb'/>".replace("&#27;", "&#x85;"),

@@ -14,6 +14,7 @@ import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.PointLight;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Sky;
@@ -61,12 +62,21 @@ public final class RandomScenes {
         }
         objects.add(SceneObject.of(tree(3, names)));
         Scene bare = new Scene("Scene < & > \" '", random.nextBoolean() ? "" : "Two\nlines, <tags> & all", List.of("one", "two-2"),
-                new RenderSettings(1 + random.nextInt(3000), 1 + random.nextInt(3000), 1 + random.nextInt(20), 1 + random.nextInt(5), random.nextInt(2) * (5 + random.nextInt(12)),
+                gathering(new RenderSettings(1 + random.nextInt(3000), 1 + random.nextInt(3000), 1 + random.nextInt(20), Integrator.WHITTED, 1 + random.nextInt(5), random.nextInt(2) * (5 + random.nextInt(12)),
                         random.nextInt(3) > 0 ? 0.01 : random.nextDouble() + 1e-9, random.nextInt(3) > 0 ? 0.95 : 0.5 + random.nextDouble() / 3, List.of(PixelFilter.values()).get(random.nextInt(4)),
-                        random.nextInt(2) * random.nextDouble(), List.of(Tone.values()).get(random.nextInt(2))),
+                        random.nextInt(2) * random.nextDouble(), List.of(Tone.values()).get(random.nextInt(2)))),
                 Rgb.BLACK, Sky.NONE, color(), cameras(), lights(),
                 materials, objects);
         return under(bare);
+    }
+
+    private RenderSettings gathering(RenderSettings settings) {
+        return switch (random.nextInt(5)) {
+            case 0 -> settings.withIntegrator(Integrator.PATH);
+            case 1 -> settings.withIntegrator(Integrator.PATH).withSamples(1 + random.nextInt(RenderSettings.MOST_PATHS));
+            case 2 -> settings.withIntegrator(Integrator.PATH).withSamples(1 + random.nextInt(64), 64 + random.nextInt(1000));
+            default -> settings;
+        };
     }
 
     private Scene under(Scene scene) {

@@ -5,6 +5,7 @@ import cz.paprsek.cli.value.Size;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import java.util.Optional;
 
 /** What the user wants otherwise than the scenes say. */
@@ -14,7 +15,7 @@ public record Wishes(
     /** @throws WrongUsage if a number is out of range, or the region outside a picture of the size wished for */
     public Wishes {
         try {
-            RenderOptions.of(settings(RenderSettings.DEFAULT, size, maxDepth, rays, light)).withThreads(threads.orElse(1));
+            RenderOptions.of(checked(size, maxDepth, rays, light)).withThreads(threads.orElse(1));
             if (size.isPresent() && region.isPresent()) {
                 RenderOptions.of(RenderSettings.DEFAULT.withSize(size.get().width(), size.get().height())).withRegion(region.get());
             }
@@ -29,6 +30,19 @@ public record Wishes(
         options = rays.isFixed() ? options.withFixedSampler() : options;
         options = threads.isPresent() ? options.withThreads(threads.get()) : options;
         return region.isPresent() ? options.withRegion(region.get()) : options;
+    }
+
+    /** What is asked of a scene must suit one of some kind: which kind it is, is not known yet. */
+    private static RenderSettings checked(Optional<Size> size, Optional<Integer> maxDepth, RayWishes rays, LightWishes light) {
+        try {
+            return settings(RenderSettings.DEFAULT, size, maxDepth, rays, light);
+        } catch (IllegalArgumentException | WrongUsage refused) {
+            try {
+                return settings(RenderSettings.DEFAULT.withIntegrator(Integrator.PATH), size, maxDepth, rays, light);
+            } catch (IllegalArgumentException | WrongUsage likewise) {
+                throw refused;
+            }
+        }
     }
 
     private static RenderSettings settings(

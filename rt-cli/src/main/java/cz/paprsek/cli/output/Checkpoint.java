@@ -6,6 +6,7 @@ import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.film.Film;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
@@ -25,17 +26,28 @@ import java.util.zip.CRC32;
 
 /**
  * The finished tiles of a picture under way, in a file beside it. The file begins with a digest of scene and settings; each tile is appended
- * as a whole with a checksum, so that a process may be killed at any moment: a torn last tile is dropped when the file is read.
+ * as a whole with a checksum, so that a process may be killed at any moment: a torn last tile is dropped when the file is read. Of a picture in passes the last two
+ * states of each tile are there, the next one in place of the older.
  */
 public final class Checkpoint implements AutoCloseable {
-    private static final byte[] MAGIC = "paprsek tiles 3\n".getBytes(StandardCharsets.US_ASCII);
-    private static final int RECORD_HEAD = 5 * Integer.BYTES;
+    private static final byte[] MAGIC = "paprsek tiles 4\n".getBytes(StandardCharsets.US_ASCII);
+    /** Which of the numbers of a picture in passes says how many paths a pixel has. */
+    private static final int NUMBER_OF_PATHS = 3;
+    private static final int RECORD_HEAD = 6 * Integer.BYTES;
 
     private final Path file;
     private final FileChannel channel;
     /** How many numbers each pixel has. */
     private final int channels;
     private final Map<Tile, FloatBuffer> tiles = new HashMap<>();
+    private final Map<Tile, Places> places = new HashMap<>();
+
+    /**
+     * Where the states of a tile are in the file.
+     *
+     * @param older −1 if there is but one
+     */
+    private record Places(long newer, int pass, long older) {}
 
     private Checkpoint(Path file, FileChannel channel, int channels) {
         this.file = file;
@@ -63,11 +75,26 @@ public final class Checkpoint implements AutoCloseable {
             }
             Checkpoint checkpoint = new Checkpoint(file, channel, options.channels());
             checkpoint.read(digest(scene, assets, options), options.region());
+            if (options.isInPasses()) {
+                checkpoint.checkPaths(options.settings().mostRays());
+            }
             opened = true;
             return checkpoint;
         } finally {
             if (!opened) {
                 channel.close();
+            }
+        }
+    }
+
+    /** @throws WrongUsage if a pixel has more paths than are asked for: they could not be taken away */
+    private void checkPaths(int most) {
+        for (FloatBuffer tile : tiles.values()) {
+            for (int i = NUMBER_OF_PATHS; i < tile.limit(); i += channels) {
+                if (tile.get(i) > most) {
+                    throw new WrongUsage(file + ": has pixels of " + (int) tile.get(i) + " paths already, more than --samples " + most
+                            + "; ask for as many, or delete it to begin anew");
+                }
             }
         }
     }
@@ -94,7 +121,7 @@ public final class Checkpoint implements AutoCloseable {
     /** Adds a finished tile. */
     synchronized void save(Tile tile, Film film) throws IOException {
         ByteBuffer record = ByteBuffer.allocate(RECORD_HEAD + pixelBytes(tile));
-        record.putInt(tile.x()).putInt(tile.y()).putInt(tile.width()).putInt(tile.height()).putInt(0);
+        record.putInt(tile.x()).putInt(tile.y()).putInt(tile.width()).putInt(tile.height()).putInt(passes(tile) + 1).putInt(0);
         for (int i = 0; i < tile.width() * tile.height(); i++) {
             int x = tile.x() + i % tile.width();
             int y = tile.y() + i / tile.width();
@@ -103,9 +130,18 @@ public final class Checkpoint implements AutoCloseable {
             }
         }
         record.putInt(RECORD_HEAD - Integer.BYTES, checksum(record)).flip();
+        Places known = places.get(tile);
+        long at = known == null || known.older < 0 ? channel.size() : known.older;
+        places.put(tile, new Places(at, passes(tile) + 1, known == null ? -1 : known.newer));
         while (record.hasRemaining()) {
-            channel.write(record);
+            at += channel.write(record, at);
         }
+    }
+
+    /** How many states of a tile have been kept so far. */
+    private int passes(Tile tile) {
+        Places known = places.get(tile);
+        return known == null ? 0 : known.pass;
     }
 
     /** The picture is written: its tiles are needed no more. */
@@ -135,7 +171,6 @@ public final class Checkpoint implements AutoCloseable {
             whole = channel.position();
         }
         channel.truncate(whole);
-        channel.position(whole);
     }
 
     private boolean readTile(Tile region) throws IOException {
@@ -147,17 +182,28 @@ public final class Checkpoint implements AutoCloseable {
         int y = head.getInt();
         int width = head.getInt();
         int height = head.getInt();
+        int pass = head.getInt();
         if (x < region.x() || y < region.y() || width < 1 || height < 1
                 || width > region.width() - (x - region.x()) || height > region.height() - (y - region.y())) {
             return false;
         }
         Tile tile = new Tile(x, y, width, height);
+        long at = channel.position() - RECORD_HEAD;
         ByteBuffer pixels = read(pixelBytes(tile));
         ByteBuffer record = ByteBuffer.allocate(RECORD_HEAD + pixelBytes(tile)).put(head.rewind()).put(pixels.duplicate());
-        if (record.hasRemaining() || checksum(record) != head.getInt(RECORD_HEAD - Integer.BYTES)) {
+        if (record.hasRemaining()) {
             return false;
         }
-        tiles.put(tile, pixels.asFloatBuffer());
+        Places known = places.get(tile);
+        if (checksum(record) != head.getInt(RECORD_HEAD - Integer.BYTES)) {
+            // Torn while it took the place of an older one, or the last of all.
+            places.put(tile, known == null ? new Places(at, 0, -1) : new Places(known.newer, known.pass, at));
+        } else if (known == null || known.pass < pass) {
+            places.put(tile, new Places(at, pass, known == null ? -1 : known.newer));
+            tiles.put(tile, pixels.asFloatBuffer());
+        } else {
+            places.put(tile, new Places(known.newer, known.pass, at));
+        }
         return true;
     }
 
@@ -196,9 +242,16 @@ public final class Checkpoint implements AutoCloseable {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
             digest.update(assets.digest().getBytes(StandardCharsets.UTF_8));
             digest.update(SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8));
-            return digest.digest(options.withThreads(1).toString().getBytes(StandardCharsets.UTF_8));
+            return digest.digest(comparable(options).toString().getBytes(StandardCharsets.UTF_8));
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every Java has SHA-256", e);
         }
+    }
+
+    /** Without what changes no tile; how many paths there are, and how near they bring a pixel, says only when it ends. */
+    private static RenderOptions comparable(RenderOptions options) {
+        RenderOptions alone = options.withThreads(1);
+        RenderSettings settings = options.settings();
+        return options.isInPasses() ? alone.withSettings(settings.withSamples(1, settings.isAdaptive() ? 1 : 0).withError(1).withConfidence(RenderSettings.DEFAULT.confidence())) : alone;
     }
 }

@@ -15,7 +15,7 @@ public abstract class Progress implements RenderMonitor, AutoCloseable {
 
     Progress(RenderOptions options, Stop stop) {
         this.stop = stop;
-        this.pace = new Pace((long) options.region().width() * options.region().height());
+        this.pace = new Pace((long) options.region().width() * options.region().height() * options.passes());
     }
 
     /** Begins to show the progress of a render. */

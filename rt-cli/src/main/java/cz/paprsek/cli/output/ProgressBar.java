@@ -5,6 +5,7 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.io.PlainText;
 import cz.paprsek.render.RenderOptions;
+import cz.paprsek.scene.RenderSettings;
 import java.util.Locale;
 
 /** Progress for somebody who watches: a bar with percentage, speed and time left in one line, which is gone when the render is over. */
@@ -25,7 +26,7 @@ public final class ProgressBar extends Progress {
         super(options, stop);
         this.terminal = terminal;
         name = PlainText.of(scene, Integer.MAX_VALUE);
-        raysPerPixel = options.settings().samples() * options.settings().samples();
+        raysPerPixel = options.isInPasses() ? Math.min(RenderSettings.USUAL_PATHS, options.settings().samples()) : options.settings().samples() * options.settings().samples();
         refresh();
     }
 

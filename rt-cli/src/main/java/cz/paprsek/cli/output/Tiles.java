@@ -33,7 +33,9 @@ interface Tiles extends AutoCloseable {
         Path picture = target.file().orElseThrow();
         Checkpoint checkpoint = Checkpoint.open(picture, scene, assets, options);
         long pixels = (long) options.region().width() * options.region().height();
-        if (checkpoint.pixels() > 0) {
+        if (checkpoint.pixels() > 0 && options.isInPasses()) {
+            terminal.message(target.source().label() + ": going on with the paths of an earlier render");
+        } else if (checkpoint.pixels() > 0) {
             terminal.message(target.source().label() + ": going on, " + 100 * checkpoint.pixels() / pixels + " % is done already");
         }
         KeptTiles kept = new KeptTiles(checkpoint, terminal, Checkpoint.fileFor(picture).toString(), new AtomicBoolean());
@@ -45,7 +47,10 @@ interface Tiles extends AutoCloseable {
 
             @Override
             public void discard() throws IOException {
-                checkpoint.discard();
+                // Paths can always go on.
+                if (!options.isInPasses()) {
+                    checkpoint.discard();
+                }
             }
 
             @Override

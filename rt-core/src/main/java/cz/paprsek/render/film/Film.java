@@ -20,6 +20,9 @@ public final class Film {
     private final int left;
     private final int top;
     private final float[][] planes;
+    private final int kept;
+    private final float[] sums;
+    private volatile boolean wantsMore;
 
     /**
      * @param image what becomes of it
@@ -32,10 +35,53 @@ public final class Film {
 
     /** @param planes how many planes there are beside the image */
     public Film(Image image, int left, int top, int planes) {
+        this(image, left, top, planes, 0);
+    }
+
+    /**
+     * A film of a picture that is made in passes.
+     *
+     * @param planes how many planes there are beside the image
+     * @param kept how many numbers of each pixel are kept from one pass to the next
+     */
+    public Film(Image image, int left, int top, int planes, int kept) {
         this.image = Objects.requireNonNull(image, "image");
         this.left = left;
         this.top = top;
         this.planes = new float[planes][image.width() * image.height()];
+        this.kept = kept;
+        this.sums = new float[Math.multiplyExact(kept, image.width() * image.height())];
+    }
+
+    /** Whether something is kept of each pixel from one pass to the next. */
+    public boolean isInPasses() {
+        return kept > 0;
+    }
+
+    /** Puts there what is kept of a pixel: zeros at first. */
+    public void kept(int x, int y, float[] into) {
+        System.arraycopy(sums, kept * at(x, y), into, 0, kept);
+    }
+
+    /** Keeps that of a pixel. */
+    public void keep(int x, int y, float[] numbers) {
+        System.arraycopy(numbers, 0, sums, kept * at(x, y), kept);
+    }
+
+    /** A pixel is to get more in another pass. */
+    public void wantMore() {
+        wantsMore = true;
+    }
+
+    /** Whether a pixel is to get more in another pass, since this was asked last. */
+    public boolean wantedMore() {
+        boolean wanted = wantsMore;
+        wantsMore = false;
+        return wanted;
+    }
+
+    private int at(int x, int y) {
+        return (y - top) * image.width() + x - left;
     }
 
     /** Sets the light of a pixel of the picture, linear. */
@@ -50,7 +96,7 @@ public final class Film {
 
     /** Sets a pixel's value on a plane, counted from 0. */
     public void setPlane(int plane, int x, int y, double value) {
-        planes[plane][(y - top) * image.width() + x - left] = (float) value;
+        planes[plane][at(x, y)] = (float) value;
     }
 
     /** The light of a pixel of the picture, linear; 0 as long as it has not been set. */
@@ -73,9 +119,9 @@ public final class Film {
         return planes[plane];
     }
 
-    /** How many numbers a pixel has: red, green and blue, with opacity that, and one of each plane. */
+    /** How many numbers a pixel has: red, green and blue, with opacity that, one of each plane, and those that are kept. */
     public int channels() {
-        return lights() + planes.length;
+        return lights() + planes.length + kept;
     }
 
     private int lights() {
@@ -88,7 +134,8 @@ public final class Film {
             case 0 -> red(x, y);
             case 1 -> green(x, y);
             case 2 -> blue(x, y);
-            default -> channel < lights() ? image.alpha(x - left, y - top) : planes[channel - lights()][(y - top) * image.width() + x - left];
+            default -> channel < lights() ? image.alpha(x - left, y - top)
+                    : channel < lights() + planes.length ? planes[channel - lights()][at(x, y)] : sums[kept * at(x, y) + channel - lights() - planes.length];
         };
     }
 
@@ -99,9 +146,10 @@ public final class Film {
         } else {
             set(x, y, values[0], values[1], values[2]);
         }
-        for (int i = lights(); i < values.length; i++) {
-            planes[i - lights()][(y - top) * image.width() + x - left] = values[i];
+        for (int i = 0; i < planes.length; i++) {
+            planes[i][at(x, y)] = values[lights() + i];
         }
+        System.arraycopy(values, lights() + planes.length, sums, kept * at(x, y), kept);
     }
 
     /**

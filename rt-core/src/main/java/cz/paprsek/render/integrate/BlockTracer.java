@@ -56,7 +56,7 @@ abstract class BlockTracer extends Shading {
 
     private void develop(Level[] rays, int pixel, Eye eye, int x, int y, Film film) {
         sums.clear();
-        add(rays, pixel * sampling.rays(), sampling.rays());
+        add(rays, pixel * sampling.rays(), sampling.rays(), sums);
         complete(eye, x, y);
         sums.mean();
         film.set(x, y, sums.red, sums.green, sums.blue);
@@ -65,7 +65,7 @@ abstract class BlockTracer extends Shading {
     /** Traces all rays of a pixel, and says what they come to. */
     public final PixelSums pixel(Eye eye, int x, int y) {
         sums.clear();
-        add(trace(eye, x, y, 1, 1), 0, sampling.rays());
+        add(trace(eye, x, y, 1, 1), 0, sampling.rays(), sums);
         complete(eye, x, y);
         sums.mean();
         return sums;
@@ -77,7 +77,7 @@ abstract class BlockTracer extends Shading {
         for (int more = sampling.rays(); more > 0 && !cancelled; more = sampling.further(sums)) {
             for (int i = 0; i < more; i++) {
                 traceAlone(eye, x, y, sums.count());
-                add(levels, 0, 1);
+                add(levels, 0, 1, sums);
                 tracedAlone();
             }
         }
@@ -89,15 +89,20 @@ abstract class BlockTracer extends Shading {
 
     private void complete(Eye eye, int x, int y) {
         for (int more = sampling.further(sums); more > 0 && !cancelled; more = sampling.further(sums)) {
-            further = levels(further, more);
-            trace(eye, x, y, 1, 1, sums.count(), more, further);
-            add(further, 0, more);
+            add(more, eye, x, y, sums);
         }
     }
 
-    private void add(Level[] rays, int from, int count) {
+    /** Traces so many more rays of a pixel. */
+    final void add(int more, Eye eye, int x, int y, PixelSums to) {
+        further = levels(further, more);
+        trace(eye, x, y, 1, 1, to.count(), more, further);
+        add(further, 0, more, to);
+    }
+
+    private static void add(Level[] rays, int from, int count, PixelSums to) {
         for (int i = from; i < from + count; i++) {
-            sums.add(rays[i].red, rays[i].green, rays[i].blue, rays[i].isNegative);
+            to.add(rays[i].red, rays[i].green, rays[i].blue, rays[i].isNegative);
         }
     }
 

@@ -36,12 +36,16 @@ final class Choice {
     }
 
     /**
-     * How probable it is that the path goes on in a direction, per solid angle; where nothing but a direction that is sure leads there, 0. Of a rough
-     * surface the {@link Lobe} must have looked there.
+     * How probable it is that the path goes on in a direction, per solid angle; where nothing but a direction that is sure leads there, 0, and where the surface
+     * itself, which may be turned otherwise than its normal says, is in the way. Of a rough surface the {@link Lobe} must have looked there.
      */
     double density(Level level, Finish finish, Arrival to) {
         Hit hit = level.hit;
         double facing = hit.sx * to.x + hit.sy * to.y + hit.sz * to.z;
+        double side = hit.nx * to.x + hit.ny * to.y + hit.nz * to.z;
+        if (facing > 0 != side > 0) {
+            return 0;
+        }
         double density = finish.alpha > 0 ? rest * lobe.density : 0;
         if (facing > 0) {
             density += diffuse * facing / Math.PI;

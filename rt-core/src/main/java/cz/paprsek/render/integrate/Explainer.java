@@ -23,21 +23,23 @@ public final class Explainer {
     public static Pixel pixel(World scene, RenderSettings settings, boolean fixed, int column, int row, BooleanSupplier stop) {
         Require.that(column >= 0 && column < settings.width() && row >= 0 && row < settings.height(),
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
+        Require.that(!settings.isPath(), "what is explained are rays of the integrator whitted; a pixel of paths has too many to tell, so explain it with whitted (--integrator whitted)");
         Eye eye = eye(scene, settings);
         Sampling sampling = Sampling.of(settings, fixed);
         Recorder recorder = new Recorder(scene, settings.maxDepth(), sampling, stop);
         recorder.lookThrough(eye);
         PixelSums sums = recorder.pixel(eye, column, row);
-        List<Double> weights = IntStream.range(0, sums.count()).mapToObj(i -> sums.isNegative(i) ? sums.negativeWeight : sums.weight).toList();
-        return new Pixel(column, row, recorder.trees(), places(sampling, column, row, sums.count()), weights, settings.exposure(), settings.tone());
+        List<Place> places = places(sampling, column, row, sums.count());
+        return new Pixel(column, row, recorder.trees(), places.stream().map(place -> new Pixel.Place(place.x, place.y)).toList(),
+                places.stream().map(place -> place.isNegative ? sums.negativeWeight : sums.weight).toList(), settings.exposure(), settings.tone());
     }
 
-    private static List<Pixel.Place> places(Sampling sampling, int column, int row, int count) {
+    private static List<Place> places(Sampling sampling, int column, int row, int count) {
         Sampler sampler = sampling.newSampler();
-        Place place = new Place();
         return IntStream.range(0, count).mapToObj(i -> {
+            Place place = new Place();
             sampling.place(sampler, column, row, i, place);
-            return new Pixel.Place(place.x, place.y);
+            return place;
         }).toList();
     }
 

@@ -2,7 +2,10 @@ package cz.paprsek.render.integrate;
 
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
-import cz.paprsek.render.sample.Sampling;
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.film.Film;
+import cz.paprsek.render.sample.PassSums;
+import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
@@ -21,14 +24,54 @@ public final class Paths extends BlockTracer {
 
     /** The number of the last ray, of which only what it sees shine counts. */
     private final int last;
+    private final Passes sampling;
+    private final PassSums sums;
+    private final float[] kept;
     private final Scatter turn;
     private final Arrival way = new Arrival();
 
     /** @param maxDepth how often light is scattered at most */
-    public Paths(World scene, int maxDepth, Sampling sampling) {
+    public Paths(World scene, int maxDepth, Passes sampling) {
         super(scene, maxDepth + 1, sampling, true, new Spans());
         last = maxDepth;
+        this.sampling = sampling;
+        sums = sampling.newSums();
+        kept = new float[sampling.kept()];
         turn = new Scatter(scene, sampler, this);
+    }
+
+    /** All passes; of a film in passes, the next one. */
+    @Override
+    public void block(Eye eye, int x, int y, int width, int height, Film film) {
+        if (!film.isInPasses()) {
+            super.block(eye, x, y, width, height, film);
+            return;
+        }
+        for (int i = 0; i < width * height && !cancelled; i++) {
+            pass(eye, x + i % width, y + i / width, film);
+        }
+    }
+
+    private void pass(Eye eye, int x, int y, Film film) {
+        film.kept(x, y, kept);
+        sums.load(kept);
+        int more = sampling.further(sums);
+        if (more == 0) {
+            return;
+        }
+        add(more, eye, x, y, sums);
+        if (cancelled) {
+            return;
+        }
+        if (sums.areWhole()) {
+            sums.save(kept);
+            film.keep(x, y, kept);
+        }
+        sums.mean();
+        film.set(x, y, sums.red, sums.green, sums.blue);
+        if (sampling.further(sums) > 0) {
+            film.wantMore();
+        }
     }
 
     @Override

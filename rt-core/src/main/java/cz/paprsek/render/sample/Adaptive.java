@@ -8,7 +8,7 @@ final class Adaptive extends Sampling {
     private final int most;
 
     Adaptive(RenderSettings settings, boolean fixed) {
-        super(settings, settings.mostRays(), settings.mostRays(), fixed);
+        super(settings, settings.mostRays(), fixed);
         least = settings.samples() * settings.samples();
         most = settings.mostRays();
     }

@@ -7,7 +7,7 @@ final class Grid extends Sampling {
     private final Place[] places;
 
     Grid(RenderSettings settings, boolean fixed) {
-        super(settings, settings.mostRays(), settings.mostRays(), fixed);
+        super(settings, settings.mostRays(), fixed);
         int perSide = settings.samples();
         places = new Place[perSide * perSide];
         for (int i = 0; i < places.length; i++) {

@@ -2,16 +2,50 @@ package cz.paprsek.render.sample;
 
 import cz.paprsek.scene.RenderSettings;
 
-/** Random rays, the same number for every pixel, pass by pass: what a pass brings is summed by itself. */
-final class Passes extends Sampling {
-    /** How many rays of a pixel a pass has. */
-    private static final int PASS = 64;
+/**
+ * Paths: the same number for every pixel, pass by pass; or some for every pixel, and more until they tell its value well enough. That is judged only when their number has
+ * doubled, as often as it can double at most, whatever number is asked for: so who asks for more later gets what he would have got at once.
+ */
+public final class Passes extends Sampling {
+    private static final int PASS = PassSums.PASS;
+    /** How often a number of paths can double from that of a pass on before there are {@value RenderSettings#MOST_PATHS}, and so how often a pixel is judged at most. */
+    private static final int LOOKS = 14;
 
-    private final int paths;
+    private final RenderSettings settings;
+    private final int least;
+    private final int most;
 
-    Passes(RenderSettings settings, int paths, boolean fixed) {
-        super(settings, paths, PASS, fixed);
-        this.paths = paths;
+    /** @param fixed whether what is random is the same in every pixel */
+    public Passes(RenderSettings settings, boolean fixed) {
+        super(settings, settings.mostRays(), fixed);
+        this.settings = settings;
+        least = settings.samples();
+        most = settings.mostRays();
+    }
+
+    @Override
+    public Sampler newSampler() {
+        return Sampler.ofPaths(isFixed());
+    }
+
+    @Override
+    public PassSums newSums() {
+        return new PassSums(mass(), isSigned(), settings.isAdaptive(), new Target(settings, Sampler.SCRAMBLES, LOOKS));
+    }
+
+    /** How many numbers keep the sums of a pixel. */
+    public int kept() {
+        return kept(settings);
+    }
+
+    /** How many numbers keep the sums of a pixel of these settings. */
+    public static int kept(RenderSettings settings) {
+        return PassSums.size(Strewing.of(settings.filter()).mass() > 1, settings.isAdaptive());
+    }
+
+    /** How many passes there are at most. */
+    public static int passes(RenderSettings settings) {
+        return (settings.mostRays() + PASS - 1) / PASS;
     }
 
     @Override
@@ -21,12 +55,21 @@ final class Passes extends Sampling {
 
     @Override
     public int rays() {
-        return Math.min(PASS, paths);
+        return Math.min(PASS, most);
     }
 
     @Override
     public int further(PixelSums own) {
-        return Math.min(PASS, paths - own.count());
+        int count = own.count();
+        if (count >= most || (count >= least && settings.isAdaptive() && isLook(count) && own.areNear())) {
+            return 0;
+        }
+        return Math.min(PASS, most - count);
+    }
+
+    /** Whether a number is that of the first pass, or that doubled and doubled again. */
+    private static boolean isLook(int count) {
+        return count % PASS == 0 && Integer.bitCount(count / PASS) == 1;
     }
 
     @Override

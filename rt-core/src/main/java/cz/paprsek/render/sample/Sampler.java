@@ -1,5 +1,7 @@
 package cz.paprsek.render.sample;
 
+import cz.paprsek.scene.RenderSettings;
+
 /**
  * What is random in a picture: points of the unit square that are a function of pixel, sample and dimension alone. Scratch of one worker;
  * nothing is allocated once it is made.
@@ -33,14 +35,21 @@ public final class Sampler {
     private static final int SECOND = 0x5851_F42D;
     private static final int PER_RAY = 0x2C92_77B5;
     private static final int BEYOND = 0x5F35_6495;
+    private static final int SCRAMBLE = 0x45D9_F3B3;
+    /** Of paths: how many sequences that have nothing to do with each other, and how many points of one are taken before those of the next. */
+    static final int SCRAMBLES = 8;
+    private static final int RUN = 8;
     private static final long UNSIGNED = 0xFFFF_FFFFL;
     private static final double ULP = 0x1p-32;
 
     private final boolean fixed;
-    /** Digits of the sample's number in a pixel. */
+    private final boolean isOfPaths;
+    /** Digits of the sample's number in a pixel, or in its sequence. */
     private final int bits;
     private int pixel;
     private int sample;
+    /** Tells sequences apart. */
+    private int scramble;
     /** Of the dimension asked for: what scrambles digits. */
     private int key;
     /** Where the pixel comes in the sequence, counted in pixels; how the points within it are ordered; how many digits number them. */
@@ -53,14 +62,15 @@ public final class Sampler {
     public double u;
     public double v;
 
-    private Sampler(int samples, boolean fixed) {
+    private Sampler(int samples, boolean fixed, boolean isOfPaths) {
         this.bits = digits(samples);
         this.fixed = fixed;
+        this.isOfPaths = isOfPaths;
     }
 
     /** A sampler that has other points for each pixel, of which so many samples are taken at most. */
     public static Sampler scrambled(int samples) {
-        return new Sampler(samples, false);
+        return new Sampler(samples, false, false);
     }
 
     /**
@@ -68,7 +78,22 @@ public final class Sampler {
      * place give the same picture.
      */
     public static Sampler fixed(int samples) {
-        return new Sampler(samples, true);
+        return new Sampler(samples, true, false);
+    }
+
+    /**
+     * A sampler of paths: the samples of a pixel are {@value #RUN} of one sequence, then as many of the next, of {@value #SCRAMBLES} that are scrambled independently, and round
+     * again. How far the means of these are apart tells how far that of all may be from the truth. Points do not depend on how many there will be.
+     *
+     * @param fixed whether all pixels have the same points
+     */
+    static Sampler ofPaths(boolean fixed) {
+        return new Sampler(RenderSettings.MOST_PATHS / SCRAMBLES, fixed, true);
+    }
+
+    /** Of which sequence a sample of paths is. */
+    static int scramble(int number) {
+        return number / RUN % SCRAMBLES;
     }
 
     /** The path of what is mirrored at the end of a path. */
@@ -84,7 +109,12 @@ public final class Sampler {
     /** Begins a sample, counted from 0, of a pixel, counted in the whole picture. */
     public void start(int x, int y, int number) {
         pixel = fixed ? 0 : spread(x) | spread(y) << 1;
-        sample = number;
+        if (isOfPaths) {
+            scramble = SCRAMBLE * scramble(number);
+            sample = number / (RUN * SCRAMBLES) * RUN + number % RUN;
+        } else {
+            sample = number;
+        }
     }
 
     /** The next point is where in the pixel the ray goes through. */
@@ -110,7 +140,7 @@ public final class Sampler {
      * @param count how many points there are
      */
     public void lights(int path, int lamp, int count) {
-        if (fixed) {
+        if (fixed && !isOfPaths) {
             dimension(LIGHT + mixed(lamp), 0, 0, count);
         } else {
             dimension(LIGHT + mixed(lamp + mixed(path)), sample, bits, count);
@@ -137,7 +167,8 @@ public final class Sampler {
         dimension(LOBE + mixed(path), sample, bits, 1);
     }
 
-    private void dimension(int dimension, int first, int digits, int count) {
+    private void dimension(int what, int first, int digits, int count) {
+        int dimension = what + scramble;
         int perSample = digits(count);
         size = digits + perSample;
         place = scrambled(pixel, mixed(dimension ^ ORDER));

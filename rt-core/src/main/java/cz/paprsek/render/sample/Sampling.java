@@ -5,7 +5,6 @@ import cz.paprsek.scene.RenderSettings;
 /** Where in a pixel its rays go through, and how many there are: one class for each pattern. Immutable; each worker has scratch of its own. */
 public abstract class Sampling {
     private final int most;
-    private final int together;
     private final boolean fixed;
     private final RenderSettings settings;
     private final Strewing strewing;
@@ -14,11 +13,9 @@ public abstract class Sampling {
      * What all kinds have in common.
      *
      * @param most how many rays a pixel gets at most
-     * @param together how many of them are summed before their sum is added to the others'
      */
-    Sampling(RenderSettings settings, int most, int together, boolean fixed) {
+    Sampling(RenderSettings settings, int most, boolean fixed) {
         this.most = most;
-        this.together = together;
         this.fixed = fixed;
         this.settings = settings;
         this.strewing = Strewing.of(settings.filter());
@@ -30,7 +27,7 @@ public abstract class Sampling {
      * @param fixed whether what is random is the same in every pixel
      */
     public static Sampling of(RenderSettings settings, boolean fixed) {
-        return settings.isAdaptive() ? new Adaptive(settings, fixed) : new Grid(settings, fixed);
+        return settings.isPath() ? new Passes(settings, fixed) : settings.isAdaptive() ? new Adaptive(settings, fixed) : new Grid(settings, fixed);
     }
 
     /** A regular grid of so many rays along each side of a pixel. */
@@ -38,24 +35,28 @@ public abstract class Sampling {
         return of(RenderSettings.DEFAULT.withSamples(perSide), false);
     }
 
-    /**
-     * A number of paths for each pixel.
-     *
-     * @param paths how many, from 1 on
-     * @param fixed whether what is random is the same in every pixel
-     */
-    public static Sampling paths(RenderSettings settings, int paths, boolean fixed) {
-        return new Passes(settings, paths, fixed);
-    }
-
     /** The worker's scratch that says what is random in the pixels. */
-    public final Sampler newSampler() {
+    public Sampler newSampler() {
         return fixed ? Sampler.fixed(most) : Sampler.scrambled(most);
     }
 
     /** The worker's scratch that holds the samples of a pixel. */
-    public final PixelSums newSums() {
-        return new PixelSums(most, together, strewing.mass() * strewing.mass(), new Target(settings, Adaptive.looks(settings)));
+    public PixelSums newSums() {
+        return new HeldSums(most, mass(), new Target(settings, HeldSums.GROUPS, Adaptive.looks(settings)));
+    }
+
+    final boolean isFixed() {
+        return fixed;
+    }
+
+    /** What the filter weighs in all, if what is below nothing is counted as if it were above. */
+    final double mass() {
+        return strewing.mass() * strewing.mass();
+    }
+
+    /** Whether the filter is below nothing somewhere. */
+    final boolean isSigned() {
+        return mass() > 1;
     }
 
     /** How many rays a pixel gets at most. */

@@ -7,56 +7,77 @@ import cz.paprsek.scene.RenderSettings;
  * Tells when a pixel has enough samples: once its value as it is shown, from 0 to 1, is known as well as is wished. Judged by the samples of the
  * pixel alone; scratch of one worker.
  *
- * <p>The samples are taken as four groups, each of neighbours in a sequence that spreads its points evenly. From the standard deviation s of the
- * groups' means follows that of the mean of all, s/2; it is too large rather than too small, because the groups fill each other's gaps.
- * Samples that are all alike are taken for all there is to see.
- * The interval is that of Student's t with three degrees of freedom, at a confidence that is shared by all times it is looked at.
+ * <p>The samples are taken as groups, each of neighbours in a sequence that spreads its points evenly, or each of a sequence of its own. From the standard
+ * deviation s of the means of n groups follows that of the mean of all, s/√n; of neighbours it is too large rather than too small, because the groups fill each
+ * other's gaps. Samples that are all alike are taken for all there is to see.
+ * The interval is that of Student's t with n − 1 degrees of freedom, at a confidence that is shared by all times it is looked at.
  */
 final class Target {
     /** Fewer samples have no spread. */
     static final int FEWEST = 4;
-    private static final int GROUPS = 4;
 
     private final double error;
     private final double t;
     private final double gain;
     private final Tone tone;
-    private final double[] reds = new double[GROUPS];
-    private final double[] greens = new double[GROUPS];
-    private final double[] blues = new double[GROUPS];
+    private final int groups;
+    private final double[] reds;
+    private final double[] greens;
+    private final double[] blues;
 
-    /** @param looks how often a pixel is judged at most */
-    Target(RenderSettings settings, int looks) {
+    /**
+     * How well a pixel is to be known.
+     *
+     * @param groups how many groups of samples there are: an even number
+     * @param looks how often a pixel is judged at most
+     */
+    Target(RenderSettings settings, int groups, int looks) {
         this.error = settings.error();
-        this.t = quantile((1 - settings.confidence()) / Math.max(1, looks));
+        this.t = quantile((1 - settings.confidence()) / Math.max(1, looks), groups - 1);
         this.gain = StrictMath.pow(2, settings.exposure());
         this.tone = settings.tone();
+        this.groups = groups;
+        reds = new double[groups];
+        greens = new double[groups];
+        blues = new double[groups];
     }
 
-    boolean isMet(PixelSums sums) {
-        for (int i = 0; i < GROUPS; i++) {
-            sums.mean(i * sums.count() / GROUPS, (i + 1) * sums.count() / GROUPS);
-            reds[i] = sums.red;
-            greens[i] = sums.green;
-            blues[i] = sums.blue;
+    /** Says what the mean of a group is: the sums' red, green and blue. */
+    void group(int number, PixelSums mean) {
+        reds[number] = mean.red;
+        greens[number] = mean.green;
+        blues[number] = mean.blue;
+    }
+
+    /**
+     * Whether the pixel of the groups told is known well enough.
+     *
+     * @param red what the interval of each channel reaches to each side at least
+     */
+    boolean isMet(double red, double green, double blue) {
+        return halfWidth(red, green, blue) <= error;
+    }
+
+    /** How far the value that is shown may be from the true one, in the channel where that is farthest. */
+    double halfWidth(double red, double green, double blue) {
+        return Math.max(halfWidth(reds, red), Math.max(halfWidth(greens, green), halfWidth(blues, blue)));
+    }
+
+    private double halfWidth(double[] means, double step) {
+        double mean = 0;
+        for (double one : means) {
+            mean += one;
         }
-        // Four groups may happen to agree: one sample on the wrong side of an edge is always thought possible.
-        double share = 1.0 / sums.count();
-        return isNear(reds, share * sums.range(0)) && isNear(greens, share * sums.range(1)) && isNear(blues, share * sums.range(2));
-    }
-
-    /** @param step what the interval reaches to each side at least */
-    private boolean isNear(double[] means, double step) {
-        double mean = (means[0] + means[1] + means[2] + means[3]) / GROUPS;
+        mean /= groups;
         double squares = 0;
         for (double one : means) {
             squares += (one - mean) * (one - mean);
         }
-        double half = Math.max(step, t * Math.sqrt(squares / (GROUPS - 1) / GROUPS));
+        double half = Math.max(step, t * Math.sqrt(squares / (groups - 1) / groups));
         if (half == 0) {
-            return true;
+            return 0;
         }
-        return shown(tone.of(gain * (mean + half))) - shown(tone.of(gain * (mean - half))) <= 2 * error;
+        return (shown(tone.of(gain * (mean + half))) - shown(tone.of(gain * (mean - half)))) / 2;
     }
 
     /** Of linear light, the sRGB value, from black as 0 to white as 1. */
@@ -64,14 +85,25 @@ final class Target {
         return light <= 0 ? 0 : light >= 1 ? 1 : light <= 0.0031308 ? 12.92 * light : 1.055 * StrictMath.pow(light, 1 / 2.4) - 0.055;
     }
 
-    /** What a t of three degrees of freedom exceeds, to either side, with the given probability. */
-    private static double quantile(double probability) {
+    /**
+     * What a t exceeds, to either side, with the given probability.
+     *
+     * @param freedom degrees of it: an odd number from 3 on
+     * @source Abramowitz and Stegun, Handbook of Mathematical Functions, 26.7.3
+     */
+    static double quantile(double probability, int freedom) {
         double low = 0;
         double high = 1e9;
         for (int i = 0; i < 200; i++) {
             double middle = (low + high) / 2;
-            double x = middle / Math.sqrt(3);
-            double inside = 2 / Math.PI * (x / (1 + x * x) + StrictMath.atan(x));
+            double x = middle / Math.sqrt(freedom);
+            double term = x / (1 + x * x);
+            double sum = term;
+            for (int k = 3; k < freedom - 1; k += 2) {
+                term *= (k - 1) / (k * (1 + x * x));
+                sum += term;
+            }
+            double inside = 2 / Math.PI * (sum + StrictMath.atan(x));
             if (1 - inside > probability) {
                 low = middle;
             } else {

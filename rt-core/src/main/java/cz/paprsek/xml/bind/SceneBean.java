@@ -7,6 +7,7 @@ import cz.paprsek.math.Require;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Sky;
@@ -122,7 +123,8 @@ final class SceneBean extends Located {
         @XmlAttribute int width = RenderSettings.DEFAULT.width();
         @XmlAttribute int height = RenderSettings.DEFAULT.height();
         @XmlAttribute(name = "max-depth") int maxDepth = RenderSettings.DEFAULT.maxDepth();
-        @XmlAttribute @XmlJavaTypeAdapter(Adapters.FromTo.class) int[] samples = {RenderSettings.DEFAULT.samples(), RenderSettings.DEFAULT.mostSamples()};
+        @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String integrator = RenderSettings.DEFAULT.integrator().toString();
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.FromTo.class) int @Nullable [] samples;
         @XmlAttribute double error = RenderSettings.DEFAULT.error();
         @XmlAttribute double confidence = RenderSettings.DEFAULT.confidence();
         @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String filter = RenderSettings.DEFAULT.filter().toString();
@@ -130,7 +132,10 @@ final class SceneBean extends Located {
         @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String tone = RenderSettings.DEFAULT.tone().toString();
 
         RenderSettings toSettings() {
-            return new RenderSettings(width, height, maxDepth, samples[0], samples[1], error, confidence, PixelFilter.valueOf(filter.toUpperCase(Locale.ROOT)),
+            Integrator kind = Integrator.valueOf(integrator.toUpperCase(Locale.ROOT));
+            int least = samples == null ? kind.usualSamples() : samples[0];
+            int most = samples == null ? 0 : samples[1];
+            return new RenderSettings(width, height, maxDepth, kind, least, most, error, confidence, PixelFilter.valueOf(filter.toUpperCase(Locale.ROOT)),
                     exposure, Tone.valueOf(tone.toUpperCase(Locale.ROOT)));
         }
     }

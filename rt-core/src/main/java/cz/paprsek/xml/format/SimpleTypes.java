@@ -92,7 +92,8 @@ final class SimpleTypes {
 
     private void fromTo(Kind kind) {
         String most = text(kind.range().most());
-        String number = "0*([1-9]|1[0-" + most.charAt(1) + "])";
+        // A power of ten.
+        String number = "0*([1-9][0-9]{0," + (most.length() - 2) + "}|" + most + ")";
         type("perSide", "a whole number from 1 to " + most, () -> bounded("xs:int", kind.range()));
         type("fromTo", "two whole numbers from 1 to " + most + " such as 2..8", () -> patterns(Stream.of(number + "\\.\\." + number)));
         type(kind, () -> text.leaf("union", "memberTypes", "s:perSide s:fromTo"));

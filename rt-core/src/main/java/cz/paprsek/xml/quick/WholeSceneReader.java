@@ -28,6 +28,8 @@ final class WholeSceneReader {
     private static final byte[] CAMERA = Slot.ascii("camera");
 
     private static final RecordForm<RenderSettings> SETTINGS = new RecordForm<>(RenderSettings.class);
+    /** How many there are if nobody says it depends on another attribute. */
+    private static final int SAMPLES = Described.of(RenderSettings.class).stream().map(Described::name).toList().indexOf("samples");
     private static final TagForm SCENE_TAG = new TagForm(List.of(), Described.of(Scene.class).stream().map(Slot::of).toList());
     private static final TagForm SETTINGS_TAG = new TagForm(List.of(), SETTINGS.slots());
     private static final TagForm COLOR_TAG = new TagForm(List.of(), List.of(Slot.required("color", ValueForm.COLOR)));
@@ -99,7 +101,7 @@ final class WholeSceneReader {
             parts.cameras.add(CameraForm.camera(leaf(CameraForm.TAG, CAMERA, depth)));
         } else if (markup.isNamed(RENDER)) {
             Unusual.unless(parts.settings == null);
-            parts.settings = SETTINGS.make(leaf(SETTINGS_TAG, RENDER, depth), 0);
+            parts.settings = settings(leaf(SETTINGS_TAG, RENDER, depth));
         } else if (markup.isNamed(BACKGROUND)) {
             Unusual.unless(parts.background == null);
             parts.background = (Rgb) leaf(COLOR_TAG, BACKGROUND, depth)[0];
@@ -115,6 +117,11 @@ final class WholeSceneReader {
         } else {
             bodyOrLight(parts, depth);
         }
+    }
+
+    private static RenderSettings settings(Object[] values) {
+        RenderSettings settings = SETTINGS.make(values, 0);
+        return SETTINGS.isUntouched(values, 0, SAMPLES) ? settings.withSamples(settings.integrator().usualSamples()) : settings;
     }
 
     private void bodyOrLight(Parts parts, int depth) throws IOException {

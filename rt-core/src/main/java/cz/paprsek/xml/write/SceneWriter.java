@@ -2,6 +2,7 @@ package cz.paprsek.xml.write;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.ElementTable;
+import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.CustomPattern;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Material.Bump;
@@ -128,12 +129,17 @@ public final class SceneWriter {
         for (Described one : Described.inline(record.getClass())) {
             if (one.isOf(record) && which.test(one)) {
                 String text = text(one, one.value(record));
-                if (one.isOptional() || !text.equals(one.says().otherwise())) {
+                if (one.isOptional() || !text.equals(standard(one, record))) {
                     xml.attribute(one.name(), text);
                 }
             }
         }
         return xml;
+    }
+
+    /** What is read if nothing is written. */
+    private static String standard(Described one, Record record) {
+        return record instanceof RenderSettings settings && one.says().value() == Kind.SAMPLES ? String.valueOf(settings.integrator().usualSamples()) : one.says().otherwise();
     }
 
     /** Empty for what is not there. */

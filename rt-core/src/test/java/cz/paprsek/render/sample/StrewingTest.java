@@ -103,7 +103,7 @@ class StrewingTest {
             double high = 0.2 + 0.8 * random.nextDouble();
             PixelSums sums = summed(sampling, pixel, 3, (x, y) -> x + slope * y < at ? high : low);
             rays += sums.count();
-            if (sums.count() < 256 && sums.range(0) > 0) {
+            if (sums.count() < 256 && ((HeldSums) sums).range(0) > 0) {
                 enough++;
                 double truth = low + (high - low) * area(slope, at);
                 near += Math.abs(shown(sums.red) - shown(truth)) <= error ? 1 : 0;

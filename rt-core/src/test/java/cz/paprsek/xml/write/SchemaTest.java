@@ -103,13 +103,13 @@ class SchemaTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"1", "16", "03", "1..1", "2..8", "16..16", " 2..8 "})
+    @ValueSource(strings = {"1", "16", "03", "64", "1000000", "1..1", "2..8", "16..16", "64..1000000", " 2..8 "})
     void samplesAreANumberOrTwo(String samples) throws SAXException {
         assertThat(isTaken(Kind.SAMPLES, samples)).isTrue();
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"0", "17", "2..17", "0..4", "2..", "..2", "2...4", "2 4", "2.5", ""})
+    @ValueSource(strings = {"0", "1000001", "2..1000001", "2..10000000", "0..4", "2..", "..2", "2...4", "2 4", "2.5", ""})
     void whatIsNoNumberOfSamplesIsRefused(String samples) throws SAXException {
         assertThat(isTaken(Kind.SAMPLES, samples)).isFalse();
     }

@@ -3,6 +3,8 @@ package cz.paprsek.fx.model.property;
 import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -96,6 +98,8 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
             return scene.withSky(sky);
         } else if (record instanceof Scene scene && name.equals("background")) {
             return scene.withBackground((Rgb) fresh);
+        } else if (record instanceof RenderSettings settings && fresh instanceof Integrator kind) {
+            return settings.withIntegrator(kind);
         }
         return fresh.equals(old.get()) ? record : Records.with(record, name, fresh);
     }

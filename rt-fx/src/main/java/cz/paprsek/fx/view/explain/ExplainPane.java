@@ -167,7 +167,9 @@ public final class ExplainPane extends BorderPane {
         asked = Optional.of(point);
         running.ifPresent(Task::cancel);
         running = Optional.empty();
-        if (point.settings().mostRays() == 1 && point.settings().maxDepth() <= SHALLOW) {
+        if (point.settings().isPath()) {
+            message.setText(texts.of("explain.paths"));
+        } else if (point.settings().mostRays() == 1 && point.settings().maxDepth() <= SHALLOW) {
             show(point, point.scene().explain(point.settings(), point.column(), point.row()));
         } else {
             explain(point);

@@ -12,6 +12,7 @@ import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.SceneObject;
@@ -38,6 +39,8 @@ final class Thumbnails implements AutoCloseable {
     static final int HEIGHT = 108;
     /** Levels of rays. Glass within glass takes twice the time for each; fewer only make it a little darker. */
     private static final int DEEPEST = 7;
+    /** In a pixel. */
+    private static final int PATHS = 16;
     /** A picture has 80 kB. */
     private static final int MOST = 2_000;
 
@@ -67,10 +70,10 @@ final class Thumbnails implements AutoCloseable {
     private record Wish(Scene scene, Assets assets, Runnable receiver) {}
 
     /** All that a picture depends on. */
-    private record Content(int maxDepth, Rgb background, Sky sky, Rgb ambient, Camera camera, List<Light> lights, Map<String, Material> materials,
+    private record Content(Integrator integrator, int maxDepth, Rgb background, Sky sky, Rgb ambient, Camera camera, List<Light> lights, Map<String, Material> materials,
             List<SceneObject> objects) {
         static Content of(Scene scene) {
-            return new Content(Math.min(DEEPEST, scene.settings().maxDepth()), scene.background(), scene.sky(), scene.ambient(), scene.camera(), scene.lights(), scene.materials(),
+            return new Content(scene.settings().integrator(), Math.min(DEEPEST, scene.settings().maxDepth()), scene.background(), scene.sky(), scene.ambient(), scene.camera(), scene.lights(), scene.materials(),
                     scene.objects());
         }
 
@@ -125,6 +128,7 @@ final class Thumbnails implements AutoCloseable {
             }
         };
         RenderSettings small = new RenderSettings(WIDTH, HEIGHT, Math.min(DEEPEST, scene.settings().maxDepth()), 2);
+        small = scene.settings().isPath() ? small.withIntegrator(Integrator.PATH).withSamples(PATHS) : small;
         try {
             RenderResult result = Renderer.render(RenderScene.of(scene, from, monitor), RenderOptions.of(small).withThreads(1), monitor);
             return result.outcome() == RenderResult.Outcome.CANCELLED ? Optional.empty() : Optional.of(new Picture(Optional.of(image(result)), ""));

@@ -17,10 +17,13 @@ abstract class CheckedField extends TextField {
         setPrefColumnCount(columns);
         setTooltip(new Tooltip(hint));
         setAccessibleText(name);
-        textProperty().addListener((property, old, now) -> {
-            valid.set(isInRange(now));
-            pseudoClassStateChanged(REFUSED, !valid.get());
-        });
+        textProperty().addListener((property, old, now) -> judge());
+    }
+
+    /** Looks again whether it is a number within range. */
+    final void judge() {
+        valid.set(isInRange(getText()));
+        pseudoClassStateChanged(REFUSED, !valid.get());
     }
 
     /** Whether it is a number within range. */

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.render;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import java.util.List;
 import java.util.stream.Stream;
@@ -17,6 +18,7 @@ import javafx.scene.layout.HBox;
 
 /** How many rays a pixel takes, where they go through, and what is random about them; as {@code render} has it in its options. */
 final class RaysForm {
+    private final ChoiceBox<Named<Integrator>> integrator = new ChoiceBox<>();
     private final WholeNumberField samples;
     private final WholeNumberField mostSamples;
     private final RealField error;
@@ -27,8 +29,15 @@ final class RaysForm {
     private final List<HBox> groups;
 
     RaysForm(Texts texts) {
-        samples = new WholeNumberField("render-samples", texts.of("render.samples.hint"), 1, RenderSettings.MOST_SAMPLES, 2);
-        mostSamples = new WholeNumberField("render-most-samples", texts.of("render.most-samples.hint"), 0, RenderSettings.MOST_SAMPLES, 2);
+        samples = new WholeNumberField("render-samples", texts.of("render.samples.hint"), 1, RenderSettings.MOST_SAMPLES, 4);
+        mostSamples = new WholeNumberField("render-most-samples", texts.of("render.most-samples.hint"), 0, RenderSettings.MOST_SAMPLES, 4);
+        for (Integrator kind : Integrator.values()) {
+            integrator.getItems().add(new Named<>(kind, texts.of("kind." + kind)));
+        }
+        integrator.setId("render-integrator");
+        integrator.setTooltip(new Tooltip(texts.of("render.integrator.hint")));
+        integrator.getSelectionModel().selectFirst();
+        integrator.valueProperty().addListener((property, old, now) -> turnTo(now.value()));
         error = new RealField("render-error", texts.of("render.error.hint"), texts, value -> value > 0, RenderSettings.DEFAULT.error());
         confidence = new RealField("render-confidence", texts.of("render.confidence.hint"), texts, value -> value > 0 && value < 1, RenderSettings.DEFAULT.confidence());
         for (PixelFilter kind : PixelFilter.values()) {
@@ -47,7 +56,7 @@ final class RaysForm {
         ObservableBooleanValue[] each = {samples.validProperty(), mostSamples.validProperty(), error.validProperty(), confidence.validProperty()};
         valid = Bindings.createBooleanBinding(() -> Stream.of(each).allMatch(ObservableBooleanValue::get) && isFromLessToMore(),
                 Stream.concat(Stream.of(each), Stream.of(samples.textProperty(), mostSamples.textProperty())).toArray(Observable[]::new));
-        groups = List.of(RenderForm.group(new Label(texts.of("render.samples")), samples, new Label("–"), mostSamples),
+        groups = List.of(RenderForm.group(new Label(texts.of("field.integrator")), integrator), RenderForm.group(new Label(texts.of("render.samples")), samples, new Label("–"), mostSamples),
                 RenderForm.group(new Label(texts.of("field.error")), error), RenderForm.group(new Label(texts.of("field.confidence")), confidence),
                 RenderForm.group(new Label(texts.of("field.filter")), filter), RenderForm.group(new Label(texts.of("render.sampler")), sampler));
     }
@@ -59,11 +68,25 @@ final class RaysForm {
 
     /** Fills in what a scene asks for; how random numbers are chosen is no matter of scenes, and stays. */
     void set(RenderSettings settings) {
+        integrator.getItems().stream().filter(kind -> kind.value() == settings.integrator()).findFirst().ifPresent(integrator::setValue);
         samples.set(settings.samples());
         mostSamples.set(settings.mostSamples());
         error.set(settings.error());
         confidence.set(settings.confidence());
         filter.getItems().stream().filter(kind -> kind.value() == settings.filter()).findFirst().ifPresent(filter::setValue);
+    }
+
+    /** Fields get the range of an integrator's samples, and the numbers that it takes if nobody says any. */
+    private void turnTo(Integrator kind) {
+        samples.setMost(kind.mostSamples());
+        mostSamples.setMost(kind.mostSamples());
+        samples.set(kind.usualSamples());
+        mostSamples.set(0);
+    }
+
+    /** Whether light is that of paths. */
+    BooleanBinding isOfPaths() {
+        return Bindings.createBooleanBinding(() -> integrator.getValue().value() == Integrator.PATH, integrator.valueProperty());
     }
 
     /** Whether all fields hold numbers within their ranges. */
@@ -73,7 +96,7 @@ final class RaysForm {
 
     /** Settings with what the fields say; only if they are valid. */
     RenderSettings applyTo(RenderSettings settings) {
-        return settings.withSamples(samples.get(), mostSamples.get()).withError(error.get()).withConfidence(confidence.get()).withFilter(filter.getValue().value());
+        return settings.withIntegrator(integrator.getValue().value()).withSamples(samples.get(), mostSamples.get()).withError(error.get()).withConfidence(confidence.get()).withFilter(filter.getValue().value());
     }
 
     RenderOptions applyTo(RenderOptions options) {

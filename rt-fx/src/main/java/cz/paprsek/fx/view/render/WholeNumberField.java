@@ -8,16 +8,25 @@ import javafx.scene.input.KeyEvent;
 /** A field for a whole number within a range. Up and down count; what is out of range is marked, and has no value. */
 final class WholeNumberField extends CheckedField {
     private final int least;
-    private final int most;
+    private final String name;
+    private int most;
 
     WholeNumberField(String id, String hint, int least, int most, int columns) {
         super(id, hint, hint + " (" + least + "–" + most + ")", columns);
         this.least = least;
         this.most = most;
-        UnaryOperator<TextFormatter.Change> digitsOnly = change -> change.getControlNewText().matches("\\d{0,6}") ? change : null;
+        name = hint;
+        UnaryOperator<TextFormatter.Change> digitsOnly = change -> change.getControlNewText().matches("\\d{0,7}") ? change : null;
         setTextFormatter(new TextFormatter<>(digitsOnly));
         addEventFilter(KeyEvent.KEY_PRESSED, this::count);
         set(least);
+    }
+
+    /** Sets the largest number. */
+    void setMost(int number) {
+        most = number;
+        getTooltip().setText(name + " (" + least + "–" + most + ")");
+        judge();
     }
 
     void set(int value) {

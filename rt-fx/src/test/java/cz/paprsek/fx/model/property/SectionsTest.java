@@ -50,7 +50,7 @@ class SectionsTest {
     @Test
     void sceneIsShownWhenNothingIsSelected() {
         assertThat(titles(Set.of())).containsExactly("section.scene", "section.picture");
-        assertThat(names(Set.of())).containsExactly("name", "description", "tags", "background", "sky", "ambient", "width", "height", "maxDepth", "samples",
+        assertThat(names(Set.of())).containsExactly("name", "description", "tags", "background", "sky", "ambient", "width", "height", "maxDepth", "integrator", "samples",
                 "mostSamples", "error", "confidence", "filter", "exposure", "tone");
     }
 

@@ -1,0 +1,232 @@
+package cz.paprsek.render.sample;
+
+/**
+ * The samples of paths, any number of them: summed pass by pass, and each of the sequences they are taken from by itself. After each whole pass, and so the sums
+ * of a picture's pixels can be kept between two passes without any difference, the sums are rounded to what {@link #save} keeps of them.
+ */
+public final class PassSums extends PixelSums {
+    /** How many samples are summed before their sum is added to the others'. */
+    static final int PASS = 64;
+    private static final int CHANNELS = 3;
+
+    private final boolean isSigned;
+    private final boolean isJudged;
+    private final Target target;
+    private final Sum pass = new Sum();
+    private final Sum all = new Sum();
+    private final Sum now = new Sum();
+    private final Sum[] scrambles = new Sum[Sampler.SCRAMBLES];
+    private int count;
+    private double brightestRed;
+    private double brightestGreen;
+    private double brightestBlue;
+
+    /**
+     * No samples yet.
+     *
+     * @param isSigned whether the filter takes away somewhere
+     * @param isJudged whether what each sequence brings is to be known
+     */
+    PassSums(double mass, boolean isSigned, boolean isJudged, Target target) {
+        super(mass);
+        this.isSigned = isSigned;
+        this.isJudged = isJudged;
+        this.target = target;
+        for (int i = 0; i < scrambles.length; i++) {
+            scrambles[i] = new Sum();
+        }
+    }
+
+    @Override
+    public void clear() {
+        count = 0;
+        pass.clear();
+        all.clear();
+        brightestRed = 0;
+        brightestGreen = 0;
+        brightestBlue = 0;
+        if (isJudged) {
+            for (Sum one : scrambles) {
+                one.clear();
+            }
+        }
+    }
+
+    @Override
+    public void add(double r, double g, double b, boolean isNegative) {
+        pass.add(r, g, b, isNegative);
+        if (isJudged) {
+            scrambles[Sampler.scramble(count)].add(r, g, b, isNegative);
+            brightestRed = Math.max(brightestRed, r);
+            brightestGreen = Math.max(brightestGreen, g);
+            brightestBlue = Math.max(brightestBlue, b);
+        }
+        if (++count % PASS == 0) {
+            end();
+        }
+    }
+
+    /** Adds the pass to the others. */
+    private void end() {
+        all.below += pass.below;
+        all.addR = pair(all.addR + pass.addR);
+        all.addG = pair(all.addG + pass.addG);
+        all.addB = pair(all.addB + pass.addB);
+        if (isSigned) {
+            all.takeR = pair(all.takeR + pass.takeR);
+            all.takeG = pair(all.takeG + pass.takeG);
+            all.takeB = pair(all.takeB + pass.takeB);
+        }
+        pass.clear();
+        if (isJudged) {
+            for (Sum one : scrambles) {
+                one.addR = single(one.addR);
+                one.addG = single(one.addG);
+                one.addB = single(one.addB);
+                one.takeR = single(one.takeR);
+                one.takeG = single(one.takeG);
+                one.takeB = single(one.takeB);
+            }
+            brightestRed = single(brightestRed);
+            brightestGreen = single(brightestGreen);
+            brightestBlue = single(brightestBlue);
+        }
+    }
+
+    /** The nearest float. */
+    private static double single(double x) {
+        return (float) x;
+    }
+
+    /** The nearest number that is the sum of two floats. */
+    private static double pair(double x) {
+        return (double) (float) x + low(x);
+    }
+
+    /** What a float lacks to a number; nothing if that is too large for one. */
+    private static float low(double x) {
+        return Float.isFinite((float) x) ? (float) (x - (float) x) : 0;
+    }
+
+    /** Whether there are whole passes only. */
+    public boolean areWhole() {
+        return count % PASS == 0;
+    }
+
+    @Override
+    public int count() {
+        return count;
+    }
+
+    @Override
+    public void mean() {
+        now.below = all.below + pass.below;
+        now.addR = all.addR + pass.addR;
+        now.addG = all.addG + pass.addG;
+        now.addB = all.addB + pass.addB;
+        now.takeR = all.takeR + pass.takeR;
+        now.takeG = all.takeG + pass.takeG;
+        now.takeB = all.takeB + pass.takeB;
+        mean(now, count);
+    }
+
+    @Override
+    boolean areNear() {
+        tellGroups();
+        return target.isMet(brightestRed / count, brightestGreen / count, brightestBlue / count);
+    }
+
+    /** How far the value that is shown may be from the true one, 0 to 1, as is known after a whole pass. */
+    public double halfWidth() {
+        tellGroups();
+        // The groups may happen to agree: one more sample such as the brightest is always thought possible.
+        return target.halfWidth(brightestRed / count, brightestGreen / count, brightestBlue / count);
+    }
+
+    private void tellGroups() {
+        for (int i = 0; i < scrambles.length; i++) {
+            mean(scrambles[i], count / scrambles.length);
+            target.group(i, this);
+        }
+    }
+
+    /** How many numbers {@link #save} keeps. */
+    static int size(boolean isSigned, boolean isJudged) {
+        int one = isSigned ? 1 + 2 * CHANNELS : CHANNELS;
+        return 1 + one + (isSigned ? 2 : 1) * CHANNELS + (isJudged ? CHANNELS + Sampler.SCRAMBLES * one : 0);
+    }
+
+    /** Keeps the sums of whole passes. */
+    public void save(float[] numbers) {
+        numbers[0] = count;
+        int at = save(all, numbers, 1);
+        numbers[at++] = low(all.addR);
+        numbers[at++] = low(all.addG);
+        numbers[at++] = low(all.addB);
+        if (isSigned) {
+            numbers[at++] = low(all.takeR);
+            numbers[at++] = low(all.takeG);
+            numbers[at++] = low(all.takeB);
+        }
+        if (isJudged) {
+            numbers[at++] = (float) brightestRed;
+            numbers[at++] = (float) brightestGreen;
+            numbers[at++] = (float) brightestBlue;
+            for (Sum one : scrambles) {
+                at = save(one, numbers, at);
+            }
+        }
+    }
+
+    /** Goes on with sums that were kept; with none if there is nothing but zeros. */
+    public void load(float[] numbers) {
+        count = (int) numbers[0];
+        pass.clear();
+        int at = load(all, numbers, 1);
+        all.addR += numbers[at++];
+        all.addG += numbers[at++];
+        all.addB += numbers[at++];
+        if (isSigned) {
+            all.takeR += numbers[at++];
+            all.takeG += numbers[at++];
+            all.takeB += numbers[at++];
+        }
+        if (isJudged) {
+            brightestRed = numbers[at++];
+            brightestGreen = numbers[at++];
+            brightestBlue = numbers[at++];
+            for (Sum one : scrambles) {
+                at = load(one, numbers, at);
+            }
+        }
+    }
+
+    private int save(Sum sum, float[] numbers, int from) {
+        int at = from;
+        numbers[at++] = (float) sum.addR;
+        numbers[at++] = (float) sum.addG;
+        numbers[at++] = (float) sum.addB;
+        if (isSigned) {
+            numbers[at++] = sum.below;
+            numbers[at++] = (float) sum.takeR;
+            numbers[at++] = (float) sum.takeG;
+            numbers[at++] = (float) sum.takeB;
+        }
+        return at;
+    }
+
+    private int load(Sum sum, float[] numbers, int from) {
+        int at = from;
+        sum.clear();
+        sum.addR = numbers[at++];
+        sum.addG = numbers[at++];
+        sum.addB = numbers[at++];
+        if (isSigned) {
+            sum.below = (int) numbers[at++];
+            sum.takeR = numbers[at++];
+            sum.takeG = numbers[at++];
+            sum.takeB = numbers[at++];
+        }
+        return at;
+    }
+}
