@@ -65,6 +65,7 @@ class ConvertCommandTest {
         for (Wrong wrong : List.of(
                 new Wrong(List.of(scene, folder.resolve("a.png")), 2, "a scene becomes a picture where it is rendered: paprsek render " + scene + " -o " + folder.resolve("a.png")),
                 new Wrong(List.of(light, folder.resolve("a.xml")), 2, light + " is a picture; let the new file end in one of png, jpg"),
+                new Wrong(List.of(Files.writeString(folder.resolve("c.webp"), "RIFF"), folder.resolve("a.png")), 3, "c.webp: this is not a picture of a kind that can be read"),
                 new Wrong(List.of(light, light), 2, "would overwrite the picture"),
                 new Wrong(List.of(light, folder.resolve("a.png"), "--bits", "32"), 2, "png has 8 or 16 bits per channel, not 32"),
                 new Wrong(List.of(light, folder.resolve("a.png"), "--exposure", "1000"), 2, "from -100 to 100"),

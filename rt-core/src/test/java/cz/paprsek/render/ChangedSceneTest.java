@@ -214,4 +214,17 @@ class ChangedSceneTest {
         Scene given = more.with(ScenePath.body(3), body -> body.madeOf(new MaterialName("other")));
         assertSame(ready.changedTo(given, RenderMonitor.NONE), RenderScene.of(given));
     }
+
+    /** As where one of the editor's ready materials is changed, which makes it the scene's own, and where that is undone. */
+    @Test
+    void aReadyMaterialThatTheSceneGetsAsItsOwnIsSeen() {
+        Scene scene = Scenes.random(11, BODIES).plus(SceneObject.of(new Sphere(1.5)).madeOf("gold"));
+        RenderScene ready = RenderScene.of(scene);
+        Scene own = scene.plus("gold", GLASS);
+        RenderScene changed = ready.changedTo(own, RenderMonitor.NONE);
+        assertThat(changed.world().later()).containsExactly(BODIES + 1);
+        assertSame(changed, RenderScene.of(own));
+        assertSame(changed.changedTo(scene, RenderMonitor.NONE), ready);
+        assertSame(RenderScene.of(own).changedTo(scene, RenderMonitor.NONE), ready);
+    }
 }

@@ -50,7 +50,7 @@ public final class Foreign {
     /** Whether it is a picture by its name, and no scene by its first letter. */
     public static boolean isPicture(Path file) {
         String name = String.valueOf(file.getFileName());
-        return ImageFormat.ofFile(name).isPresent() && Files.isRegularFile(file) && !isMarkup(file, name);
+        return (ImageFormat.ofFile(name).isPresent() || kind(file).filter(kind -> kind.endsWith(PICTURE)).isPresent()) && Files.isRegularFile(file) && !isMarkup(file, name);
     }
 
     /** What to do with a scene that stands where a picture should; nothing of others. */

@@ -2,6 +2,7 @@ package cz.paprsek.render.surface;
 
 import cz.paprsek.list.Difference;
 import cz.paprsek.list.Pieces;
+import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.render.texture.Textures;
@@ -12,13 +13,14 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.placed.Surface;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -111,14 +113,10 @@ final class Placed {
                 : whole.with(changed, fromWhole, stop).orElseGet(() -> new Placed(changed, textures, stop));
     }
 
-    /** Says which objects are made of a named material that is not the same. */
+    /** Says which objects are made of a named material that is not the same; it may have been one that every scene knows, or be one now. */
     private Predicate<? super SceneObject> repainted(Scene changed) {
-        Set<String> names = new HashSet<>();
-        scene.materials().forEach((name, material) -> {
-            if (!material.equals(changed.materials().get(name))) {
-                names.add(name);
-            }
-        });
+        Set<String> names = Stream.concat(scene.materials().keySet().stream(), changed.materials().keySet().stream().filter(Material.ready()::containsKey))
+                .filter(name -> !new MaterialName(name).in(scene.materials()).equals(new MaterialName(name).in(changed.materials()))).collect(Collectors.toSet());
         return names.isEmpty() ? Pieces.NONE : object -> isMadeOf(names, object.material(), object.shape());
     }
 
