@@ -13,8 +13,8 @@ final class Facets {
     /** By so much of the mesh's largest coordinate boxes are grown, far more than rounding moves a crossing. */
     private static final double MARGIN = 1e-12;
 
-    /** What it takes to meet a triangle, in units of what a sphere takes. */
-    private static final float COST = 1;
+    /** What it takes to meet a triangle, in units of what a sphere takes, as measured: with 1, vectors meet a tenth fewer shadow rays in a second. */
+    private static final float COST = 2;
 
     final double[] places;
     /** In the order of the tree's leaves: the corners of each triangle, as where their coordinates begin, and its number. */

@@ -33,6 +33,10 @@ final class MeshSearch extends Search<Ray> {
     private double dx;
     private double dy;
     private double dz;
+    /** Reciprocal direction, always finite. */
+    private double rx;
+    private double ry;
+    private double rz;
     /** Which axes become x, y and z, the last the one along which the line goes fastest; where it starts along them, and the shear. */
     private int kx;
     private int ky;
@@ -81,17 +85,19 @@ final class MeshSearch extends Search<Ray> {
         dx = line.dx;
         dy = line.dy;
         dz = line.dz;
+        rx = reciprocal(dx);
+        ry = reciprocal(dy);
+        rz = reciprocal(dz);
         Bounds box = mesh.box;
         begin = Double.NEGATIVE_INFINITY;
         end = Double.POSITIVE_INFINITY;
-        clip(box.minX(), box.maxX(), ox, dx);
-        clip(box.minY(), box.maxY(), oy, dy);
-        clip(box.minZ(), box.maxZ(), oz, dz);
+        clip(box.minX(), box.maxX(), ox, rx);
+        clip(box.minY(), box.maxY(), oy, ry);
+        clip(box.minZ(), box.maxZ(), oz, rz);
         return begin <= end;
     }
 
-    private void clip(double low, double high, double o, double d) {
-        double r = reciprocal(d);
+    private void clip(double low, double high, double o, double r) {
         double first = ((r < 0 ? high : low) - o) * r;
         double last = ((r < 0 ? low : high) - o) * r;
         begin = first > begin ? first : begin;
@@ -204,7 +210,7 @@ final class MeshSearch extends Search<Ray> {
 
     @Override
     protected void aim(Ray ray) {
-        along(ox + begin * dx, oy + begin * dy, oz + begin * dz, reciprocal(dx), reciprocal(dy), reciprocal(dz), 0, end - begin);
+        along(ox + begin * dx, oy + begin * dy, oz + begin * dz, rx, ry, rz, 0, end - begin);
     }
 
     private static double reciprocal(double d) {
@@ -214,48 +220,55 @@ final class MeshSearch extends Search<Ray> {
 
     @Override
     protected double meet(Ray ray, int first, int last) {
-        for (int i = first; i < last; i++) {
-            cross(i);
-        }
+        cross(first, last);
         return Math.min(best, end) - begin;
     }
 
     @Override
     protected boolean stopsAt(Ray ray, int first, int last) {
-        for (int i = first; i < last; i++) {
-            cross(i);
-        }
+        cross(first, last);
         return !all && bestNumber != NONE;
     }
 
-    /** Notes where the line crosses a triangle, by its place in the tree. */
-    private void cross(int i) {
+    /** Notes where the line crosses triangles, by their places in the tree. Most are passed by, which the first products tell, unless they are too small. */
+    private void cross(int first, int last) {
         double[] at = facets.places;
-        int a = facets.corners[3 * i];
-        int b = facets.corners[3 * i + 1];
-        int c = facets.corners[3 * i + 2];
-        double az = at[a + kz] - atZ;
-        double bz = at[b + kz] - atZ;
-        double cz = at[c + kz] - atZ;
-        double ax = at[a + kx] - atX - shearX * az;
-        double ay = at[a + ky] - atY - shearY * az;
-        double bx = at[b + kx] - atX - shearX * bz;
-        double by = at[b + ky] - atY - shearY * bz;
-        double cx = at[c + kx] - atX - shearX * cz;
-        double cy = at[c + ky] - atY - shearY * cz;
-        double u = cx * by - cy * bx;
-        double v = ax * cy - ay * cx;
-        double w = bx * ay - by * ax;
-        if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) {
-            return;
-        }
-        if ((u == 0 || v == 0 || w == 0) && !isCrossedAside(u, v, w, ax, ay, bx, by, cx, cy)) {
-            return;
-        }
-        double sum = u + v + w;
-        double where = (u * az + v * bz + w * cz) * shearZ / sum;
-        if (where > above && where < below) {
-            note(where, facets.numbers[i], sum > 0);
+        int[] corners = facets.corners;
+        int x = kx;
+        int y = ky;
+        int z = kz;
+        double wanted = sides == FRONT ? 1 : sides == BACK ? -1 : 0;
+        for (int i = first; i < last; i++) {
+            int a = corners[3 * i];
+            int b = corners[3 * i + 1];
+            int c = corners[3 * i + 2];
+            double az = at[a + z] - atZ;
+            double bz = at[b + z] - atZ;
+            double cz = at[c + z] - atZ;
+            double bx = at[b + x] - atX - shearX * bz;
+            double by = at[b + y] - atY - shearY * bz;
+            double cx = at[c + x] - atX - shearX * cz;
+            double cy = at[c + y] - atY - shearY * cz;
+            double u = cx * by - cy * bx;
+            if (u * wanted < 0) {
+                continue;
+            }
+            double ax = at[a + x] - atX - shearX * az;
+            double ay = at[a + y] - atY - shearY * az;
+            double v = ax * cy - ay * cx;
+            if (u * v < 0) {
+                continue;
+            }
+            double w = bx * ay - by * ax;
+            boolean isBeside = (u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0);
+            if (isBeside || ((u == 0 || v == 0 || w == 0) && !isCrossedAside(u, v, w, ax, ay, bx, by, cx, cy))) {
+                continue;
+            }
+            double sum = u + v + w;
+            double where = (u * az + v * bz + w * cz) * shearZ / sum;
+            if (where > above && where < below) {
+                note(where, facets.numbers[i], sum > 0);
+            }
         }
     }
 
