@@ -17,39 +17,24 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.SpotLight;
 import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Sphere;
-import java.nio.file.Path;
 import java.util.List;
 import javafx.geometry.Point2D;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.paint.Color;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** The numbers of cameras and lights, pulled in the projections. The picture is twice as wide as high; the camera, at z = 4, looks at the origin. */
-class GripsTest {
+class GripsTest extends InProjections {
     private static final Camera CAMERA = Camera.lookingAt(new Vec3(0, 0, 4), Vec3.ZERO);
     private static final Scene SCENE = Scene.EMPTY.withSettings(new RenderSettings(200, 100, 5, 1)).withCamera(CAMERA)
             .plus(Light.at(-3, 5, 3)).plus(SceneObject.of(new Sphere(1)).named("ball"));
     private static final double TAN_HALF = Math.tan(Math.toRadians(22.5));
 
-    @TempDir
-    Path folder;
-
-    private EditorGui editor;
-
-    @BeforeEach
-    void open() {
-        editor = new EditorGui(folder, SCENE);
-        editor.gui.act(() -> editor.editor.snapping().set(false));
-    }
-
-    @AfterEach
-    void close() {
-        editor.close();
+    @Override
+    Scene scene() {
+        return SCENE;
     }
 
     @Test
@@ -180,10 +165,7 @@ class GripsTest {
     }
 
     private void drag(String axes, Vec3 from, Vec3 to) {
-        ProjectionPane pane = editor.projection(axes);
-        Point2D a = EditorGui.place(pane, from.x(), from.y(), from.z());
-        Point2D b = EditorGui.place(pane, to.x(), to.y(), to.z());
-        editor.gui.drag(pane, a.getX(), a.getY(), b.getX(), b.getY());
+        drag(editor.projection(axes), from, to);
     }
 
     private <L extends Lens> L lens(Class<L> kind) {

@@ -5,25 +5,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.model.Label;
-import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
-import cz.paprsek.scene.SphereLight;
-import cz.paprsek.scene.SpotLight;
-import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Sphere;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
@@ -36,21 +30,18 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.paint.Color;
 import javafx.stage.Window;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Mouse and keys in the projections. */
-class ProjectionTest {
+class ProjectionTest extends InProjections {
     private static final ScenePath BALL = ScenePath.body(0);
     private static final ScenePath CRATE = ScenePath.body(1);
     private static final ScenePath BOWL = ScenePath.body(2);
 
     /** A ball at the origin, a crate behind it, a bowl to the right; the camera far to the left. */
-    private static final Scene SCENE = Scene.EMPTY
+    static final Scene SCENE = Scene.EMPTY
             .withCamera(Camera.lookingAt(new Vec3(-6, 3, 6), Vec3.ZERO))
             .plus(Light.at(-3, 5, 3))
             .plus(
@@ -58,20 +49,9 @@ class ProjectionTest {
                     SceneObject.of(new Block(new Vec3(-1.5, -1.5, -4), new Vec3(1.5, 1.5, -2))).named("crate"),
                     SceneObject.of(Csg.difference(Operand.of(new Sphere(1)), Operand.of(new Sphere(0.5)).at(0, 0.8, 0))).named("bowl").at(5, 0, 0));
 
-    @TempDir
-    Path folder;
-
-    private EditorGui editor;
-
-    @BeforeEach
-    void open() {
-        editor = new EditorGui(folder, SCENE);
-        editor.gui.act(() -> editor.editor.snapping().set(false));
-    }
-
-    @AfterEach
-    void close() {
-        editor.close();
+    @Override
+    Scene scene() {
+        return SCENE;
     }
 
     @Test
@@ -129,64 +109,6 @@ class ProjectionTest {
         assertThat(editor.model().scene()).isSameAs(SCENE);
         editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.Z);
         assertMoved(BALL, by, 1.5 / scale(pane));
-    }
-
-    @Test
-    void lightsAndTheCameraAreDraggedToo() {
-        ProjectionPane front = editor.projection("front");
-        drag(front, new Vec3(-3, 5, 3), new Vec3(-2, 4, 3));
-        assertThat(LightMoves.place(editor.model().scene().lights().get(0)).minus(new Vec3(-2, 4, 3)).length()).isCloseTo(0, within(3 / scale(front)));
-        drag(front, new Vec3(-6, 3, 6), new Vec3(-5, 4, 6));
-        assertThat(editor.model().scene().camera().position().minus(new Vec3(-5, 4, 6)).length()).isCloseTo(0, within(3 / scale(front)));
-        assertThat(editor.model().scene().camera().aim()).isEqualTo(new Camera.Target(Vec3.ZERO));
-    }
-
-    private void lit(Light light) {
-        editor.gui.act(() -> editor.model().edit(cz.paprsek.fx.model.Label.of(cz.paprsek.fx.model.Label.Edit.ADD), scene -> scene.withLights(List.of(light))));
-        editor.gui.act(() -> editor.model().select(ScenePath.light(0)));
-    }
-
-    @Test
-    void aSpotIsAimedByItsTargetAndMadeWiderByItsRim() {
-        ProjectionPane front = editor.projection("front");
-        lit(SpotLight.from(new Vec3(-3, 4, 0), new Vec3(-3, 2, 0)));
-        drag(front, new Vec3(-3, 2, 0), new Vec3(-2, 1, 0));
-        SpotLight aimed = (SpotLight) editor.model().scene().lights().get(0);
-        assertThat(((Camera.Target) aimed.aim()).point().minus(new Vec3(-2, 1, 0)).length()).isCloseTo(0, within(3 / scale(front)));
-        lit(SpotLight.from(new Vec3(-3, 4, 0), new Vec3(-3, 2, 0)));
-        drag(front, new Vec3(-1, 2, 0), new Vec3(-2, 2, 0));
-        SpotLight narrow = (SpotLight) editor.model().scene().lights().get(0);
-        assertThat(narrow.outerAngle()).isCloseTo(26.5, within(1.5));
-        assertThat(narrow.innerAngle()).isLessThan(narrow.outerAngle());
-    }
-
-    @Test
-    void aLightWithASizeIsTurnedByItsNormalAndStretchedByHandles() {
-        ProjectionPane front = editor.projection("front");
-        lit(AreaLight.rectangle(new Vec3(-3, 3, 0), 1, 1).withRotation(new Vec3(90, 0, 0)));
-        drag(front, new Vec3(-3, 2, 0), new Vec3(-2, 3, 0));
-        assertThat(((AreaLight) editor.model().scene().lights().get(0)).direction().minus(Vec3.X).length()).isCloseTo(0, within(0.05));
-        lit(SphereLight.of(new Vec3(-3, 3, 0), 0.5));
-        double air = 7 / scale(front);
-        drag(front, new Vec3(-2.5 + air, 3.5 + air, 0), new Vec3(-2 + air, 4 + air, 0));
-        assertThat(((SphereLight) editor.model().scene().lights().get(0)).radius()).isCloseTo(0.75, within(3 / scale(front)));
-    }
-
-    @Test
-    void aSunIsDraggedByWhereItsLightComesFrom() {
-        ProjectionPane front = editor.projection("front");
-        lit(SunLight.along(2, -3, 0));
-        drag(front, new Vec3(-2, 3, 0), new Vec3(-1, 4, 0));
-        assertThat(((SunLight) editor.model().scene().lights().get(0)).direction().minus(new Vec3(1, -4, 0)).length()).isCloseTo(0, within(3 / scale(front)));
-    }
-
-    @Test
-    void cameraIsAimedByWhatItLooksAt() {
-        ProjectionPane front = editor.projection("front");
-        editor.gui.act(() -> editor.model().select(ScenePath.camera()));
-        drag(front, Vec3.ZERO, new Vec3(2, 1, 0));
-        Camera.Target target = (Camera.Target) editor.model().scene().camera().aim();
-        assertThat(target.point().minus(new Vec3(2, 1, 0)).length()).isCloseTo(0, within(3 / scale(front)));
     }
 
     @Test
@@ -430,28 +352,7 @@ class ProjectionTest {
         assertThat(editor.text("#status-cursor")).matches("x [12]\\.\\d+   z [01]\\.\\d+");
     }
 
-    private void click(ProjectionPane pane, double x, double y, double z) {
-        Point2D at = place(pane, x, y, z);
-        editor.gui.click(pane, at.getX(), at.getY());
-    }
-
-    private void drag(ProjectionPane pane, Vec3 from, Vec3 to) {
-        Point2D a = place(pane, from.x(), from.y(), from.z());
-        Point2D b = place(pane, to.x(), to.y(), to.z());
-        editor.gui.drag(pane, a.getX(), a.getY(), b.getX(), b.getY());
-    }
-
-    private Vec3 position(ScenePath item) {
-        return editor.model().scene().objects().get(((ScenePath.BodyAt) item).index()).placement().position();
-    }
-
     private void assertMoved(ScenePath item, Vec3 by, double slack) {
         assertThat(position(item).minus(by).length()).isCloseTo(0, within(slack));
-    }
-
-    /** Pixels per scene unit: the height of a unit along y, or along x for the view from above. */
-    private static double scale(ProjectionPane pane) {
-        double height = place(pane, 0, 1, 0).distance(place(pane, 0, 0, 0));
-        return height > 0 ? height : place(pane, 1, 0, 0).distance(place(pane, 0, 0, 0));
     }
 }
