@@ -5,6 +5,7 @@ import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.RayWishes;
+import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.input.Wishes;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Interruption;
@@ -137,7 +138,7 @@ final class ExplainCommand implements Callable<Integer> {
             e.problems().forEach(problem -> terminal.message(problem.toString()));
             return ExitCode.BAD_SCENE;
         } catch (IOException e) {
-            terminal.message(Failures.sentence(file.toString(), e));
+            terminal.message(SceneReading.sentence(file, file.toString(), pictures, e));
             return ExitCode.BAD_SCENE;
         }
     }

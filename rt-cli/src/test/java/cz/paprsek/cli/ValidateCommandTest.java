@@ -249,6 +249,10 @@ class ValidateCommandTest {
         Run run = Run.cli("validate", file);
         assertThat(run.code()).isEqualTo(3);
         assertThat(run.err()).contains(file + ":2:8: \"sky.hdr\": there is no such file beside the scene", file + ":5:39: \"gone.png\": there is no such file beside the scene");
+        for (Run other : List.of(Run.cli("render", file, "-o", folder.resolve("a.png")), Run.cli("explain", file, "3,4"))) {
+            assertThat(other.err().strip()).isEqualTo(file + ":5:39: \"gone.png\": there is no such file beside the scene");
+            assertThat(other.code()).isEqualTo(3);
+        }
         Path assets = Files.createDirectory(folder.resolve("assets"));
         Files.write(assets.resolve("sky.hdr"), new byte[1]);
         Files.write(assets.resolve("gone.png"), new byte[1]);

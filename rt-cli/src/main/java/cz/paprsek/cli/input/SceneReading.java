@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * What a file has in it: scenes, or problems.
@@ -73,6 +74,17 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
             }
         }
         return new SceneReading(file, scenes, lacking, text, foreign);
+    }
+
+    /**
+     * What a scene of a file lacks, or why it cannot be read, in one line: with the place where the file names it, for which it is read once more.
+     *
+     * @param label what stands in front if there is no place
+     */
+    public static String sentence(Path file, String label, Pictures pictures, IOException lack) {
+        Stream<Problem> problems = Incoming.isOnce(file) ? Stream.of() : of(file, pictures).withPictures(pictures).problems().stream();
+        return problems.filter(problem -> problem.line() > 0 && problem.message().equals(lack.getMessage())).findFirst().map(Problem::toString)
+                .orElseGet(() -> Failures.sentence(label, lack));
     }
 
     private static SceneReading refused(Path file, List<Problem> problems) {

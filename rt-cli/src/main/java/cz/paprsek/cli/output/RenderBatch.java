@@ -2,6 +2,7 @@ package cz.paprsek.cli.output;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.input.Pictures;
+import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.input.Wishes;
 import cz.paprsek.cli.output.Report.Outcome;
 import cz.paprsek.cli.process.ExitCode;
@@ -61,7 +62,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         } catch (SceneFileException e) {
             return fail(target, Outcome.BAD_SCENE, e.problems().stream().map(Problem::toString).toList());
         } catch (IOException e) {
-            return fail(target, Outcome.BAD_SCENE, List.of(Failures.sentence(file, e)));
+            return fail(target, Outcome.BAD_SCENE, List.of(SceneReading.sentence(target.source().file(), file, pictures, e)));
         } catch (UncheckedIOException e) {
             return fail(target, Outcome.BAD_SCENE, List.of(file + ": " + e.getMessage()));
         } catch (IllegalStateException e) {
