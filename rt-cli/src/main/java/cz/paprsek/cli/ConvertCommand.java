@@ -66,6 +66,9 @@ final class ConvertCommand implements Callable<Integer> {
     @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
     private Optional<String> camera;
 
+    @Option(names = "--no-floor", description = "Leaves away the floor that files of other programs are given.")
+    private boolean noFloor;
+
     @Option(names = "--bits", paramLabel = "N", description = "Bits per channel: 8 or 16 of png, 16 or 32 of exr. Default: the smaller number.")
     private Optional<Integer> bits;
 
@@ -112,7 +115,8 @@ final class ConvertCommand implements Callable<Integer> {
         if (!quiet) {
             reading.notes().forEach(terminal::message);
         }
-        return write(reading, Cameras.through(reading.scenes().get(0), camera), ending);
+        Scene read = reading.foreign().filter(foreign -> noFloor).map(foreign -> foreign.withoutFloor().scene()).orElse(reading.scenes().get(0));
+        return write(reading, Cameras.through(read, camera), ending);
     }
 
     private int picture(ImageFormat format) {

@@ -113,6 +113,9 @@ final class RenderCommand implements Callable<Integer> {
             "Shows what this light adds, by its name or its number from 1: the others are dark, ambient light and background black.")
     private Optional<String> light;
 
+    @Option(names = "--no-floor", description = "Leaves away the floor that files of other programs are given.")
+    private boolean noFloor;
+
     @Option(names = "--no-legend", description = "Leaves away the scale of colours, so that the picture has the size asked for.")
     private boolean noLegend;
 
@@ -187,7 +190,7 @@ final class RenderCommand implements Callable<Integer> {
         if (sources.isEmpty()) {
             throw new WrongUsage("no scene " + where.map(text -> "matches " + text).orElse("is in " + String.join(", ", scenes)));
         }
-        return sources;
+        return noFloor ? sources.stream().map(SceneSource::withoutFloor).toList() : sources;
     }
 
     private static boolean isMeantAsPicture(String word) {

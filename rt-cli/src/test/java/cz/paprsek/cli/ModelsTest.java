@@ -44,6 +44,26 @@ class ModelsTest {
     }
 
     @Test
+    void ofTheMeshesOfASceneTheSameIsSaid() throws IOException {
+        Path scene = Files.writeString(folder.resolve("two.xml"),
+                "<scene xmlns=\"urn:paprsek:scene:1\"><camera position=\"0 0 9\" target=\"0 0 0\"/><mesh file=\"corner.obj\"/><mesh file=\"corner.obj\" position=\"4 0 0\"/></scene>");
+        assertThat(Run.cli("info", scene).out()).containsOnlyOnce("corner.obj   4 triangles, closed, volume 10, area 37.36542462386205");
+        assertThat(Run.cli("info", scene, "--json").out()).contains("\"meshes\":[{\"file\":\"corner.obj\"", "\"closed\":true,\"open-edges\":0,\"volume\":10,").hasLineCount(1);
+    }
+
+    @Test
+    void theFloorCanBeLeftAway() throws IOException {
+        assertThat(Run.cli("render", obj, "-o", folder.resolve("f.ppm"), "--size", "32x24", "--samples", "1", "--mode", "objects").code()).isZero();
+        assertThat(Run.cli("render", obj, "-o", folder.resolve("n.ppm"), "--size", "32x24", "--samples", "1", "--mode", "objects", "--no-floor").code()).isZero();
+        Image with = ImageFiles.read(folder.resolve("f.ppm"));
+        Image without = ImageFiles.read(folder.resolve("n.ppm"));
+        assertThat(with.red(16, 23)).as("the floor is seen below").isNotEqualTo(without.red(16, 23));
+        assertThat(with.red(16, 12)).as("the body stays").isEqualTo(without.red(16, 12));
+        assertThat(Run.cli("convert", obj, folder.resolve("bare.xml"), "--no-floor").code()).isZero();
+        assertThat(folder.resolve("bare.xml")).content().contains("<mesh").doesNotContain("<plane");
+    }
+
+    @Test
     void whatIsOpenIsSaid() throws IOException {
         Path open = Files.writeString(folder.resolve("open.obj"), OBJ.replace("f 2 3 4\n", ""));
         assertThat(Run.cli("info", open).out()).contains("no, 3 edges are open").doesNotContain("volume");

@@ -18,6 +18,7 @@ import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.mesh.Triangles;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -99,6 +100,12 @@ public record ForeignScene(Scene scene, Convention convention, Optional<Triangle
         Kept kept = new Kept(name);
         Scene scene = NffReader.read(new ByteArrayInputStream(bytes(file, assets)), notes, triangles -> kept.mesh(triangles));
         return new ForeignScene(scene.withName(name), new Convention("", false), Optional.empty(), notes.toList());
+    }
+
+    /** Without the floor that it was given; itself if it has none. */
+    public ForeignScene withoutFloor() {
+        int last = scene.objects().size() - 1;
+        return last < 0 || !(scene.objects().get(last).shape() instanceof Plane) ? this : new ForeignScene(scene.withObjects(scene.objects().subList(0, last)), convention, triangles, notes);
     }
 
     /** Makes meshes of triangles that lie in no file: as if they had been read from one, which they bring along. */

@@ -18,6 +18,7 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Torus;
 import cz.paprsek.text.MadeInCode;
+import java.util.List;
 
 /** The shapes in POV-Ray's words. */
 final class PovShapes {
@@ -54,7 +55,7 @@ final class PovShapes {
             return "disc { " + ORIGIN + ", z, " + text(d.radius());
         }
         if (shape instanceof Mesh mesh) {
-            return PovMesh.of(mesh);
+            return PovMesh.of(mesh, List.of());
         }
         if (shape instanceof CustomSolid || shape instanceof CustomShape) {
             throw MadeInCode.refusedBy("a scene for POV-Ray", shape.kind(), "shape");

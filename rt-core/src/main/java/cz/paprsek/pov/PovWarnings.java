@@ -21,6 +21,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SphereLight;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
 import java.util.ArrayList;
@@ -51,14 +52,14 @@ final class PovWarnings {
     /** The different materials of an object, in the order of its parts. */
     static List<Material> materials(Scene scene, SceneObject object) {
         Set<Material> found = new LinkedHashSet<>();
-        collect(scene, object.shape(), own(scene, object.material(), Material.DEFAULT), found);
+        collect(scene, object.shape(), object.material(), found);
         return List.copyOf(found);
     }
 
     /** All materials that anything in a scene is made of. */
     static Set<Material> materials(Scene scene) {
         Set<Material> found = new LinkedHashSet<>(scene.materials().values());
-        scene.objects().forEach(object -> collect(scene, object.shape(), own(scene, object.material(), Material.DEFAULT), found));
+        scene.objects().forEach(object -> collect(scene, object.shape(), object.material(), found));
         return found;
     }
 
@@ -67,13 +68,15 @@ final class PovWarnings {
         return materials(scene, object).stream().filter(material -> material.transparency() > 0).toList();
     }
 
-    private static void collect(Scene scene, Shape shape, Material material, Set<Material> found) {
+    private static void collect(Scene scene, Shape shape, MaterialSource given, Set<Material> found) {
         if (shape instanceof Csg csg) {
             for (Operand operand : csg.operands()) {
-                collect(scene, operand.solid(), own(scene, operand.material(), material), found);
+                collect(scene, operand.solid(), operand.material() == Inherited.INHERITED ? given : operand.material(), found);
             }
+        } else if (given == Inherited.INHERITED && shape instanceof Mesh mesh && mesh.isRead()) {
+            mesh.triangles().parts().forEach(part -> found.add(mesh.materialOf(part).orElse(Material.DEFAULT)));
         } else {
-            found.add(material);
+            found.add(own(scene, given, Material.DEFAULT));
         }
     }
 

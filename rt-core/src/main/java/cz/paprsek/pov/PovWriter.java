@@ -13,6 +13,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
@@ -56,7 +57,7 @@ final class PovWriter {
         for (SceneObject object : scene.objects()) {
             text.comment(object.name());
             MaterialSource material = object.material() == Inherited.INHERITED ? Material.DEFAULT : object.material();
-            solid(object.shape(), List.of(texture(material, object.shape()), PovMaterials.interior(scene, object), placement(object.placement())));
+            solid(object.shape(), object.material(), List.of(texture(material, object.shape()), PovMaterials.interior(scene, object), placement(object.placement())));
         }
     }
 
@@ -108,8 +109,13 @@ final class PovWriter {
         return PovMaterials.texture((Material) source, shape);
     }
 
-    /** Writes a shape and what modifies it, first things first: a texture is carried along by the placements after it. */
-    private void solid(Shape shape, List<String> modifiers) throws IOException {
+    /** Writes a shape and what modifies it, first things first: a texture is carried along by the placements after it. What parts of meshes are made of counts where nothing is given. */
+    private void solid(Shape shape, MaterialSource given, List<String> modifiers) throws IOException {
+        if (given == Inherited.INHERITED && shape instanceof Mesh mesh && !mesh.materials().isEmpty()) {
+            List<String> textures = mesh.triangles().parts().stream().map(part -> PovMaterials.texture(mesh.materialOf(part).orElse(Material.DEFAULT), mesh)).toList();
+            text.line(PovMesh.of(mesh, textures) + " " + PovText.joined(modifiers.subList(1, modifiers.size())) + " }");
+            return;
+        }
         if (!(shape instanceof Csg csg)) {
             text.line(PovShapes.primitive(shape, PovText.joined(modifiers)));
             return;
@@ -117,7 +123,8 @@ final class PovWriter {
         text.open(PovShapes.keyword(csg));
         for (Operand operand : csg.operands()) {
             text.comment(operand.name());
-            solid(operand.solid(), List.of(texture(operand.material(), operand.solid()), placement(operand.placement())));
+            solid(operand.solid(), operand.material() == Inherited.INHERITED ? given : operand.material(),
+                    List.of(texture(operand.material(), operand.solid()), placement(operand.placement())));
         }
         // A texture here would be laid over one that a single operand brings along.
         text.close(PovText.joined(bringsTexture(csg) ? modifiers.subList(1, modifiers.size()) : modifiers));

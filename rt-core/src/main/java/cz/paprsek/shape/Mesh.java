@@ -16,6 +16,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
@@ -89,8 +90,13 @@ public record Mesh(
 
     /** What the file's parts are made of that are in this mesh, and have a material. */
     public Collection<Material> materials() {
+        return isRead() ? triangles().parts().stream().map(this::materialOf).flatMap(Optional::stream).toList() : List.of();
+    }
+
+    /** What a part is made of if the scene says nothing; empty if the file does not say it either, or has not been read. */
+    public Optional<Material> materialOf(String partOfFile) {
         Whole whole = content.whole;
-        return whole == null ? List.of() : triangles().parts().stream().map(whole.materials::get).filter(Objects::nonNull).toList();
+        return whole == null ? Optional.empty() : Optional.ofNullable(whole.materials.get(partOfFile));
     }
 
     /** Files that lie nowhere else: pictures within its own by the names that its materials have for them, and that itself if nobody has written it yet. */
@@ -121,9 +127,8 @@ public record Mesh(
     public Volume place(Affine toWorld, Parts parts) {
         Triangles triangles = triangles();
         return triangles.place(toWorld, number -> {
-            Whole whole = content.whole;
-            Material own = whole == null ? null : whole.materials.get(triangles.parts().get(number));
-            return own == null ? parts : parts.unlessGiven(own, toWorld);
+            Optional<Material> own = materialOf(triangles.parts().get(number));
+            return own.isEmpty() ? parts : parts.unlessGiven(own.get(), toWorld);
         });
     }
 

@@ -3,6 +3,7 @@ package cz.paprsek.cli.describe;
 import cz.paprsek.format.ForeignScene;
 import cz.paprsek.io.Json;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.mesh.Triangles;
 import cz.paprsek.text.Numbers;
 import java.util.ArrayList;
@@ -35,10 +36,26 @@ public final class ModelSummary {
     }
 
     public static Json json(String file, ForeignScene model, Triangles mesh) {
-        Bounds bounds = mesh.bounds();
-        return new Json().with("file", file).with("triangles", mesh.count()).with("vertices", mesh.vertexCount()).with("closed", mesh.isClosed())
-                .with("open-edges", mesh.openEdges()).with("volume", mesh.isClosed() ? mesh.volume() : Double.NaN).with("area", mesh.area())
-                .with("bounds", new Json().withNumbers("min", bounds.minX(), bounds.minY(), bounds.minZ()).withNumbers("max", bounds.maxX(), bounds.maxY(), bounds.maxZ()))
+        return measured(new Json().with("file", file), mesh)
                 .with("unit", model.convention().unit()).with("up", model.convention().isZUp() ? "z" : "y").withTexts("parts", mesh.parts()).withTexts("notes", model.notes());
+    }
+
+    /** What a scene's mesh is like, in its own space. */
+    static Json json(Mesh mesh) {
+        return measured(new Json().with("file", mesh.file()).with("part", mesh.part()), mesh.triangles());
+    }
+
+    /** The same in a line. */
+    static String line(Mesh mesh) {
+        Triangles triangles = mesh.triangles();
+        return (mesh.part().isEmpty() ? "" : "part " + mesh.part() + ", ") + triangles.count() + " triangles, "
+                + (triangles.isClosed() ? "closed, volume " + Numbers.text(triangles.volume()) : "open edges " + triangles.openEdges()) + ", area " + Numbers.text(triangles.area());
+    }
+
+    private static Json measured(Json json, Triangles mesh) {
+        Bounds bounds = mesh.bounds();
+        return json.with("triangles", mesh.count()).with("vertices", mesh.vertexCount()).with("closed", mesh.isClosed())
+                .with("open-edges", mesh.openEdges()).with("volume", mesh.isClosed() ? mesh.volume() : Double.NaN).with("area", mesh.area())
+                .with("bounds", new Json().withNumbers("min", bounds.minX(), bounds.minY(), bounds.minZ()).withNumbers("max", bounds.maxX(), bounds.maxY(), bounds.maxZ()));
     }
 }

@@ -40,6 +40,9 @@ public final class SummaryAsJson {
                 .with("objects", scene.objects().size())
                 .with("kinds", kinds)
                 .with("unbounded", summary.unbounded());
+        if (!summary.meshes().isEmpty()) {
+            json.with("meshes", summary.meshes().stream().map(ModelSummary::json).toList());
+        }
         return summary.bounds().isEmpty() ? json : json.with("bounds", of(summary.bounds()));
     }
 

@@ -86,6 +86,7 @@ public final class SummaryAsText {
         line("objects", summary.scene().objects().size() + (operands > 0 ? ", with " + operands + (operands == 1 ? " operand" : " operands") : ""));
         summary.kinds().forEach((kind, count) -> item(kind, count.operands() == 0 ? Integer.toString(count.objects())
                 : count.objects() + " and " + count.operands() + (count.operands() == 1 ? " operand" : " operands")));
+        summary.meshes().forEach(mesh -> item(mesh.file(), ModelSummary.line(mesh)));
         Bounds box = summary.bounds();
         line("bounds", (box.isEmpty() ? "none"
                 : Numbers.text(box.minX()) + " " + Numbers.text(box.minY()) + " " + Numbers.text(box.minZ()) + " to "

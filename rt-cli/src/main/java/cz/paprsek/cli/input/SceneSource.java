@@ -37,25 +37,32 @@ public record SceneSource(Path file, String label, String name, Reading reading)
     public static SceneSource of(Path file) {
         Optional<ForeignFormat> format = Models.format(file);
         return new SceneSource(file, file.toString(), Incoming.nameOf(file),
-                format.isPresent() ? new ModelReading(file, format.get()) : () -> Incoming.scene(file));
+                format.isPresent() ? new ModelReading(file, format.get(), true) : () -> Incoming.scene(file));
+    }
+
+    /** The same without the floor that a file of another program is given. */
+    public SceneSource withoutFloor() {
+        return reading instanceof ModelReading model ? new SceneSource(file, label, name, new ModelReading(file, model.format, false)) : this;
     }
 
     /** A file of another program. */
     private static final class ModelReading implements Reading {
         private final Path file;
         private final ForeignFormat format;
+        private final boolean hasFloor;
         private List<String> notes = List.of();
 
-        ModelReading(Path file, ForeignFormat format) {
+        ModelReading(Path file, ForeignFormat format, boolean hasFloor) {
             this.file = file;
             this.format = format;
+            this.hasFloor = hasFloor;
         }
 
         @Override
         public Scene read() throws IOException {
             ForeignScene read = Models.read(file, format);
             notes = read.notes();
-            return read.scene();
+            return (hasFloor ? read : read.withoutFloor()).scene();
         }
 
         @Override
