@@ -14,6 +14,15 @@ public final class Doubles {
         values[size++] = value;
     }
 
+    /** Adds some numbers of an array. */
+    public void add(double[] from, int first, int count) {
+        while (size + count > values.length) {
+            values = Arrays.copyOf(values, Ints.larger(values.length));
+        }
+        System.arraycopy(from, first, values, size, count);
+        size += count;
+    }
+
     public int size() {
         return size;
     }

@@ -36,6 +36,26 @@ public final class TextLines {
         this.areJoined = areJoined;
     }
 
+    /** Lines, joined by backslashes, that somebody else finds. */
+    public static TextLines ofOthers() {
+        return new TextLines();
+    }
+
+    private TextLines() {
+        this.input = InputStream.nullInputStream();
+        this.areJoined = true;
+    }
+
+    /** Goes to some whole lines, which are changed where they are joined: the next is the first of them. */
+    public void lookAt(byte[] bytes, long linesBefore) {
+        buffer = bytes;
+        start = 0;
+        next = 0;
+        filled = bytes.length;
+        isAfterReturn = false;
+        ended = linesBefore;
+    }
+
     /** Says how many lines were read before, by somebody else. */
     public TextLines after(long lines) {
         ended = lines;

@@ -9,7 +9,7 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 
 /** Text in UTF-16, read as UTF-8. */
-final class Transcoded extends InputStream {
+public final class Transcoded extends InputStream {
     private static final int PIECE = 8192;
 
     private final Reader reader;
@@ -22,7 +22,7 @@ final class Transcoded extends InputStream {
     }
 
     /** The text as UTF-8 or some other encoding that has ASCII in it, without a byte-order mark. */
-    static InputStream utf8(InputStream input) throws IOException {
+    public static InputStream utf8(InputStream input) throws IOException {
         PushbackInputStream peeked = new PushbackInputStream(input, 3);
         byte[] mark = peeked.readNBytes(3);
         int first = mark.length < 2 ? 0 : (mark[0] & 0xFF) << 8 | (mark[1] & 0xFF);

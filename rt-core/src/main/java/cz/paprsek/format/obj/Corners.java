@@ -39,6 +39,10 @@ final class Corners {
         return builder.triangleCount() == 0;
     }
 
+    int placeOf(int vertex) {
+        return placeOf.get(vertex);
+    }
+
     void part(String name) {
         builder.part(name);
     }

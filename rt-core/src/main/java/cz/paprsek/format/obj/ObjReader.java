@@ -11,9 +11,11 @@ import cz.paprsek.format.model.TextLines;
 import cz.paprsek.material.Material;
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * Reads OBJ: vertices, normals, places in pictures, faces of any number of corners, groups and objects as parts, smoothing groups, materials.
@@ -22,9 +24,13 @@ import java.util.Map;
  */
 public final class ObjReader {
     private static final Convention CONVENTION = new Convention("", false);
+    /** How many numbers a corner has, by its form. */
+    private static final int[] WIDTHS = {1, 2, 2, 3};
 
     private final Companions companions;
-    private final TextLines lines;
+    private final Blocks blocks;
+    /** Of the lines that are read word by word, the one that is looked at. */
+    private final TextLines lines = TextLines.ofOthers();
     private final Notes notes = new Notes();
     private final Doubles places = new Doubles();
     private final Doubles normals = new Doubles();
@@ -41,7 +47,7 @@ public final class ObjReader {
 
     private ObjReader(InputStream input, Companions companions) throws IOException {
         this.companions = companions;
-        this.lines = new TextLines(input, true);
+        this.blocks = new Blocks(input);
     }
 
     public static Model read(InputStream input, Companions companions) throws IOException {
@@ -49,6 +55,49 @@ public final class ObjReader {
     }
 
     private Model read() throws IOException {
+        long before = 0;
+        for (Optional<Block> block = blocks.next(); block.isPresent(); block = blocks.next()) {
+            take(block.get(), before);
+            before += block.get().lines();
+        }
+        if (corners.isEmpty()) {
+            throw FormatFault.in("the end", "there is no face in this file" + (places.size() > 0 ? ", only " + places.size() / 3 + " vertices" : ""));
+        }
+        return new Model(corners.build(), parts.materials(), materials, Map.of(), List.of(), List.of(),
+                CONVENTION, notes.toList());
+    }
+
+    private void take(Block block, long before) throws IOException {
+        int[] codes = block.codes();
+        int count = block.codeCount();
+        int number = 0;
+        int face = 0;
+        for (int at = 0; at < count;) {
+            int code = codes[at++];
+            if (code > 0) {
+                int next = at + (code >> 2) * WIDTHS[code & 3];
+                if (!plainFace(codes, at, code)) {
+                    int begin = block.beginOf(face);
+                    other(block, before + face, begin, block.afterEnd(block.endOf(begin)));
+                }
+                at = next;
+                face++;
+            } else if (code == Block.FACES) {
+                face = codes[at++];
+            } else if (code == Block.OTHER) {
+                other(block, before + codes[at], codes[at + 1], codes[at + 2]);
+                at += 3;
+            } else {
+                int size = (code == Block.MAP ? 2 : 3) * codes[at++];
+                (code == Block.VERTICES ? places : code == Block.NORMALS ? normals : map).add(block.numbers(), number, size);
+                number += size;
+            }
+        }
+    }
+
+    /** One that is not quite in order, or nothing that there are millions of. */
+    private void other(Block block, long before, int begin, int end) throws IOException {
+        lines.lookAt(Arrays.copyOfRange(block.bytes(), begin, end), before);
         while (lines.next()) {
             if (lines.word()) {
                 switch (lines.letter(0)) {
@@ -59,11 +108,62 @@ public final class ObjReader {
                 }
             }
         }
-        if (corners.isEmpty()) {
-            throw FormatFault.in("the end", "there is no face in this file" + (places.size() > 0 ? ", only " + places.size() / 3 + " vertices" : ""));
+    }
+
+    /** A face whose corners are numbers; false if one of them names nothing that there is. */
+    private boolean plainFace(int[] codes, int from, int code) {
+        int width = WIDTHS[code & 3];
+        int count = code >> 2;
+        if (count == 3) {
+            int a = plainCorner(codes, from, code);
+            int b = plainCorner(codes, from + width, code);
+            int c = plainCorner(codes, from + 2 * width, code);
+            if (a < 0 || b < 0 || c < 0) {
+                return false;
+            }
+            beginPart();
+            corners.triangle(a, b, c);
+            return true;
         }
-        return new Model(corners.build(), parts.materials(), materials, Map.of(), List.of(), List.of(),
-                CONVENTION, notes.toList());
+        polygon.clear();
+        for (int i = 0, at = from; i < count; i++, at += width) {
+            int vertex = plainCorner(codes, at, code);
+            if (vertex < 0) {
+                return false;
+            }
+            int place = corners.placeOf(vertex);
+            polygon.add(vertex, places.get(3 * place), places.get(3 * place + 1), places.get(3 * place + 2));
+        }
+        beginPart();
+        polygon.cut(toCorners);
+        return true;
+    }
+
+    private int plainCorner(int[] codes, int at, int code) {
+        int place = resolved(codes[at], places.size() / 3);
+        int uv = Corners.NONE;
+        int normal = Corners.NONE;
+        if ((code & 3) != 0) {
+            boolean hasMap = (code & Block.HAS_MAP) != 0;
+            boolean hasNormal = (code & Block.HAS_NORMAL) != 0;
+            uv = hasMap ? resolved(codes[at + 1], map.size() / 2) : uv;
+            normal = hasNormal ? resolved(codes[at + WIDTHS[code & 3] - 1], normals.size() / 3) : normal;
+            place = (hasMap && uv < 0) || (hasNormal && normal < 0) ? -1 : place;
+        }
+        return place < 0 ? -1 : corners.vertex(place, uv, normal, smoothing);
+    }
+
+    /** −1 for what there is none of. */
+    private static int resolved(int number, int count) {
+        int index = number < 0 ? count + number : number - 1;
+        return index < count ? Math.max(-1, index) : -1;
+    }
+
+    private void beginPart() {
+        if (isPartNew) {
+            corners.part(parts.current());
+            isPartNew = false;
+        }
     }
 
     private void vertex() throws IOException {
@@ -99,10 +199,7 @@ public final class ObjReader {
         if (polygon.count() < 3) {
             throw lines.fault("a face needs at least three corners, but this one has " + polygon.count());
         }
-        if (isPartNew) {
-            corners.part(parts.current());
-            isPartNew = false;
-        }
+        beginPart();
         polygon.cut(toCorners);
     }
 
