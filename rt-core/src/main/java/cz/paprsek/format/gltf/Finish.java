@@ -2,6 +2,7 @@ package cz.paprsek.format.gltf;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Rgb;
+import java.util.stream.IntStream;
 
 /**
  * What a surface does to light at each point: what it covers, how far it conducts, how rough it is and how much it lets through.
@@ -15,6 +16,8 @@ final class Finish {
     private static final double MATTE = 0.6;
     /** What scatters of light that is not mirrored, of an index of 1.5. */
     private static final double WITHIN = 0.96;
+
+    private static final double[] LIGHT = IntStream.range(0, 256).mapToDouble(Rgb::linear).toArray();
 
     private final Channel cover;
     private final Channel metal;
@@ -107,6 +110,6 @@ final class Finish {
 
     /** The light that stands for a number. */
     private static double sample(double number) {
-        return Rgb.linear(255 * Math.max(0, Math.min(1, number)));
+        return LIGHT[(int) Math.rint(255 * Math.max(0, Math.min(1, number)))];
     }
 }

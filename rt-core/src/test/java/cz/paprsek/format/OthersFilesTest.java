@@ -1,0 +1,81 @@
+package cz.paprsek.format;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import cz.paprsek.asset.Assets;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.shape.Mesh;
+import cz.paprsek.shape.mesh.Triangles;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Files that eight other programs wrote, against what a program that did not write them reads. */
+class OthersFilesTest {
+    private static final Path FOLDER = Path.of("src/test/resources/foreign");
+    private static final Assets ASSETS = Assets.in(FOLDER);
+
+    record Expected(String file, int triangles, double[] bounds, double volume) {
+        static Expected of(String line) {
+            String[] words = line.split(" \\| ");
+            double[] bounds = Stream.of((words[2] + ' ' + words[3]).split(" ")).mapToDouble(Double::parseDouble).toArray();
+            return new Expected(words[0], Integer.parseInt(words[1]), bounds, Double.parseDouble(words[4]));
+        }
+
+        @Override
+        public String toString() {
+            return file;
+        }
+    }
+
+    static List<Expected> files() throws IOException {
+        return Files.readAllLines(FOLDER.resolve("files.txt")).stream().filter(line -> !line.startsWith("#")).map(Expected::of).toList();
+    }
+
+    private static double[] array(Bounds b) {
+        return new double[] {b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()};
+    }
+
+    @ParameterizedTest
+    @MethodSource("files")
+    void whatIsInAFileIsWhatOthersFindInIt(Expected expected) throws IOException {
+        Triangles mesh = Mesh.of(expected.file).read(MeshFiles.whole(expected.file, ASSETS)).triangles();
+        assertThat(mesh.count()).isEqualTo(expected.triangles);
+        double[] found = array(mesh.bounds());
+        for (int i = 0; i < 6; i++) {
+            assertThat(found[i]).as("bounds %s", Arrays.toString(found)).isCloseTo(expected.bounds[i], within(1e-5));
+        }
+        // The corners that should close a ring of three.js miss the first ones by the sine of what should be 2π.
+        assertThat(mesh.openEdges() > 0).isEqualTo(expected.file.startsWith("three-ring"));
+        assertThat(mesh.volume()).isCloseTo(expected.volume, within(1e-4 * expected.volume));
+    }
+
+    @Test
+    void theyAreOfManyProgramsAndFormats() throws IOException {
+        List<String> names = files().stream().map(Expected::file).toList();
+        assertThat(names.stream().map(name -> name.substring(0, name.indexOf('-'))).distinct()).containsExactlyInAnyOrder("assimp", "blender", "meshio", "meshlab", "openscad", "three", "trimesh", "vtk");
+        assertThat(names.stream().map(name -> name.substring(name.lastIndexOf('.') + 1)).distinct()).containsExactlyInAnyOrder("obj", "stl", "ply", "gltf", "glb");
+    }
+
+    /** With the bounds of the STL that OpenSCAD makes of them; what has fourteen sides there is round here, and so up to 3 % larger. */
+    @ParameterizedTest
+    @CsvSource({"openscad-ell.csg, 0 0 0 3 2.5 1.25, 1e-9", "openscad-ring.csg, -2.75 -2.68105 -0.75 2.75 2.68105 0.75, 0.07", "openscad-nut.csg, -2 -1.73205 0 2 1.73205 1.5, 1e-5"})
+    void dumpsAreBodiesAsLargeAsThose(String file, String bounds, double tolerance) throws IOException {
+        ForeignScene scene = ForeignScene.read(file, ForeignFormat.OPENSCAD, ASSETS);
+        double[] up = array(scene.scene().objects().get(0).shape().bounds().transformed(scene.scene().objects().get(0).placement().toParent()));
+        double[] expected = Stream.of(bounds.split(" ")).mapToDouble(Double::parseDouble).toArray();
+        double[] found = {up[0], -up[5], up[1], up[3], -up[2], up[4]};
+        for (int i = 0; i < 6; i++) {
+            assertThat(found[i]).as("bounds %s", Arrays.toString(found)).isCloseTo(expected[i], within(tolerance));
+        }
+        assertThat(scene.convention()).satisfies(it -> assertThat(it.unit() + it.isZUp()).isEqualTo("mmtrue"));
+    }
+}
