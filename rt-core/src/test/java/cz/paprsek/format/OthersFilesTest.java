@@ -12,7 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Stream;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -23,17 +23,20 @@ class OthersFilesTest {
     private static final Path FOLDER = Path.of("src/test/resources/foreign");
     private static final Assets ASSETS = Assets.in(FOLDER);
 
-    record Expected(String file, int triangles, double[] bounds, double volume) {
+    record Expected(String file, int triangles, List<Double> bounds, double volume) {
         static Expected of(String line) {
-            String[] words = line.split(" \\| ");
-            double[] bounds = Stream.of((words[2] + ' ' + words[3]).split(" ")).mapToDouble(Double::parseDouble).toArray();
-            return new Expected(words[0], Integer.parseInt(words[1]), bounds, Double.parseDouble(words[4]));
+            List<String> words = Pattern.compile(" \\| ").splitAsStream(line).toList();
+            return new Expected(words.get(0), Integer.parseInt(words.get(1)), numbers(words.get(2) + ' ' + words.get(3)), Double.parseDouble(words.get(4)));
         }
 
         @Override
         public String toString() {
             return file;
         }
+    }
+
+    private static List<Double> numbers(String text) {
+        return Pattern.compile(" ").splitAsStream(text).map(Double::valueOf).toList();
     }
 
     static List<Expected> files() throws IOException {
@@ -51,7 +54,7 @@ class OthersFilesTest {
         assertThat(mesh.count()).isEqualTo(expected.triangles);
         double[] found = array(mesh.bounds());
         for (int i = 0; i < 6; i++) {
-            assertThat(found[i]).as("bounds %s", Arrays.toString(found)).isCloseTo(expected.bounds[i], within(1e-5));
+            assertThat(found[i]).as("bounds %s", Arrays.toString(found)).isCloseTo(expected.bounds.get(i), within(1e-5));
         }
         // The corners that should close a ring of three.js miss the first ones by the sine of what should be 2π.
         assertThat(mesh.openEdges() > 0).isEqualTo(expected.file.startsWith("three-ring"));
@@ -71,10 +74,10 @@ class OthersFilesTest {
     void dumpsAreBodiesAsLargeAsThose(String file, String bounds, double tolerance) throws IOException {
         ForeignScene scene = ForeignScene.read(file, ForeignFormat.OPENSCAD, ASSETS);
         double[] up = array(scene.scene().objects().get(0).shape().bounds().transformed(scene.scene().objects().get(0).placement().toParent()));
-        double[] expected = Stream.of(bounds.split(" ")).mapToDouble(Double::parseDouble).toArray();
+        List<Double> expected = numbers(bounds);
         double[] found = {up[0], -up[5], up[1], up[3], -up[2], up[4]};
         for (int i = 0; i < 6; i++) {
-            assertThat(found[i]).as("bounds %s", Arrays.toString(found)).isCloseTo(expected[i], within(tolerance));
+            assertThat(found[i]).as("bounds %s", Arrays.toString(found)).isCloseTo(expected.get(i), within(tolerance));
         }
         assertThat(scene.convention()).satisfies(it -> assertThat(it.unit() + it.isZUp()).isEqualTo("mmtrue"));
     }

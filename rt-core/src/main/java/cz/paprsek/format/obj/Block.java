@@ -205,7 +205,7 @@ final class Block {
         if (numberCount + 3 > numbers.length) {
             numbers = Arrays.copyOf(numbers, 2 * numbers.length);
         }
-        if (!number() || (code == MAP && isAtEnd() ? !zero() : !number()) || (code != MAP && !number())) {
+        if (!number() || !secondOf(code) || (code != MAP && !number())) {
             return false;
         }
         byte[] b = bytes;
@@ -217,6 +217,11 @@ final class Block {
         }
         at = afterEnd(i);
         return true;
+    }
+
+    /** Places in pictures may have one number only. */
+    private boolean secondOf(int code) {
+        return (code == MAP && isAtEnd()) ? zero() : number();
     }
 
     private boolean isAtEnd() {
