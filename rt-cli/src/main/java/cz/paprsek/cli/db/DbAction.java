@@ -1,27 +1,30 @@
 package cz.paprsek.cli.db;
 
 import cz.paprsek.cli.input.Incoming;
+import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.process.BadScene;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.format.Belongings;
 import cz.paprsek.io.Failures;
 import cz.paprsek.query.Filter;
 import cz.paprsek.query.FilterException;
 import cz.paprsek.query.Table;
+import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.function.UnaryOperator;
 import picocli.CommandLine.Option;
 
 /** What the commands on databases have in common: how files are read and changed, and how mistakes become sentences. */
@@ -84,12 +87,18 @@ public abstract class DbAction implements Callable<Integer> {
         }
     }
 
+    /** What becomes of a database. */
+    @FunctionalInterface
+    interface Change {
+        SceneDatabase apply(SceneDatabase database) throws IOException;
+    }
+
     /**
      * Changes a database while nobody else can.
      *
      * @param from files that scenes are taken from
      */
-    final void update(Path file, UnaryOperator<SceneDatabase> change, OriginalText... from) throws IOException {
+    final void update(Path file, Change change, OriginalText... from) throws IOException {
         Incoming.requireFile(file);
         if (!Files.exists(file)) {
             throw new BadScene(List.of(file + ": no such file"));
@@ -99,8 +108,28 @@ public abstract class DbAction implements Callable<Integer> {
                 DatabaseFile.update(file, database -> asked(() -> change.apply(database)), from);
             } catch (SceneFileException e) {
                 throw new BadScene(e.problems().stream().map(Problem::toString).toList());
+            } catch (UncheckedIOException e) {
+                throw e.getCause();
             }
         });
+    }
+
+    /**
+     * Takes along, to the folder of the file that scenes are taken into, the pictures and meshes that they name, and tells which of these are missing.
+     *
+     * @throws IOException if there is another of the same name
+     */
+    final void takeAlong(Path from, List<Scene> scenes, Path to) throws IOException {
+        Optional<Path> folder = Incoming.isOnce(from) ? Optional.empty() : Optional.ofNullable(from.toAbsolutePath().getParent());
+        for (Scene scene : scenes) {
+            try {
+                for (String name : new Belongings(scene, new Pictures().of(from), folder).take(to, false)) {
+                    done(to + ": warning: \"" + name + "\" of scene \"" + scene.name() + "\" is missing, and is not taken along");
+                }
+            } catch (IOException e) {
+                throw new IOException(Failures.sentence(to.toString(), e), e);
+            }
+        }
     }
 
     /** What the user asked for, refused if it makes no sense. */
@@ -109,6 +138,8 @@ public abstract class DbAction implements Callable<Integer> {
             return wish.call();
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(String.valueOf(refused.getMessage()));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         } catch (RuntimeException e) {
             throw e;
         } catch (Exception e) {

@@ -28,7 +28,7 @@ import picocli.CommandLine.Parameters;
 /** Adds scenes to a database. */
 @Command(
         name = "add",
-        description = "Adds the scenes of files to a database, which is made if there is none. A scene without a name gets that of its file.",
+        description = "Adds the scenes of files to a database, which is made if there is none. A scene without a name gets that of its file; pictures and meshes go along.",
         footer = {"", "Examples:", "  paprsek db add my.xml 'scenes/*.xml'", "  paprsek db add my.xml ring.xml --name \"My ring\" --tag csg --tag gold"})
 final class DbAddCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "DATABASE", description = "A database file.")
@@ -67,12 +67,22 @@ final class DbAddCommand extends DbAction {
                 Gathered all = new Gathered(file, database);
                 texts.forEach((path, text) -> all.add(path, labelled(path, text), replace ? Clash.REPLACE : Clash.REFUSE,
                         "--replace takes that of " + path + (count == 1 ? ", --name gives it another name" : "")));
+                takeAlong(texts);
                 return all.scenes();
             }, from);
         } else {
-            stop.guard(() -> create(more.scenes(), from));
+            stop.guard(() -> {
+                takeAlong(texts);
+                create(more.scenes(), from);
+            });
         }
         done(file + ": " + scenes(more.scenes().size()) + " added");
+    }
+
+    private void takeAlong(Map<Path, OriginalText> texts) throws IOException {
+        for (Map.Entry<Path, OriginalText> one : texts.entrySet()) {
+            takeAlong(one.getKey(), labelled(one.getKey(), one.getValue()).scenes(), file);
+        }
     }
 
     private void create(SceneDatabase content, OriginalText[] from) throws IOException {

@@ -24,7 +24,7 @@ import picocli.CommandLine.Option;
 /** Writes scenes of a database to files of their own. */
 @Command(
         name = "extract",
-        description = "Writes scenes of a database to files of their own. Files that exist are not overwritten.",
+        description = "Writes scenes of a database to files of their own, their pictures and meshes beside them. Files that exist are not overwritten.",
         footer = {"", "Examples:", "  paprsek db extract my.xml \"Chess set\" -o chess.xml", "  paprsek db extract my.xml --where 'tag = \"glass\"' -o glass/"})
 final class DbExtractCommand extends DbAction {
     @Mixin
@@ -56,7 +56,10 @@ final class DbExtractCommand extends DbAction {
         }
         Map<Path, Scene> files = files(scenes, FileNames.of(database.names()));
         for (Map.Entry<Path, Scene> one : files.entrySet()) {
-            stop.guard(() -> SceneFile.create(one.getKey(), one.getValue(), text));
+            stop.guard(() -> {
+                takeAlong(choice.file(), List.of(one.getValue()), one.getKey());
+                SceneFile.create(one.getKey(), one.getValue(), text);
+            });
             done(one.getValue().name() + " -> " + one.getKey());
         }
     }

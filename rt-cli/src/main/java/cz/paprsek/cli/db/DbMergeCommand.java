@@ -5,6 +5,7 @@ import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase.Clash;
 import cz.paprsek.xml.OriginalText;
 import java.io.IOException;
@@ -20,7 +21,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "merge",
         description = "Takes all scenes of other databases into the first one. Scenes that are the same in both are no clash; different ones of "
-                + "the same name are refused, unless you say which to take.",
+                + "the same name are refused, unless you say which to take. Pictures and meshes go along.",
         footer = {"", "Example:", "  paprsek db merge my.xml theirs.xml --keep"})
 final class DbMergeCommand extends DbAction {
     @Parameters(index = "0", paramLabel = "DATABASE", description = "The database that gets the scenes.")
@@ -53,6 +54,10 @@ final class DbMergeCommand extends DbAction {
             Gathered all = new Gathered(file, database);
             texts.forEach((other, text) -> all.add(other, text.contents().database(Incoming.nameOf(other)), clash,
                     "--keep takes that of the first, --replace that of the other"));
+            for (Map.Entry<Path, OriginalText> one : texts.entrySet()) {
+                List<Scene> taken = one.getValue().contents().scenes().stream().filter(scene -> all.scenes().scenes().contains(scene)).toList();
+                takeAlong(one.getKey(), taken, file);
+            }
             sizes[0] = database.size();
             sizes[1] = all.scenes().size();
             return all.scenes();

@@ -165,6 +165,41 @@ class DbCommandTest {
         assertThat(Run.cli("db", "extract", database, "Blue/2", "red one", "-o", "x.xml").err()).contains("2 scenes do not fit into x.xml");
     }
 
+    /** Else a scene that was taken to another folder could not be rendered there. */
+    @Test
+    void picturesGoAlongWhereScenesAreTaken() throws IOException {
+        Path here = Files.createDirectories(folder.resolve("here/pics"));
+        Run.cli("render", ball, "-o", here.resolve("a.png"), "-q");
+        Path tiled = Scenes.scene(here.resolveSibling("tiled.xml"), "<rectangle min='-1 -1' max='1 1'><material><image file='pics/a.png'/></material></rectangle>");
+        Path there = Files.createDirectory(folder.resolve("there"));
+        assertThat(Run.cli("db", "add", there.resolve("db.xml"), tiled).err()).isEqualTo(there.resolve("db.xml") + ": 1 scene added\n");
+        assertThat(there.resolve("pics/a.png")).hasSameBinaryContentAs(here.resolve("a.png"));
+        assertThat(Run.cli("render", there.resolve("db.xml"), "-o", folder.resolve("out.png"), "-q").code()).isZero();
+        assertThat(Run.cli("db", "extract", there.resolve("db.xml"), "ball", "-o", folder.resolve("third/t.xml")).code()).isZero();
+        assertThat(Run.cli("validate", folder.resolve("third/t.xml"), "-q").code()).isZero();
+        Path fourth = Files.createDirectory(folder.resolve("fourth"));
+        Run.cli("db", "init", fourth.resolve("db.xml"), "--empty");
+        assertThat(Run.cli("db", "merge", fourth.resolve("db.xml"), there.resolve("db.xml")).code()).isZero();
+        assertThat(fourth.resolve("pics/a.png")).hasSameBinaryContentAs(here.resolve("a.png"));
+    }
+
+    @Test
+    void aPictureThatIsMissingIsToldAndAnotherOfItsNameIsNotOverwritten() throws IOException {
+        Path scene = Scenes.scene(folder.resolve("tiled.xml"), "<rectangle min='-1 -1' max='1 1'><material><image file='a.png'/></material></rectangle>");
+        Path there = Files.createDirectory(folder.resolve("there"));
+        Path target = there.resolve("db.xml");
+        assertThat(Run.cli("db", "add", target, scene)).matches(run -> run.code() == 0
+                && run.err().startsWith(target + ": warning: \"a.png\" of scene \"ball\" is missing, and is not taken along\n"));
+        Files.writeString(folder.resolve("a.png"), "one");
+        Files.writeString(there.resolve("a.png"), "other");
+        byte[] before = Files.readAllBytes(target);
+        Run refused = Run.cli("db", "add", target, scene, "--name", "again");
+        assertThat(refused.code()).isEqualTo(1);
+        assertThat(refused.err()).isEqualTo(target + ": there is another picture a.png beside it; give one of them another name\n");
+        assertThat(target).hasBinaryContent(before);
+        assertThat(there.resolve("a.png")).hasContent("other");
+    }
+
     @Test
     void aNewDatabaseHasExamplesOrNothing() throws Exception {
         Path fresh = folder.resolve("fresh.xml");
