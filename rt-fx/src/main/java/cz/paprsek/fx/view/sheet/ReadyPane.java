@@ -59,7 +59,7 @@ final class ReadyPane extends TitledPane {
         button.setId(id(name));
         button.setAccessibleText(name);
         button.setTooltip(new Tooltip(name));
-        button.getStyleClass().add("small-button");
+        button.getStyleClass().addAll("small-button", "ready-ball");
         button.setOnAction(event -> give(name, material));
         button.setOnDragDetected(event -> {
             drag(button, Scene.EMPTY.plus(name, material), Optional.ofNullable(picture.getImage()));
