@@ -30,6 +30,7 @@ import cz.paprsek.query.SceneTables;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.text.Numbers;
 import java.nio.file.Files;
 import java.util.List;
 import java.util.Optional;
@@ -141,6 +142,10 @@ final class RenderCommand implements Callable<Integer> {
                 + "The picture is the same, to the last bit. The file is removed when the picture is written."})
     private boolean resume;
 
+    @Option(names = "--time", paramLabel = "SECONDS", description =
+            "Of the integrator path, makes as many passes of 64 paths a pixel as can be done in this time, at least one, unless --samples ends it before.")
+    private Optional<Double> time;
+
     @Option(names = "--json", description = "Prints a JSON object for every scene, one a line, instead of plain text.")
     private boolean json;
 
@@ -166,6 +171,9 @@ final class RenderCommand implements Callable<Integer> {
         if (mode != RenderMode.SHADED && (pixels.isTransparent() || pixels.haveLayers())) {
             throw new WrongUsage("--transparent and --aov are for pictures of light, which --mode " + mode + " is not");
         }
+        if (time.isPresent() && !(time.get() > 0)) {
+            throw new WrongUsage("--time must be a number of seconds above 0, but is " + Numbers.text(time.get()));
+        }
         if (json) {
             stop.oweLastWords();
         }
@@ -176,7 +184,7 @@ final class RenderCommand implements Callable<Integer> {
         View view = new View(mode, camera, light, !noLegend, pixels);
         view.check(targets);
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
-        return new RenderBatch(terminal, stop, wishes, view, writing, resume, pictures, progress, Report.of(terminal, json, quiet)).run(targets);
+        return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, pictures, progress, Report.of(terminal, json, quiet)).run(targets);
     }
 
     private List<SceneSource> sources() {

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -47,6 +48,31 @@ class InterruptTest {
         }
         assertThat(process.exitValue()).isEqualTo(deaf ? 128 + 15 : ExitCode.INTERRUPTED);
         assertThat(picture).hasContent("old");
+        assertThat(folder.toFile().list()).containsExactly("picture.png");
+    }
+
+    @Test
+    @Timeout(60)
+    void interruptingPathsKeepsThePassesThatWereComplete() throws Exception {
+        boolean deaf = interruptsAreIgnored();
+        Path picture = folder.resolve("picture.png");
+        Process process = new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", System.getProperty("java.class.path"),
+                Main.class.getName(), "render", Path.of("../scenes/cornell.xml").toString(), "--size", "8x8", "--samples", "1000000", "-o", picture.toString())
+                .start();
+        try (BufferedReader messages = process.errorReader(StandardCharsets.UTF_8)) {
+            assertThat(messages.readLine()).contains("rendering 8x8");
+            while (!Files.exists(picture)) {
+                Thread.sleep(20);
+            }
+            new ProcessBuilder("kill", deaf ? "-TERM" : "-INT", Long.toString(process.pid())).start().waitFor();
+            assertThat(process.waitFor(10, TimeUnit.SECONDS)).isTrue();
+            assertThat(messages.lines()).allMatch(line -> line.endsWith("paths a pixel that were complete"));
+        } finally {
+            process.destroyForcibly();
+        }
+        assertThat(process.exitValue()).isEqualTo(deaf ? 128 + 15 : ExitCode.INTERRUPTED);
+        assertThat(ImageIO.read(picture.toFile()).getWidth()).isEqualTo(8);
         assertThat(folder.toFile().list()).containsExactly("picture.png");
     }
 

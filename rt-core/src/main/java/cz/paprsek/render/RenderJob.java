@@ -8,6 +8,7 @@ import cz.paprsek.render.integrate.Integrator;
 import cz.paprsek.render.integrate.Paths;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.render.sample.PassSums;
 import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.show.DepthRange;
@@ -20,6 +21,7 @@ import cz.paprsek.scene.RenderSettings.PixelFilter;
 import java.io.IOException;
 import java.math.BigInteger;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 
@@ -90,6 +92,28 @@ final class RenderJob implements Workers.Work {
             layers = layers.with(planes.get(i), film.plane(i));
         }
         return layers;
+    }
+
+    /** How near the pixels are to the truth; empty if they are not judged. */
+    Optional<RenderResult.Certainty> certainty() {
+        RenderSettings settings = options.settings();
+        if (!options.isInPasses() || !settings.isAdaptive()) {
+            return Optional.empty();
+        }
+        Passes passes = new Passes(settings, options.fixedSampler());
+        PassSums sums = passes.newSums();
+        float[] kept = new float[passes.kept()];
+        int within = 0;
+        double farthest = 0;
+        for (int i = 0; i < image.width() * image.height(); i++) {
+            film.kept(options.region().x() + i % image.width(), options.region().y() + i / image.width(), kept);
+            sums.load(kept);
+            // Of less than a pass nothing is known.
+            double half = sums.count() == 0 ? 1 : sums.halfWidth();
+            within += half <= settings.error() ? 1 : 0;
+            farthest = Math.max(farthest, half);
+        }
+        return Optional.of(new RenderResult.Certainty((double) within / (image.width() * image.height()), farthest));
     }
 
     boolean isComplete() {

@@ -3,19 +3,30 @@ package cz.paprsek.render;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.Layers;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * A picture, whole or as far as it got, and what it took.
  *
  * @param layers what else was to be known of its pixels; without planes if nothing was
+ * @param certainty how near its pixels are to the truth; empty unless they were judged as paths are, by {@code samples="A..B"}
  */
-public record RenderResult(Image image, Layers layers, Stats stats, Outcome outcome) {
+public record RenderResult(Image image, Layers layers, Stats stats, Outcome outcome, Optional<Certainty> certainty) {
     public RenderResult {
         Objects.requireNonNull(image, "image");
         Objects.requireNonNull(layers, "layers");
         Objects.requireNonNull(stats, "stats");
         Objects.requireNonNull(outcome, "outcome");
+        Objects.requireNonNull(certainty, "certainty");
     }
+
+    /**
+     * How near the pixels are to the truth, as they are shown, from black as 0 to white as 1, with the confidence that was asked for.
+     *
+     * @param within the share of pixels that are within the error asked for
+     * @param farthest how far any of them may be from the truth
+     */
+    public record Certainty(double within, double farthest) {}
 
     /** How a render ended. */
     public enum Outcome {

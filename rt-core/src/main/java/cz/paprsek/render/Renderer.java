@@ -8,6 +8,7 @@ import cz.paprsek.render.work.Workers;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.tree.Kernel;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
 /** Renders scenes to images. The same scene gives the same image, to the last bit, for any number of threads. */
@@ -97,7 +98,7 @@ public final class Renderer implements AutoCloseable {
         } while (job.isComplete() && job.goesOn());
         job.throwFailure();
         RenderResult.Stats stats = job.stats(scene.buildSeconds(), (System.nanoTime() - begin) / 1e9);
-        return new RenderResult(job.image(), job.layers(), stats, job.isComplete() ? Outcome.DONE : Outcome.CANCELLED);
+        return new RenderResult(job.image(), job.layers(), stats, job.isComplete() ? Outcome.DONE : Outcome.CANCELLED, job.certainty());
     }
 
     /**
@@ -128,7 +129,7 @@ public final class Renderer implements AutoCloseable {
             return render(RenderScene.of(scene, assets, monitor), options, monitor, store);
         } catch (CancellationException cancelled) {
             Image black = new Image(options.region().width(), options.region().height());
-            return new RenderResult(black, Layers.ofSize(black.width(), black.height()), RenderResult.Stats.NONE, Outcome.CANCELLED);
+            return new RenderResult(black, Layers.ofSize(black.width(), black.height()), RenderResult.Stats.NONE, Outcome.CANCELLED, Optional.empty());
         }
     }
 

@@ -129,6 +129,16 @@ public record RenderSettings(
         return new RenderSettings(width, height, maxDepth, integrator, least, most, error, confidence, filter, exposure, tone);
     }
 
+    /**
+     * Of paths, with another number in each pixel; if pixels are judged, with another one at most.
+     *
+     * @throws IllegalArgumentException if these settings are not of paths
+     */
+    public RenderSettings withMostRays(int paths) {
+        Require.that(isPath(), "a most number of rays is of paths");
+        return isAdaptive() ? withSamples(Math.min(samples, paths), paths) : withSamples(paths);
+    }
+
     public RenderSettings withError(double target) {
         return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, target, confidence, filter, exposure, tone);
     }

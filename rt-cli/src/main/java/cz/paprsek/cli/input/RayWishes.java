@@ -48,6 +48,11 @@ public final class RayWishes {
         return sampler == Sampler.fixed;
     }
 
+    /** Whether a number of samples is said. */
+    public boolean haveSamples() {
+        return samples.isPresent();
+    }
+
     /** @throws IllegalArgumentException if a number is out of range */
     RenderSettings applyTo(RenderSettings scene) {
         RenderSettings settings = scene.withIntegrator(integrator.orElse(scene.integrator()));

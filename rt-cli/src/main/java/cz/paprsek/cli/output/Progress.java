@@ -12,10 +12,17 @@ public abstract class Progress implements RenderMonitor, AutoCloseable {
     private final Stop stop;
     private final Pace pace;
     private final long begin = System.nanoTime();
+    private Passed whenPassed = (image, passes) -> true;
 
     Progress(RenderOptions options, Stop stop) {
         this.stop = stop;
         this.pace = new Pace((long) options.region().width() * options.region().height() * options.passes());
+    }
+
+    /** Is told of each pass over a picture that is complete. */
+    interface Passed {
+        /** Whether to go on. */
+        boolean passed(Image image, int passes);
     }
 
     /** Begins to show the progress of a render. */
@@ -55,6 +62,15 @@ public abstract class Progress implements RenderMonitor, AutoCloseable {
     public final synchronized void finished(Tile tile, Image image, int done, int tiles) {
         pace.traced((long) tile.width() * tile.height(), seconds());
         refresh();
+    }
+
+    @Override
+    public final boolean passed(Image image, int passes) {
+        return whenPassed.passed(image, passes);
+    }
+
+    final void whenPassed(Passed listener) {
+        whenPassed = listener;
     }
 
     final synchronized void refresh() {

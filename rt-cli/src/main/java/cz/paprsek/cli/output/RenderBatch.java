@@ -19,6 +19,7 @@ import cz.paprsek.io.Failures;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.Renderer;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
@@ -29,7 +30,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** Renders scenes one after the other, each on all threads; one that fails does not stop the next. */
-public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Pictures pictures, Progress.Maker progress, Report report) {
+public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Optional<Double> seconds, Pictures pictures, Progress.Maker progress, Report report) {
 
     /** The exit code of the worst. */
     public int run(List<Target> targets) {
@@ -76,7 +77,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
     private Outcome render(Target target, Scene read, Scene scene, Assets assets, long begin) {
         RenderOptions options;
         try {
-            options = view.applyTo(wishes.applyTo(scene.settings()), target.format());
+            options = timed(view.applyTo(wishes.applyTo(scene.settings()), target.format()));
             Image.requireRoom(options.region().width(), options.region().height());
         } catch (IllegalArgumentException refused) {
             return fail(target, Outcome.WRONG_USAGE, List.of(target.source().label() + ": " + refused.getMessage()));
@@ -92,20 +93,20 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                 Room.checkDisk(target.file().get(), view.written(target.format()).leastBytes(width, height));
             }
             try (Tiles tiles = resume ? Tiles.kept(target, scene, assets, options, terminal) : Tiles.NOT_KEPT) {
-                RenderResult result = rendered(target, scene, assets, options, tiles);
+                WholePasses passes = new WholePasses(seconds, (image, count) -> isWritten(target, read, image, ofPasses(options, count)));
+                RenderResult result = rendered(target, scene, assets, options, tiles, passes);
                 if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
-                    return interrupted(target);
+                    return interrupted(target, passes);
                 }
                 Image image = view.finished(result.image(), target.format());
-                ImageOptions how = view.written(target.format(), writing.of(read, options, view, target.format()));
-                stop.guard(() -> write(target, image, result.layers(), how));
+                write(target, read, image, result.layers(), passes.passesInTime().map(count -> ofPasses(options, count)).orElse(options));
                 tiles.discard();
-                report.done(target, scene.name(), image.width(), image.height(), result.stats(), (System.nanoTime() - begin) / 1e9);
+                report.done(target, scene.name(), image.width(), image.height(), result, (System.nanoTime() - begin) / 1e9);
             }
         } catch (WrongUsage e) {
             return fail(target, Outcome.WRONG_USAGE, List.of(String.valueOf(e.getMessage())));
         } catch (IOException e) {
-            return stop.requested() ? interrupted(target)
+            return stop.requested() ? interrupted(target, new WholePasses(seconds, (image, count) -> false))
                     : fail(target, Outcome.FAILED, List.of(Failures.sentence(target.file().map(Path::toString).orElse("standard output"), e)));
         } catch (OutOfMemoryError e) {
             return fail(target, Outcome.FAILED, List.of(tooLarge));
@@ -113,14 +114,50 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         return Outcome.DONE;
     }
 
-    private RenderResult rendered(Target target, Scene scene, Assets assets, RenderOptions options, Tiles tiles) {
+    /** Without end but that of the time, unless somebody says how many paths there are to be. */
+    private RenderOptions timed(RenderOptions options) {
+        if (seconds.isEmpty()) {
+            return options;
+        }
+        if (!options.isInPasses()) {
+            throw new WrongUsage("--time is for pictures in passes, those of the light of --integrator path");
+        }
+        return wishes.rays().haveSamples() ? options : options.withSettings(options.settings().withMostRays(RenderSettings.MOST_PATHS));
+    }
+
+    /** What would have been asked for to get the picture after so many passes. */
+    private static RenderOptions ofPasses(RenderOptions options, int passes) {
+        return options.withSettings(options.settings().withMostRays(passes * RenderSettings.USUAL_PATHS));
+    }
+
+    /** Writes the picture of the passes so far, if it goes to a file; what hinders that is told when it is complete. */
+    private boolean isWritten(Target target, Scene read, Image image, RenderOptions options) {
+        if (target.file().isEmpty()) {
+            return false;
+        }
+        try {
+            write(target, read, view.finished(image, target.format()), Layers.ofSize(image.width(), image.height()), options);
+            return true;
+        } catch (IOException later) {
+            return false;
+        }
+    }
+
+    private void write(Target target, Scene read, Image image, Layers layers, RenderOptions options) throws IOException {
+        ImageOptions how = view.written(target.format(), writing.of(read, options, view, target.format()));
+        stop.guard(() -> write(target, image, layers, how));
+    }
+
+    private RenderResult rendered(Target target, Scene scene, Assets assets, RenderOptions options, Tiles tiles, WholePasses passes) {
         try (Progress monitor = progress.start(target.source().label(), options, stop)) {
+            monitor.whenPassed(passes);
             return Renderer.render(scene, assets, options, monitor, tiles.store());
         }
     }
 
-    private Outcome interrupted(Target target) {
-        return fail(target, Outcome.INTERRUPTED, List.of(target.source().label() + ": interrupted, no picture written"));
+    private Outcome interrupted(Target target, WholePasses passes) {
+        return fail(target, Outcome.INTERRUPTED, List.of(target.source().label() + ": interrupted, " + (passes.passesWritten() == 0 ? "no picture written"
+                : target.shown() + " has the " + passes.passesWritten() * RenderSettings.USUAL_PATHS + " paths a pixel that were complete")));
     }
 
     private void write(Target target, Image image, Layers layers, ImageOptions how) throws IOException {

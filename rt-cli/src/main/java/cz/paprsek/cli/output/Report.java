@@ -14,7 +14,7 @@ public interface Report {
      *
      * @param totalSeconds reading, rendering and writing
      */
-    void done(Target target, String scene, int width, int height, RenderResult.Stats stats, double totalSeconds);
+    void done(Target target, String scene, int width, int height, RenderResult result, double totalSeconds);
 
     /** A scene has no picture; the user has been told why. */
     void failed(Target target, Outcome outcome, List<String> problems);
@@ -45,9 +45,11 @@ public interface Report {
     /** A line for each picture. */
     record AsText(Terminal terminal, boolean quiet) implements Report {
         @Override
-        public void done(Target target, String scene, int width, int height, RenderResult.Stats stats, double totalSeconds) {
+        public void done(Target target, String scene, int width, int height, RenderResult result, double totalSeconds) {
+            RenderResult.Stats stats = result.stats();
             String line = String.format(Locale.ROOT, "%s -> %s  %dx%d  %.2f s  %.1f Mray/s", target.source().label(), target.shown(), width, height,
-                    totalSeconds, stats.rays() / 1e6 / Math.max(stats.traceSeconds(), 1e-9));
+                    totalSeconds, stats.rays() / 1e6 / Math.max(stats.traceSeconds(), 1e-9))
+                    + result.certainty().map(known -> String.format(Locale.ROOT, "  %.2f %% of the pixels within the error, the farthest %.4f", 100 * known.within(), known.farthest())).orElse("");
             if (!quiet && target.file().isPresent()) {
                 terminal.result(line);
             } else if (!quiet) {
@@ -62,8 +64,9 @@ public interface Report {
     /** An object for each scene, one a line. */
     record AsJson(Terminal terminal) implements Report {
         @Override
-        public void done(Target target, String scene, int width, int height, RenderResult.Stats stats, double totalSeconds) {
-            terminal.result(begin(target, Outcome.DONE)
+        public void done(Target target, String scene, int width, int height, RenderResult result, double totalSeconds) {
+            RenderResult.Stats stats = result.stats();
+            Json all = begin(target, Outcome.DONE)
                     .with("scene", scene)
                     .with("format", target.format().extension())
                     .with("width", width)
@@ -73,8 +76,9 @@ public interface Report {
                             .with("trace", micros(stats.traceSeconds()))
                             .with("total", micros(totalSeconds)))
                     .with("rays", RayCounts.asJson(stats))
-                    .with("hits", stats.hits())
-                    .toString());
+                    .with("hits", stats.hits());
+            result.certainty().ifPresent(known -> all.with("certainty", new Json().with("within", known.within()).with("farthest", known.farthest())));
+            terminal.result(all.toString());
         }
 
         @Override

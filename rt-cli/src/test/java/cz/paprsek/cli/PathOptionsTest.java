@@ -1,0 +1,75 @@
+package cz.paprsek.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.cli.process.ExitCode;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Pictures of paths on the command line. */
+class PathOptionsTest {
+    @TempDir
+    Path folder;
+
+    private Path scene;
+
+    @BeforeEach
+    void write() throws Exception {
+        scene = Scenes.ball(folder.resolve("a.xml"));
+    }
+
+    private Run render(Path picture, Object... options) {
+        return Run.cli(Stream.concat(Stream.of("render", scene, "--integrator", "path", "-o", picture), Arrays.stream(options)).toArray());
+    }
+
+    @Test
+    void whoResumesWithMorePathsGetsTheBytesOfAllAtOnce() throws Exception {
+        Path picture = folder.resolve("a.png");
+        Path atOnce = folder.resolve("b.png");
+        assertThat(render(picture, "--samples", 100, "--resume").code()).isEqualTo(ExitCode.DONE);
+        Run later = render(picture, "--samples", 200, "--resume");
+        assertThat(later.err()).contains("going on with the paths of an earlier render");
+        render(atOnce, "--samples", 200);
+        assertThat(picture).hasSameBinaryContentAs(atOnce);
+        Run fewer = render(picture, "--samples", 100, "--resume");
+        assertThat(fewer.code()).isEqualTo(ExitCode.WRONG_USAGE);
+        assertThat(fewer.err()).contains("has pixels of 192 paths already, more than --samples 100");
+    }
+
+    @Test
+    void timeEndsAPictureAfterWholePasses() throws Exception {
+        Path picture = folder.resolve("a.ppm");
+        assertThat(render(picture, "--time", "0.2").code()).isEqualTo(ExitCode.DONE);
+        assertThat(picture).exists();
+        assertThat(Run.cli("render", scene, "--time", 1, "-o", picture).err()).contains("--integrator path");
+        assertThat(render(picture, "--time", 0).err()).contains("above 0");
+    }
+
+    @Test
+    void whoAsksForAnErrorIsToldHowNearThePixelsAre() {
+        Run json = render(folder.resolve("a.png"), "--samples", "128", "--error", "4/255", "--json");
+        assertThat(json.out()).containsPattern("\"certainty\":\\{\"within\":[01](\\.\\d+)?,\"farthest\":0(\\.\\d+)?(E-\\d+)?}");
+        assertThat(render(folder.resolve("a.png"), "--samples", "64..128").out()).contains("of the pixels within the error");
+        assertThat(render(folder.resolve("a.png"), "--samples", "64").out()).doesNotContain("within the error");
+    }
+
+    @Test
+    void theDepthAndTheSamplesOfAFileArePaths() throws Exception {
+        Files.writeString(scene, Files.readString(scene).replace("height=\"8\"", "height=\"8\" integrator=\"path\""));
+        Path picture = folder.resolve("a.png");
+        Path other = folder.resolve("b.png");
+        assertThat(Run.cli("render", scene, "-o", picture).code()).isEqualTo(ExitCode.DONE);
+        assertThat(Run.cli("render", scene, "--samples", 64, "-o", other).code()).isEqualTo(ExitCode.DONE);
+        assertThat(picture).hasSameBinaryContentAs(other);
+        assertThat(Run.cli("info", scene).out()).contains("path");
+        assertThat(Run.cli("render", scene, "--integrator", "whitted", "-o", other).code()).isEqualTo(ExitCode.DONE);
+        assertThat(Files.mismatch(picture, other)).isNotEqualTo(-1);
+        assertThat(Run.cli("explain", scene, "1,1").err()).contains("--integrator whitted");
+        assertThat(Run.cli("render", scene, "--aov", "normal", "-o", folder.resolve("a.exr")).err()).contains("integrator whitted");
+    }
+}
