@@ -176,6 +176,27 @@ class TrianglesTest {
             assertThat(map.point(local).minus(moved.place(v)).length()).isLessThan(1e-14);
             // Out of the surface: the way from the middle is on the normal's side.
             assertThat(moved.normal(v).dot(moved.place(v).minus(new Vec3(1, 2, 3)))).isPositive();
+            assertThat(moved.normal(v).length()).isCloseTo(1, within(1e-6));
+            for (Vec3 along : List.of(local.cross(Vec3.X), local.cross(Vec3.Y), local.cross(Vec3.Z))) {
+                assertThat(moved.normal(v).dot(map.direction(along))).as("upright on the surface").isCloseTo(0, within(1e-6));
+            }
+        }
+    }
+
+    @Test
+    void whatComesBeforeThePartsIsAPartWithoutAName() {
+        Triangles.Builder out = Triangles.builder();
+        out.vertex(0, 0, 0);
+        out.vertex(1, 0, 0);
+        out.vertex(0, 1, 0);
+        for (int i = 0; i < 200; i++) {
+            out.triangle(0, 1, 2);
+            out.part(i % 2 == 0 ? "one" : "");
+        }
+        Triangles all = out.build();
+        assertThat(all.parts()).containsExactly("", "one");
+        for (int i = 0; i < 200; i++) {
+            assertThat(all.part(i)).isEqualTo(i % 2);
         }
     }
 
@@ -218,5 +239,6 @@ class TrianglesTest {
         assertThatThrownBy(() -> one.withParts(List.of("a"), new int[] {1})).hasMessageContaining("part 1");
         assertThatThrownBy(() -> one.withParts(List.of(), new int[] {})).hasMessageContaining("at least one part");
         assertThatThrownBy(() -> Triangles.builder().build()).hasMessageContaining("at least one triangle");
+        assertThatThrownBy(() -> Triangles.builder().expect(Integer.MAX_VALUE, 1)).hasMessage("a mesh has at most 715827877 vertices and as many triangles, but here are 2147483647");
     }
 }
