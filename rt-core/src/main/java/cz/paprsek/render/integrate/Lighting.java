@@ -247,7 +247,12 @@ final class Lighting {
         if (!(visibility > 0)) {
             return false;
         }
-        bring(visibility, level, finish.diffusion * facing, finish.highlight(alignment(level)), 0, 0, 0);
+        double diffuse = finish.diffusion * facing;
+        double highlight = finish.highlight(alignment(level));
+        red = visibility * arrival.red * (diffuse * level.colorRed + highlight);
+        green = visibility * arrival.green * (diffuse * level.colorGreen + highlight);
+        blue = visibility * arrival.blue * (diffuse * level.colorBlue + highlight);
+        witness.illuminated(diffuse, highlight, red, green, blue);
         return true;
     }
 
@@ -267,20 +272,16 @@ final class Lighting {
         if (!(visibility > 0)) {
             return false;
         }
+        double diffuse = isBefore ? finish.diffusion * facing : 0;
+        double highlight = isBefore ? finish.highlight(alignment(level)) : 0;
+        red = visibility * arrival.red * (diffuse * level.colorRed + highlight + lobe.valueRed);
+        green = visibility * arrival.green * (diffuse * level.colorGreen + highlight + lobe.valueGreen);
+        blue = visibility * arrival.blue * (diffuse * level.colorBlue + highlight + lobe.valueBlue);
         if (strews) {
             witness.strewn(lobe.spread, lobe.seen(), lobe.lit, lobe.valueRed, lobe.valueGreen, lobe.valueBlue);
         }
-        double highlight = isBefore ? finish.highlight(alignment(level)) : 0;
-        bring(visibility, level, isBefore ? finish.diffusion * facing : 0, highlight, lobe.valueRed, lobe.valueGreen, lobe.valueBlue);
-        return true;
-    }
-
-    /** Sets what the light brings: diffuse light, a highlight, and what is strewn. */
-    private void bring(double visibility, Level level, double diffuse, double highlight, double strewnRed, double strewnGreen, double strewnBlue) {
-        red = visibility * arrival.red * (diffuse * level.colorRed + highlight + strewnRed);
-        green = visibility * arrival.green * (diffuse * level.colorGreen + highlight + strewnGreen);
-        blue = visibility * arrival.blue * (diffuse * level.colorBlue + highlight + strewnBlue);
         witness.illuminated(diffuse, highlight, red, green, blue);
+        return true;
     }
 
     /** R·L. */
@@ -291,7 +292,6 @@ final class Lighting {
     /** Looks what stands in the way of the arrival, which becomes what gets through the substances there; the share of it that surfaces let through. */
     private double reach(int depth, int light, Level level, Finish finish, double facing) {
         crossed = 0;
-        rays++;
         double visibility = facing > 0 ? visibility(depth, light, level) : visibilityBeyond(depth, light, level);
         if (isPath && isSeen[light]) {
             visibility = weighed(light, level, finish, visibility);
@@ -319,29 +319,32 @@ final class Lighting {
 
     /** Of a light behind the surface, whose light comes through the body, or through a pane. */
     private double visibilityBeyond(int depth, int light, Level level) {
-        start(level, level.leaving == level.ray.face < 0);
+        rays++;
+        Hit hit = level.hit;
+        Ray ray = level.ray;
+        shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, ray.part,
+                level.leaving == ray.face < 0);
         around = lobe.beyond;
         isBeyond = true;
-        double share = share(depth, light, anywhere);
+        double share = share(depth * lamps.length + light, anywhere);
         isBeyond = false;
-        return share;
+        return share > 0 && glows.occluder(shadow, light) != Glows.NONE ? 0 : share;
     }
 
     private double visibility(int depth, int light, Level level) {
+        rays++;
         Entries among = depth == 0 ? between[light] : anywhere;
         if (bodies.isClear(among) && glows.areNone() && !dims) {
             return 1;
         }
-        start(level, level.leaving != level.ray.face < 0);
+        Hit hit = level.hit;
+        Ray ray = level.ray;
+        shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, ray.part,
+                level.leaving != ray.face < 0);
         backFrom(level, shadow);
         around = level.media;
-        return share(depth, light, among);
-    }
-
-    /** Starts the shadow ray, to the inner side of the surface or not. */
-    private void start(Level level, boolean inwards) {
-        Hit hit = level.hit;
-        shadow.start(hit.px, hit.py, hit.pz, arrival.x, arrival.y, arrival.z, hit.size, arrival.distance - Ray.TOUCH * hit.size, level.ray.part, inwards);
+        double share = share(depth * lamps.length + light, among);
+        return share > 0 && glows.occluder(shadow, light) != Glows.NONE ? 0 : share;
     }
 
     /** Nothing that touches a surface lies on the side it was seen from, unless the ray that came has met it just before, in the same place. */
@@ -352,8 +355,7 @@ final class Lighting {
     }
 
     /** The share of a light that comes along the shadow ray: the product of the transparencies of all surfaces in between. */
-    private double share(int depth, int light, Entries among) {
-        int memory = depth * lamps.length + light;
+    private double share(int memory, Entries among) {
         Surface last = lastOccluder[memory];
         if (last != null && last.occludes(shadow)) {
             return 0;
@@ -368,7 +370,7 @@ final class Lighting {
         if (occluder != last) {
             lastOccluder[memory] = occluder;
         }
-        return product > 0 && glows.occluder(shadow, light) != Glows.NONE ? 0 : product;
+        return product;
     }
 
     /** Whether the shadow ray meets a boundary that was found, which may lie in one place with its start. */
