@@ -21,7 +21,10 @@ interface Dialogs {
     /** Asks for a picture that the scene is to have; empty if the user thought better of it. */
     Optional<Path> pictureToOpen(Path folder);
 
-    /** Asks whether a picture from elsewhere is to be copied into the scene's folder. */
+    /** Asks for a file of triangles that the scene is to have; empty if the user thought better of it. */
+    Optional<Path> meshToOpen(Optional<Path> folder);
+
+    /** Asks whether a picture or mesh from elsewhere is to be copied into the scene's folder. */
     boolean isToCopy(Path picture, Path folder);
 
     /** Asks what to do with unsaved changes of a scene. */

@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.file.Document;
 import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.fx.model.file.Settings;
+import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.sheet.PictureFinder;
@@ -103,6 +104,11 @@ final class Editor implements Notices {
 
     PictureFinder pictureFinder() {
         return new ScenePictures(document, dialogs, texts());
+    }
+
+    /** What brings meshes into the scene, by the edits of a window. */
+    SceneMeshes meshes(Edits edits) {
+        return new SceneMeshes(document, dialogs, this, texts(), edits);
     }
 
     FileActions files() {

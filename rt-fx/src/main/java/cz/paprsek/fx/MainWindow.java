@@ -16,9 +16,11 @@ import cz.paprsek.fx.view.tree.ObjectTree;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.warning.SceneWarning;
 import java.io.File;
+import java.nio.file.Path;
 import java.util.List;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.WeakChangeListener;
+import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.SplitPane;
 import javafx.scene.input.KeyEvent;
@@ -26,6 +28,7 @@ import javafx.scene.input.TransferMode;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
+import org.jspecify.annotations.Nullable;
 
 /** What the window holds, in one language. */
 final class MainWindow {
@@ -54,7 +57,8 @@ final class MainWindow {
         warningList = new ProblemList("warning", texts.of("window.close-message"), texts::sentence);
         ObjectTree tree = new ObjectTree(model, texts, commands);
         PropertySheet sheet = new PropertySheet(model, texts, editor.proportional(), editor.pictureFinder());
-        AddPalette palette = new AddPalette(model, texts, views::sight, edits);
+        SceneMeshes meshes = editor.meshes(edits);
+        AddPalette palette = new AddPalette(model, texts, views::sight, edits, meshes::choose);
         Menus menus = new Menus(editor, views, palette, commands);
         commands.setOnRename(tree::rename);
         VBox.setVgrow(tree, Priority.ALWAYS);
@@ -84,7 +88,7 @@ final class MainWindow {
         views.setOnPointed(status::showCursor, texts);
         model.stateProperty().addListener(new WeakChangeListener<>(showSelection));
         showSelection();
-        acceptFiles(edits);
+        acceptFiles(edits, meshes);
         status.setOnWarnings(() -> {
             if (warningList.isVisible()) {
                 warningList.hide();
@@ -150,8 +154,11 @@ final class MainWindow {
         status.showSelection(PathNames.of(model.scene(), model.selection(), editor.texts()));
     }
 
-    /** Opens a scene file that is dropped on the window, and adds what is dropped as text: a scene or material out of the library. */
-    private void acceptFiles(Edits edits) {
+    /**
+     * Opens a file that is dropped on the window; one of triangles that is dropped on a view becomes part of the scene. Adds what is dropped as text: a
+     * scene or material out of the library.
+     */
+    private void acceptFiles(Edits edits, SceneMeshes meshes) {
         root.setOnDragOver(event -> {
             if (event.getDragboard().hasFiles() || event.getDragboard().hasString()) {
                 event.acceptTransferModes(TransferMode.COPY);
@@ -160,12 +167,24 @@ final class MainWindow {
         root.setOnDragDropped(event -> {
             List<File> files = event.getDragboard().getFiles();
             if (event.getDragboard().hasFiles() && !files.isEmpty()) {
-                editor.files().open(files.get(0).toPath());
+                dropped(files.get(0).toPath(), event.getPickResult().getIntersectedNode(), meshes);
                 event.setDropCompleted(true);
             } else if (event.getDragboard().hasString()) {
                 edits.paste(event.getDragboard().getString());
                 event.setDropCompleted(true);
             }
         });
+    }
+
+    private void dropped(Path file, @Nullable Node on, SceneMeshes meshes) {
+        Node node = on;
+        while (node != null && node != views.root()) {
+            node = node.getParent();
+        }
+        if (node != null && SceneMeshes.isMesh(file)) {
+            meshes.bring(file, views.sight());
+        } else {
+            editor.files().open(file);
+        }
     }
 }

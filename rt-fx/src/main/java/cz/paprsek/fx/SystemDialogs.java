@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import javafx.application.Platform;
 import javafx.event.Event;
@@ -70,6 +71,15 @@ final class SystemDialogs implements Dialogs {
     }
 
     @Override
+    public Optional<Path> meshToOpen(Optional<Path> folder) {
+        FileChooser chooser = new FileChooser();
+        chooser.setTitle(texts.get().of("dialog.mesh"));
+        folder.filter(Files::isDirectory).ifPresent(path -> chooser.setInitialDirectory(path.toFile()));
+        chooser.getExtensionFilters().addAll(new ExtensionFilter(texts.get().of("dialog.meshes"), endings(ForeignFormat::isMesh)), new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
+        return Optional.ofNullable(chooser.showOpenDialog(owner)).map(File::toPath);
+    }
+
+    @Override
     public boolean isToCopy(Path picture, Path folder) {
         ButtonType copy = new ButtonType(texts.get().of("dialog.copy.yes"), ButtonData.YES);
         ButtonType no = new ButtonType(texts.get().of("dialog.copy.no"), ButtonData.CANCEL_CLOSE);
@@ -84,12 +94,12 @@ final class SystemDialogs implements Dialogs {
         FileChooser chooser = new FileChooser();
         chooser.setTitle(title);
         chooser.getExtensionFilters().addAll(
-                new ExtensionFilter(texts.get().of("dialog.scenes"), "*.xml"), new ExtensionFilter(texts.get().of("dialog.models"), models()), new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
+                new ExtensionFilter(texts.get().of("dialog.scenes"), "*.xml"), new ExtensionFilter(texts.get().of("dialog.models"), endings(format -> true)), new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
         return chooser;
     }
 
-    private static List<String> models() {
-        return Arrays.stream(ForeignFormat.values()).flatMap(format -> format.endings().stream()).map(ending -> "*." + ending).toList();
+    private static List<String> endings(Predicate<ForeignFormat> which) {
+        return Arrays.stream(ForeignFormat.values()).filter(which).flatMap(format -> format.endings().stream()).map(ending -> "*." + ending).toList();
     }
 
     @Override

@@ -41,6 +41,12 @@ final class TestDialogs implements Dialogs {
     }
 
     @Override
+    public Optional<Path> meshToOpen(Optional<Path> folder) {
+        asked.add("mesh");
+        return chosen;
+    }
+
+    @Override
     public boolean isToCopy(Path file, Path folder) {
         asked.add("copy " + file.getFileName());
         return copies;

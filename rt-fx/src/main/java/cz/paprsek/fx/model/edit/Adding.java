@@ -29,6 +29,13 @@ public final class Adding {
         return Structure.add(state, SceneObject.of(shape).named(name).at(place.x(), place.y(), place.z()));
     }
 
+    /** Adds an object as it is turned and scaled, with its middle where the user looks. */
+    public static EditorState object(EditorState state, SceneObject object, Sight sight) {
+        Bounds box = object.shape().bounds().transformed(object.placement().toParent());
+        Vec3 place = object.placement().position().plus(sight.point()).minus(new Vec3((box.minX() + box.maxX()) / 2, (box.minY() + box.maxY()) / 2, (box.minZ() + box.maxZ()) / 2));
+        return Structure.add(state, object.at(place.x(), place.y(), place.z()));
+    }
+
     /** One light of each kind. */
     public static final List<Light> LIGHTS = List.of(Light.at(0, 0, 0), SpotLight.from(Vec3.Y, Vec3.ZERO), AreaLight.rectangle(Vec3.ZERO, 1, 1),
             SphereLight.of(Vec3.ZERO, 1), SunLight.along(0, -1, 0));

@@ -125,6 +125,22 @@ public final class Document {
     }
 
     /**
+     * The name by which a scene that is not saved yet can have a file: that in its folder, from which then all its files come. Empty if it has others from
+     * elsewhere. Where the scene is saved, they are taken along.
+     */
+    public Optional<String> nameBeforeSaving(Path file) throws IOException {
+        String name = String.valueOf(file.getFileName());
+        Assets beside = Assets.beside(file.toAbsolutePath());
+        for (String used : model.scene().files()) {
+            if (!beside.bytes(used).equals(model.assets().bytes(used))) {
+                return Optional.empty();
+            }
+        }
+        model.setAssets(beside);
+        return Optional.of(name);
+    }
+
+    /**
      * Copies a picture into the scene's folder, under its own name, or if another has that, with a number.
      *
      * @return the name by which the scene can have it

@@ -17,6 +17,7 @@ import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.LightAt;
@@ -66,6 +67,11 @@ public final class Edits {
     public void add(Shape shape, Sight sight) {
         String kind = texts.kind(shape);
         edit(Label.of(Edit.ADD, kind), state -> Adding.shape(state, shape, kind, sight));
+    }
+
+    /** Adds an object with its middle where the user looks. */
+    public void add(SceneObject object, Sight sight) {
+        edit(Label.of(Edit.ADD, texts.kind(object.shape())), state -> Adding.object(state, object, sight));
     }
 
     /** Adds a light of a kind where the user looks. */

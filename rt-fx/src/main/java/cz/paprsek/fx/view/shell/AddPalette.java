@@ -11,12 +11,14 @@ import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Shape;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import javafx.beans.binding.Bindings;
@@ -45,8 +47,9 @@ public final class AddPalette extends FlowPane {
 
     /**
      * @param sight where new things are put, and how large: where the user looks
+     * @param mesh asks for a file of triangles, and adds it
      */
-    public AddPalette(EditorModel model, Texts texts, Supplier<Sight> sight, Edits edits) {
+    public AddPalette(EditorModel model, Texts texts, Supplier<Sight> sight, Edits edits, Consumer<Sight> mesh) {
         setId("add-palette");
         getStyleClass().add("add-palette");
         getStylesheets().add(Objects.requireNonNull(AddPalette.class.getResource("palette.css")).toExternalForm());
@@ -58,6 +61,8 @@ public final class AddPalette extends FlowPane {
                         .ifPresent(example -> edits.add(example, now));
             }));
         }
+        Mesh unread = Mesh.of("mesh");
+        adding.add(new Entry("add-mesh", texts.of("palette.mesh", texts.kind(unread)), Icons.of(unread), always, () -> mesh.accept(sight.get())));
         for (Light kind : Adding.LIGHTS) {
             adding.add(new Entry("add-" + kind.kind(), texts.kind(kind), Icons.of(kind), always, () -> edits.add(kind, sight.get())));
         }

@@ -1,0 +1,82 @@
+package cz.paprsek.fx;
+
+import cz.paprsek.asset.Assets;
+import cz.paprsek.format.ForeignFormat;
+import cz.paprsek.format.ForeignScene;
+import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.model.file.Document;
+import cz.paprsek.fx.model.file.SceneSource;
+import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.io.Failures;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.SceneObject;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Objects;
+import java.util.Optional;
+
+/** Brings meshes into the scene: from its folder or below, or from elsewhere, copied there. They stand upright, and in a size that is seen. */
+record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts texts, Edits edits) {
+
+    /** Asks for a file and brings it in. */
+    void choose(Sight sight) {
+        Optional<Path> folder = document.sourceProperty().get().flatMap(source -> Optional.ofNullable(source.file().toAbsolutePath().getParent()));
+        dialogs.meshToOpen(folder).ifPresent(file -> bring(file, sight));
+    }
+
+    /** Whether a file is one of triangles, which can be part of a scene. */
+    static boolean isMesh(Path file) {
+        return ForeignFormat.ofName(String.valueOf(file.getFileName())).filter(ForeignFormat::isMesh).isPresent();
+    }
+
+    /** Adds what a file holds, with its middle where the user looks. */
+    void bring(Path file, Sight sight) {
+        try {
+            Optional<String> name = name(file);
+            Optional<ForeignFormat> format = ForeignFormat.ofName(String.valueOf(file.getFileName())).filter(ForeignFormat::isMesh);
+            if (name.isEmpty() || format.isEmpty()) {
+                notices.say(name.isEmpty() ? texts.of("mesh.unsaved") : texts.of("mesh.other", file.getFileName()));
+                return;
+            }
+            Assets assets = document.model().assets();
+            notices.say(texts.of("file.opening", file.getFileName()));
+            Background.run("paprsek-mesh", () -> ForeignScene.read(name.get(), format.get(), assets).scene().objects().get(0), object -> {
+                notices.say("");
+                edits.add(seen(object, sight), sight);
+            }, fault -> notices.say(fault instanceof Exception known ? Failures.sentence(known) : String.valueOf(fault)));
+        } catch (IOException unreadable) {
+            notices.say(Failures.sentence(unreadable));
+        }
+    }
+
+    /** The name by which the scene can have a file; empty if it can have none. */
+    private Optional<String> name(Path file) throws IOException {
+        Optional<SceneSource> source = document.sourceProperty().get();
+        if (source.isEmpty()) {
+            return document.nameBeforeSaving(file);
+        }
+        Optional<String> name = document.nameOf(file);
+        if (name.isPresent()) {
+            return name;
+        }
+        Path folder = Objects.requireNonNull(source.get().file().toAbsolutePath().getParent());
+        if (!dialogs.isToCopy(file, folder)) {
+            throw new IOException(texts.of("picture.outside", file.getFileName(), folder));
+        }
+        return Optional.of(document.takeIn(file));
+    }
+
+    /** By a power of ten larger or smaller if it is ten times smaller or larger than what is seen well. */
+    private static SceneObject seen(SceneObject object, Sight sight) {
+        Bounds box = object.shape().bounds();
+        double size = Math.max(box.maxX() - box.minX(), Math.max(box.maxY() - box.minY(), box.maxZ() - box.minZ()));
+        double wanted = sight.size() / size;
+        if (!(wanted > 10 || wanted < 0.1)) {
+            return object;
+        }
+        double scale = Double.parseDouble("1e" + (int) Math.rint(Math.log10(wanted)));
+        return object.placed(object.placement().withScale(new Vec3(scale, scale, scale)));
+    }
+}
