@@ -139,7 +139,7 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(names = "--resume", description = {
         "Keeps every finished tile in FILE.resume beside the picture, and goes on from there if an earlier render was interrupted or killed. "
-                + "The picture is the same, to the last bit. The file is removed when the picture is written."})
+                + "The picture is the same, to the last bit. The file is removed when the picture is written; with the integrator path it stays, for more paths later."})
     private boolean resume;
 
     @Option(names = "--time", paramLabel = "SECONDS", description =

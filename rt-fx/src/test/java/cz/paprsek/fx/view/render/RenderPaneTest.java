@@ -25,6 +25,7 @@ import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -173,6 +174,33 @@ class RenderPaneTest {
         enter("#render-most-samples", "0");
         assertThat(gui.node("#render-error").isDisabled()).as("a grid is not judged").isTrue();
         assertThat(gui.node("#render-start").isDisabled()).isFalse();
+    }
+
+    @Test
+    @SuppressWarnings("unchecked")
+    void pathsAreChosenAsOnTheCommandLine() {
+        ChoiceBox<Object> integrator = (ChoiceBox<Object>) gui.node("#render-integrator");
+        ChoiceBox<Object> mode = (ChoiceBox<Object>) gui.node("#render-mode");
+        gui.act(() -> integrator.getSelectionModel().select(1));
+        assertThat(text("#render-samples") + " " + text("#render-most-samples")).as("as many as whoever says nothing gets").isEqualTo("64 0");
+        enter("#render-width", "24");
+        enter("#render-height", "16");
+        enter("#render-samples", "1000001");
+        assertThat(gui.node("#render-start").isDisabled()).isTrue();
+        enter("#render-samples", "100");
+        assertThat(gui.node("#render-transparent").isDisabled()).isTrue();
+        gui.act(() -> mode.getSelectionModel().select(4));
+        assertThat(gui.node("#render-start").isDisabled()).as("counts are of the other integrator").isTrue();
+        assertThat(gui.node("#render-paths-counts").isVisible()).isTrue();
+        gui.act(() -> mode.getSelectionModel().select(0));
+        gui.click("#render-start");
+        untilDone();
+        RenderSettings wished = SCENE.settings().withSize(24, 16).withIntegrator(Integrator.PATH).withSamples(100);
+        assertThat(shown().task().options()).isEqualTo(RenderOptions.of(wished));
+        Image expected = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(wished), RenderMonitor.NONE).image();
+        assertThat(shown().task().image().orElseThrow().red(12, 8)).isEqualTo(expected.red(12, 8));
+        gui.act(() -> integrator.getSelectionModel().select(0));
+        assertThat(text("#render-samples")).isEqualTo("1");
     }
 
     @Test
