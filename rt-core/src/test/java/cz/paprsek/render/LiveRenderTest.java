@@ -9,6 +9,7 @@ import cz.paprsek.render.live.LivePass;
 import cz.paprsek.render.live.LiveRender;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
@@ -54,6 +55,17 @@ class LiveRenderTest {
         get(watcher.last);
         assertThat(watcher.steps).containsExactly(8, 4, 2, 1, 1);
         assertThat(watcher.tilesOfFirst).isEqualTo(1);
+    }
+
+    /** One in a pixel, four, sixteen, then all. */
+    @Test
+    void pathsAreFewAtFirstAndMoreInEachFurtherPass() throws Exception {
+        RenderSettings settings = SMALL.withSize(40, 30).withIntegrator(Integrator.PATH).withSamples(20);
+        Watcher watcher = new Watcher();
+        live.show(SCENE, settings, watcher);
+        Image last = get(watcher.last);
+        assertThat(watcher.steps).containsExactly(8, 4, 2, 1, 1, 1, 1);
+        assertThat(Scenes.difference(last, Renderer.render(SCENE.withSettings(settings)), 0)).isZero();
     }
 
     @Test
