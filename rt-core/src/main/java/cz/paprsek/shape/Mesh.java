@@ -95,6 +95,7 @@ public record Mesh(
 
     /** What a part is made of if the scene says nothing; empty if the file does not say it either, or has not been read. */
     public Optional<Material> materialOf(String partOfFile) {
+        Objects.requireNonNull(partOfFile, "partOfFile");
         Whole whole = content.whole;
         return whole == null ? Optional.empty() : Optional.ofNullable(whole.materials.get(partOfFile));
     }

@@ -60,11 +60,13 @@ public final class Film {
 
     /** Puts there what is kept of a pixel: zeros at first. */
     public void kept(int x, int y, float[] into) {
+        Objects.requireNonNull(into, "into");
         System.arraycopy(sums, kept * at(x, y), into, 0, kept);
     }
 
     /** Keeps that of a pixel. */
     public void keep(int x, int y, float[] numbers) {
+        Objects.requireNonNull(numbers, "numbers");
         System.arraycopy(numbers, 0, sums, kept * at(x, y), kept);
     }
 
