@@ -124,6 +124,36 @@ class ReliefTest {
                 .isEqualTo(picture(scene.plus(ball.madeOf(material))).toArgb());
     }
 
+    /** N is (0, 10, 1) there, which who looks along (0, 0.6, −0.8) sees from behind: edge-on it is (0, 0.8, 0.6). */
+    @Test
+    void aNormalThatIsSeenFromBehindIsTurnedUntilItIsSeenEdgeOn() {
+        Scene scene = obliquely(Material.DEFAULT.withDiffusion(1)).plus(SunLight.along(0, 0, -1));
+        assertThat(Renderer.render(scene).red(1, 1)).isCloseTo(0.6f, within(1e-6f));
+    }
+
+    /** Mirrored there, the ray would go straight on, to what is red; it is turned back to what is green. */
+    @Test
+    void aMirroredRayStaysOnTheSideItCameFrom() {
+        Scene scene = obliquely(Material.DEFAULT.withDiffusion(0).withReflection(1)).withBackground(new Rgb(0, 255, 0))
+                .plus(SceneObject.of(new Rectangle(-9, -9, 9, 9)).at(0, 0, -1).madeOf(Material.color(Rgb.BLACK).withEmission(new Rgb(255, 0, 0), 1)));
+        Image image = Renderer.render(scene);
+        assertThat(image.red(1, 1)).isZero();
+        assertThat(image.green(1, 1)).isEqualTo(1f);
+    }
+
+    private static Scene obliquely(Material material) {
+        return Scenes.empty().plus(SceneObject.of(new Rectangle(-1, -1, 1, 1)).madeOf(material.withRelief(new Bump(-20, BLACK_TO_WHITE)))).withSettings(new RenderSettings(3, 3, 5, 1))
+                .withCamera(Camera.looking(new Vec3(0, -6, 8), new Vec3(0, 0.6, -0.8)).withLens(new Lens.Orthographic(1e-6)));
+    }
+
+    /** ITU-R BT.709, of numbers that are not light. */
+    @Test
+    void theLuminanceOfAShareIsMostlyItsGreen() {
+        assertThat(ColorChannel.LUMINANCE.of(new Rgb(255, 0, 0))).isEqualTo(0.2126);
+        assertThat(ColorChannel.LUMINANCE.of(new Rgb(0, 255, 0))).isEqualTo(0.7152);
+        assertThat(ColorChannel.LUMINANCE.of(new Rgb(0, 0, 255))).isEqualTo(0.0722);
+    }
+
     /** From behind no light comes through, however the bumps are turned. */
     @ParameterizedTest
     @ValueSource(doubles = {0.02, 0.3, 20})
