@@ -126,6 +126,7 @@ public record Material(
 
     /** What says a share point by point, by the name of its attribute; nothing of one that is the same everywhere, or of what is no share. */
     public Optional<ByPattern> byPattern(String attribute) {
+        Objects.requireNonNull(attribute, "attribute");
         return !shares.equals(Shares.EVEN) && Described.values(shares).get(attribute) instanceof ByPattern by ? Optional.of(by) : Optional.empty();
     }
 
