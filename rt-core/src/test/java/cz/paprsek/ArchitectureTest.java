@@ -51,7 +51,7 @@ class ArchitectureTest {
             .whereLayer("standard").mayNotBeAccessedByAnyLayer()
             .whereLayer("warning").mayNotBeAccessedByAnyLayer()
             .whereLayer("teach").mayNotBeAccessedByAnyLayer()
-            .whereLayer("io").mayOnlyBeAccessedByLayers("query", "image", "asset", "worked", "xml", "pov", "format")
+            .whereLayer("io").mayOnlyBeAccessedByLayers("query", "image", "asset", "worked", "xml", "pov", "format", "teach")
             .whereLayer("list").mayOnlyBeAccessedByLayers("scene", "render")
             .whereLayer("tree").mayOnlyBeAccessedByLayers("shape", "render")
             .whereLayer("attribute").mayOnlyBeAccessedByLayers("material", "shape", "scene", "query", "worked", "words", "xml", "pov", "warning")

@@ -14,6 +14,7 @@ import cz.paprsek.cli.value.Filters;
 import cz.paprsek.cli.value.Integrators;
 import cz.paprsek.cli.value.Formats;
 import cz.paprsek.cli.value.LayerNames;
+import cz.paprsek.cli.value.MistakeNames;
 import cz.paprsek.cli.value.Modes;
 import cz.paprsek.cli.value.Part;
 import cz.paprsek.cli.value.PixelPlace;
@@ -31,6 +32,7 @@ import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
+import cz.paprsek.teach.Mistake;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -49,7 +51,7 @@ import picocli.CommandLine.ParameterException;
 final class Cli {
     /** Of all commands, in the order of the help. */
     private static final List<String> NAMES = List.of(
-            "render", "validate", "info", "explain", "convert", "bench", "compare", "crosscheck", "db", "schema", "generate-completion", "help");
+            "render", "validate", "info", "explain", "convert", "bench", "compare", "grade", "crosscheck", "db", "schema", "generate-completion", "help");
 
     /** As wide as every terminal is. */
     private static final int WIDTH = 80;
@@ -98,6 +100,7 @@ final class Cli {
         register(root, Tone.class, Tones::parse);
         register(root, Share.class, Share::parse);
         register(root, Samples.class, Samples::parse);
+        register(root, Mistake.class, MistakeNames::parse);
         register(root, Part.class, Part::parse);
         register(root, PixelFilter.class, Filters::parse);
         register(root, Integrator.class, Integrators::parse);
@@ -154,6 +157,7 @@ final class Cli {
             case "convert" -> new ConvertCommand(terminal, stop);
             case "bench" -> new BenchCommand(terminal, stop);
             case "compare" -> new CompareCommand(terminal, stop);
+            case "grade" -> new GradeCommand(terminal, stop);
             case "crosscheck" -> new CrossCheckCommand(terminal, stop);
             case "db" -> DbCommand.of(terminal, stop);
             case "schema" -> new SchemaCommand(terminal, stop);

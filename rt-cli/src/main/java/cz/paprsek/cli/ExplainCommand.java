@@ -1,8 +1,9 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.Cameras;
-import cz.paprsek.cli.input.Incoming;
+import cz.paprsek.cli.input.ChosenScene;
 import cz.paprsek.cli.input.LightWishes;
+import cz.paprsek.cli.input.MistakeWishes;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.SceneReading;
@@ -23,15 +24,16 @@ import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.text.Decoration;
 import cz.paprsek.render.explain.text.TreeJson;
 import cz.paprsek.render.explain.text.TreeText;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.text.Similar;
+import cz.paprsek.teach.Beside;
+import cz.paprsek.teach.Mistakes;
 import cz.paprsek.words.Words;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
@@ -56,6 +58,7 @@ import picocli.CommandLine.Parameters;
             "  paprsek explain scenes/glass.xml 83,100 --size 320x180 | less",
             "  paprsek explain scenes/glass.xml 250,300 --svg rays.svg",
             "  paprsek explain scenes/glass.xml 250,300 --json   for a script",
+            "  paprsek explain scenes/glass.xml 250,300 --mistake snell-upside-down",
             "  paprsek explain scenes/database.xml 400,300 --scene Gears"
         })
 final class ExplainCommand implements Callable<Integer> {
@@ -110,6 +113,9 @@ final class ExplainCommand implements Callable<Integer> {
     @Mixin
     private Pictures pictures;
 
+    @Mixin
+    private MistakeWishes mistakes;
+
     ExplainCommand(Terminal terminal, Stop stop) {
         this.terminal = terminal;
         this.stop = stop;
@@ -122,7 +128,10 @@ final class ExplainCommand implements Callable<Integer> {
         }
         Wishes wishes = new Wishes(size, maxDepth, rays, light, Optional.empty(), Optional.empty());
         try {
-            Scene scene = seen(scene());
+            Scene scene = ChosenScene.of(file, name, camera);
+            if (!mistakes.made().equals(Mistakes.NONE)) {
+                return beside(scene, wishes.applyTo(scene.settings()).settings());
+            }
             Pixel pixel = pixel(scene, wishes);
             show(pixel);
             if (svg.isPresent() && !draw(TreeDrawing.svg(scene, pixel.rays().get(pixel.typical()), all ? 0 : SMALLEST_SHARE, Words.ENGLISH), svg.get())) {
@@ -143,24 +152,20 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
-    private Scene scene() throws SceneFileException, IOException {
-        List<Scene> scenes = Incoming.read(file).scenes();
-        if (name.isEmpty() && scenes.size() == 1) {
-            return scenes.get(0);
+    private int beside(Scene scene, RenderSettings settings) {
+        if (svg.isPresent()) {
+            throw new WrongUsage("--mistake tells numbers, and draws no rays; leave --svg away");
         }
-        if (name.isEmpty()) {
-            throw new WrongUsage(file + " is a database of " + scenes.size() + " scenes; name one with --scene NAME");
-        }
-        Optional<Scene> named = scenes.stream().filter(scene -> scene.name().equals(name.get())).findFirst();
-        return named.orElseThrow(() -> new WrongUsage(file + ": there is no scene named \"" + name.get() + "\""
-                + Similar.suggestion(name.get(), scenes.stream().map(Scene::name).toList())));
-    }
-
-    private Scene seen(Scene scene) {
         try {
-            return Cameras.through(scene, camera);
-        } catch (WrongUsage none) {
-            throw new WrongUsage(file + ": " + none.getMessage());
+            Beside beside = new Beside(scene, settings, mistakes.made(), place.column(), place.row());
+            if (json) {
+                terminal.result(beside.json().toString());
+            } else {
+                beside.lines(Words.ENGLISH).forEach(line -> terminal.result(Letters.fit(line)));
+            }
+            return ExitCode.DONE;
+        } catch (IllegalArgumentException refused) {
+            throw new WrongUsage(file + ": " + refused.getMessage());
         }
     }
 

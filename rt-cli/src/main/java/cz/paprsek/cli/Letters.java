@@ -10,7 +10,9 @@ final class Letters {
     private static final Map<Character, String> SPELT = Map.ofEntries(
             Map.entry('│', "|"), Map.entry('├', "+"), Map.entry('└', "+"), Map.entry('─', "-"), Map.entry('›', ">"),
             Map.entry('·', "*"), Map.entry('−', "-"), Map.entry('°', " deg"), Map.entry('θ', "theta"), Map.entry('η', "eta"),
-            Map.entry('₁', "1"), Map.entry('₂', "2"), Map.entry('ⁿ', "^n"), Map.entry('∞', "infinity"));
+            Map.entry('₁', "1"), Map.entry('₂', "2"), Map.entry('ⁿ', "^n"), Map.entry('∞', "infinity"),
+            Map.entry('½', "1/2"), Map.entry('√', "sqrt "), Map.entry('Σ', "sum"), Map.entry('Π', "product"), Map.entry('α', "alpha"), Map.entry('⌊', "floor("),
+            Map.entry('⌋', ")"), Map.entry('…', "..."), Map.entry('ᵀ', "^T"), Map.entry('≥', ">="), Map.entry('≤', "<="), Map.entry('×', "x"));
     private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
 
     private Letters() {}

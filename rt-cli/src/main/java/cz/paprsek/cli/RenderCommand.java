@@ -4,6 +4,7 @@ import cz.paprsek.cli.db.DbAction;
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.LightWishes;
+import cz.paprsek.cli.input.MistakeWishes;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.PixelWishes;
 import cz.paprsek.cli.input.RayWishes;
@@ -30,6 +31,7 @@ import cz.paprsek.query.SceneTables;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.Mistakes;
 import cz.paprsek.text.Numbers;
 import java.nio.file.Files;
 import java.util.List;
@@ -56,6 +58,7 @@ import picocli.CommandLine.Parameters;
             "  paprsek render database.xml --where 'exists(torus)' -o pictures/",
             "  paprsek render a.xml --format ppm16 -o -   16-bit linear light to stdout",
             "  paprsek render a.xml --mode nodes -o t.png where the time goes, by pixel",
+            "  paprsek render a.xml --mistake full-fovy,no-shadow -o wrong.png",
             "  paprsek render a.xml b.xml --json --quiet  one JSON object a line"
         })
 final class RenderCommand implements Callable<Integer> {
@@ -137,6 +140,9 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private PixelWishes pixels;
 
+    @Mixin
+    private MistakeWishes mistakes;
+
     @Option(names = "--resume", description = {
         "Keeps every finished tile in FILE.resume beside the picture, and goes on from there if an earlier render was interrupted or killed. "
                 + "The picture is the same, to the last bit. The file is removed when the picture is written; with the integrator path it stays, for more paths later."})
@@ -174,6 +180,9 @@ final class RenderCommand implements Callable<Integer> {
         if (time.isPresent() && !(time.get() > 0)) {
             throw new WrongUsage("--time must be a number of seconds above 0, but is " + Numbers.text(time.get()));
         }
+        if (!mistakes.made().equals(Mistakes.NONE) && (mode != RenderMode.SHADED || region.isPresent() || resume || time.isPresent() || pixels.isTransparent() || pixels.haveLayers())) {
+            throw new WrongUsage("--mistake is for whole pictures of light, without --mode, --region, --resume, --time, --transparent and --aov");
+        }
         if (json) {
             stop.oweLastWords();
         }
@@ -181,7 +190,7 @@ final class RenderCommand implements Callable<Integer> {
         List<Target> targets = new Targets(output, format, raw).of(sources());
         Writing writing = new Writing(bits, uncompressed);
         writing.check(targets.stream().map(Target::format).toList());
-        View view = new View(mode, camera, light, !noLegend, pixels);
+        View view = new View(mode, camera, light, !noLegend, pixels, mistakes.made());
         view.check(targets);
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
         return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, pictures, progress, Report.of(terminal, json, quiet)).run(targets);

@@ -20,19 +20,19 @@ record Bodies(List<Body> all, Mistakes made) {
     /** What is met first. */
     Optional<Met> first(Ray ray, Media media) {
         List<Met> ahead = ahead(ray);
-        Optional<Met> atOnce = best(ahead, media, met -> met.t() <= ray.contact() && !made.has(BEHIND) && counts(ray, media, met, true));
+        Optional<Met> atOnce = ray.near() < 0 && !made.has(BEHIND) ? best(ahead, media, met -> met.t() <= ray.contact() && counts(ray, media, met, true)) : Optional.empty();
         if (atOnce.isPresent()) {
             return atOnce;
         }
         Optional<Met> nearest = nearest(ahead, ray);
-        return nearest.flatMap(hit -> amongGlass(hit, ahead, ray, media)).or(() -> nearest);
+        return media.all().isEmpty() ? nearest : nearest.flatMap(hit -> amongGlass(hit, ahead, ray, media)).or(() -> nearest);
     }
 
     /** What stands between the start of a ray and its end. */
     List<Crossing> between(Ray ray, Media media, double end) {
         List<Crossing> found = new ArrayList<>();
         for (Body body : all) {
-            for (Crossing crossing : body.thing.crossings(ray)) {
+            for (Crossing crossing : crossings(body, ray)) {
                 boolean isMet = crossing.t() > ray.contact() || (crossing.t() > ray.near() && counts(ray, media, new Met(body, crossing), true));
                 if (isMet && crossing.t() < end) {
                     found.add(crossing);
@@ -42,11 +42,15 @@ record Bodies(List<Body> all, Mistakes made) {
         return found;
     }
 
+    private static List<Crossing> crossings(Body body, Ray ray) {
+        return body.isNear(ray) ? body.thing.crossings(ray) : List.of();
+    }
+
     private List<Met> ahead(Ray ray) {
         double near = made.has(BEHIND) ? Double.NEGATIVE_INFINITY : ray.near();
         List<Met> ahead = new ArrayList<>();
         for (Body body : all) {
-            List<Crossing> crossings = body.thing.crossings(ray);
+            List<Crossing> crossings = crossings(body, ray);
             boolean isHalf = made.has(SMALLER_T) && body.thing instanceof Primitive && !crossings.isEmpty();
             for (Crossing crossing : isHalf ? crossings.subList(0, 1) : crossings) {
                 if (crossing.t() > near && crossing.t() < Double.POSITIVE_INFINITY) {
@@ -79,7 +83,7 @@ record Bodies(List<Body> all, Mistakes made) {
     private Optional<Met> amongGlass(Met hit, List<Met> ahead, Ray ray, Media media) {
         double touch = ray.touch(hit.t());
         Predicate<Met> isHere = met -> met.t() > hit.t() - touch && met.t() < hit.t() + touch && counts(ray, media, met, false);
-        if (media.all().isEmpty() || (hit.body().isGlass && !media.hold(hit.body()))) {
+        if (hit.body().isGlass && !media.hold(hit.body())) {
             return Optional.empty();
         }
         return best(ahead, media, met -> isHere.test(met) && (hit.body().isGlass ? rank(media, met) < 2 : media.hold(met.body())));

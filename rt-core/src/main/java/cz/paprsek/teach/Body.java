@@ -1,5 +1,7 @@
 package cz.paprsek.teach;
 
+import cz.paprsek.math.Bounds;
+
 /** An object of the scene, in the world. */
 final class Body {
     final Thing thing;
@@ -7,10 +9,20 @@ final class Body {
     final boolean isSolid;
     /** Whether light gets into that. */
     final boolean isGlass;
+    private final Bounds box;
 
-    Body(Thing thing, boolean isSolid, boolean isGlass) {
+    /** @param box around it: what a ray misses whose line misses the box */
+    Body(Thing thing, boolean isSolid, boolean isGlass, Bounds box) {
         this.thing = thing;
         this.isSolid = isSolid;
         this.isGlass = isGlass;
+        this.box = box;
+    }
+
+    /** Whether it may be in the way of a ray: nothing but time would be lost if this were always true. */
+    boolean isNear(Ray ray) {
+        Stretch inside = Stretch.ALL.between(ray.start().x(), ray.direction().x(), box.minX(), box.maxX(), 0)
+                .between(ray.start().y(), ray.direction().y(), box.minY(), box.maxY(), 0).between(ray.start().z(), ray.direction().z(), box.minZ(), box.maxZ(), 0);
+        return inside.enter() <= inside.leave() && inside.leave() >= ray.near();
     }
 }

@@ -94,7 +94,7 @@ public enum Mistake {
     private final String wrong;
 
     /** What of a ray tracer is wrong. */
-    enum Part { EYE, SHAPE, PATTERN, LIGHT, SHADOW, MIRROR, PICTURE }
+    public enum Part { EYE, SHAPE, PATTERN, LIGHT, SHADOW, MIRROR, PICTURE }
 
     Mistake(Part part, String right, String wrong) {
         this.part = part;
@@ -102,7 +102,8 @@ public enum Mistake {
         this.wrong = wrong;
     }
 
-    Part part() {
+    /** What of a ray tracer it is in. */
+    public Part part() {
         return part;
     }
 

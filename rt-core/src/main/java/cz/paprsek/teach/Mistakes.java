@@ -37,6 +37,12 @@ public final class Mistakes {
         return new Mistakes(more);
     }
 
+    /** Those that are not of a part. */
+    public Mistakes without(Mistake.Part part) {
+        Objects.requireNonNull(part, "part");
+        return of(made.stream().filter(mistake -> mistake.part() != part).toList());
+    }
+
     public boolean has(Mistake mistake) {
         return made.contains(Objects.requireNonNull(mistake, "mistake"));
     }

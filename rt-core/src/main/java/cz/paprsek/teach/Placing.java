@@ -10,6 +10,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
+import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -46,7 +47,10 @@ final class Placing {
                 if (placing.isGlass(object) == isGlass) {
                     Affine toWorld = placing.toParent(object.placement());
                     Paint standard = new Paint(Material.DEFAULT, Affine.IDENTITY, made);
-                    bodies.add(new Body(placing.place(object.shape(), toWorld, placing.paint(object.material(), toWorld, standard)), object.shape().hasInside(), isGlass));
+                    Thing thing = placing.place(object.shape(), toWorld, placing.paint(object.material(), toWorld, standard));
+                    // Who makes a mistake with shapes may find one outside of its box.
+                    Bounds box = made.without(Mistake.Part.SHAPE).equals(made) ? object.shape().bounds().transformed(toWorld).padded() : Bounds.ALL;
+                    bodies.add(new Body(thing, object.shape().hasInside(), isGlass, box));
                 }
             }
         }

@@ -48,9 +48,16 @@ public final class PlainTracer {
         return Unknown.in(Objects.requireNonNull(scene, "scene"), Objects.requireNonNull(settings, "settings"));
     }
 
-    /** The light of a pixel, linear. What is wrong with how a picture is written is in it: as the light that would be written so. */
-    Vec pixel(int column, int row) {
-        return development.of(tracer.pixel(column, row));
+    /** The light of a pixel, linear: red, green, blue. What goes wrong after that is not in it. */
+    public double[] light(int column, int row) {
+        Vec light = tracer.pixel(column, row);
+        return new double[] {light.x(), light.y(), light.z()};
+    }
+
+    /** The light that a right picture would have to show the numbers that come of some light with mistakes. */
+    public static double[] developed(double[] light, Mistakes made) {
+        Vec developed = new Development(made).of(new Vec(light[0], light[1], light[2]));
+        return new double[] {developed.x(), developed.y(), developed.z()};
     }
 
     /**
@@ -66,7 +73,7 @@ public final class PlainTracer {
                 if (stop.getAsBoolean()) {
                     throw new CancellationException("asked to stop");
                 }
-                Vec light = pixel(column, row);
+                Vec light = development.of(tracer.pixel(column, row));
                 image.set(column, row, light.x(), light.y(), light.z());
             }
         });

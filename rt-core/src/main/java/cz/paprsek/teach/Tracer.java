@@ -175,8 +175,9 @@ final class Tracer {
         }
         double end = made.has(SHADOW_BEYOND_LIGHT) ? Double.POSITIVE_INFINITY : lamp.distance() - Ray.TOUCH * hit.size();
         Ray ray = made.has(ACNE) ? Ray.fromEye(hit.point(), lamp.direction()) : hit.back(lamp.direction());
+        List<Crossing> between = bodies.between(ray, hit.media(), end);
         // In one order, whatever that of the bodies: the last bit of a product depends on it.
-        return bodies.between(ray, hit.media(), end).stream().map(crossing -> made.has(GLASS_SHADOW_BLACK) ? 0 : crossing.of().paint.material.transparency())
+        return between.isEmpty() ? 1 : between.stream().map(crossing -> made.has(GLASS_SHADOW_BLACK) ? 0 : crossing.of().paint.material.transparency())
                 .sorted().reduce(1.0, (product, share) -> product * share);
     }
 

@@ -48,6 +48,7 @@ final class Unknown {
     static List<String> in(Scene scene, RenderSettings settings) {
         Unknown unknown = new Unknown(scene);
         unknown.lookAtCamera(scene.camera().lens());
+        unknown.note(settings.isPath(), "integrator path");
         unknown.note(settings.filter() != PixelFilter.BOX, "filter " + settings.filter());
         unknown.note(settings.exposure() != 0 || settings.tone() != Tone.NONE, "exposure and tone");
         unknown.note(!scene.sky().equals(Sky.NONE), "sky");

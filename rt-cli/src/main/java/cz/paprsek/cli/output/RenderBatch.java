@@ -21,6 +21,8 @@ import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.Mistakes;
+import cz.paprsek.teach.PlainTracer;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
@@ -28,6 +30,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 
 /** Renders scenes one after the other, each on all threads; one that fails does not stop the next. */
 public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Optional<Double> seconds, Pictures pictures, Progress.Maker progress, Report report) {
@@ -149,9 +152,23 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
     }
 
     private RenderResult rendered(Target target, Scene scene, Assets assets, RenderOptions options, Tiles tiles, WholePasses passes) {
+        if (!view.mistakes().equals(Mistakes.NONE)) {
+            return wrong(target, scene, options);
+        }
         try (Progress monitor = progress.start(target.source().label(), options, stop)) {
             monitor.whenPassed(passes);
             return Renderer.render(scene, assets, options, monitor, tiles.store());
+        }
+    }
+
+    private RenderResult wrong(Target target, Scene scene, RenderOptions options) {
+        try {
+            Image image = PlainTracer.of(scene, options.settings(), view.mistakes()).render(stop::requested);
+            return new RenderResult(image, Layers.ofSize(image.width(), image.height()), RenderResult.Stats.NONE, RenderResult.Outcome.DONE, Optional.empty());
+        } catch (IllegalArgumentException unknown) {
+            throw new WrongUsage(target.source().label() + ": " + unknown.getMessage());
+        } catch (CancellationException stopped) {
+            return new RenderResult(new Image(1, 1), Layers.ofSize(1, 1), RenderResult.Stats.NONE, RenderResult.Outcome.CANCELLED, Optional.empty());
         }
     }
 

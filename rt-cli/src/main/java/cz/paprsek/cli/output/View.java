@@ -13,6 +13,7 @@ import cz.paprsek.render.mode.RenderMode.HeatScale;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.Mistakes;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -24,8 +25,9 @@ import java.util.stream.IntStream;
  * @param light the only light to shine: its name, or its number from 1
  * @param legend whether a heat map gets its scale below it
  * @param pixels what of pixels beside their light
+ * @param mistakes what is done wrong, by the plain tracer; none for the renderer
  */
-public record View(RenderMode mode, Optional<String> camera, Optional<String> light, boolean legend, PixelWishes pixels) {
+public record View(RenderMode mode, Optional<String> camera, Optional<String> light, boolean legend, PixelWishes pixels, Mistakes mistakes) {
 
     /** @throws WrongUsage if a picture's format cannot hold what is to be known of its pixels, or that is asked for twice */
     public void check(List<Target> targets) {
@@ -53,6 +55,9 @@ public record View(RenderMode mode, Optional<String> camera, Optional<String> li
 
     /** Programs read depths and counts as they are, eyes see them as brightness and colours. */
     RenderOptions applyTo(RenderOptions options, ImageFormat format) {
+        if (!mistakes.equals(Mistakes.NONE)) {
+            return RenderOptions.of(options.settings().withSamples(options.settings().samples()));
+        }
         RenderOptions shown = pixels.applyTo(options.withMode(mode));
         return isNumbers(format) ? shown.withNumbers() : shown;
     }

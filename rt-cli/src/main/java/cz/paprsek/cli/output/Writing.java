@@ -3,13 +3,17 @@ package cz.paprsek.cli.output;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.ImageOptions.Origin;
 import cz.paprsek.origin.Origins;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.Mistake;
+import cz.paprsek.teach.Mistakes;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** How pictures are written, and what they tell of themselves. */
 public record Writing(Optional<Integer> bits, boolean uncompressed) {
@@ -31,7 +35,10 @@ public record Writing(Optional<Integer> bits, boolean uncompressed) {
     ImageOptions of(Scene scene, RenderOptions render, View view, ImageFormat format) {
         RenderSettings settings = render.settings();
         ImageOptions shown = view.mode() == RenderMode.SHADED ? options().withExposure(settings.exposure()).withTone(settings.tone()) : options();
-        return shown.withOrigin(Origins.of(scene, render, view.camera(), view.light(), format));
+        Origin origin = Origins.of(scene, render, view.camera(), view.light(), format);
+        boolean isRight = view.mistakes().equals(Mistakes.NONE) || origin.equals(Origin.UNTOLD);
+        String mistakes = view.mistakes().all().stream().map(Mistake::toString).collect(Collectors.joining(","));
+        return shown.withOrigin(isRight ? origin : new Origin(origin.scene(), origin.digest(), origin.program(), origin.settings() + " --mistake " + mistakes));
     }
 
     /** As the user wishes. */

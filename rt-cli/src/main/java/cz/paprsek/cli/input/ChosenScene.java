@@ -1,0 +1,43 @@
+package cz.paprsek.cli.input;
+
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.text.Similar;
+import cz.paprsek.xml.SceneFileException;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** One scene of a file, and one of its cameras. */
+public final class ChosenScene {
+    private ChosenScene() {}
+
+    /**
+     * Reads it.
+     *
+     * @param name which scene of a database
+     * @param camera which camera, if not the first: its name, or its number from 1
+     * @throws WrongUsage if there is no such scene or camera, or if it is not said which of several scenes is meant
+     */
+    public static Scene of(Path file, Optional<String> name, Optional<String> camera) throws SceneFileException, IOException {
+        Scene scene = scene(file, Incoming.read(file).scenes(), name);
+        try {
+            return Cameras.through(scene, camera);
+        } catch (WrongUsage none) {
+            throw new WrongUsage(file + ": " + none.getMessage());
+        }
+    }
+
+    private static Scene scene(Path file, List<Scene> scenes, Optional<String> name) {
+        if (name.isEmpty() && scenes.size() == 1) {
+            return scenes.get(0);
+        }
+        if (name.isEmpty()) {
+            throw new WrongUsage(file + " is a database of " + scenes.size() + " scenes; name one with --scene NAME");
+        }
+        Optional<Scene> named = scenes.stream().filter(scene -> scene.name().equals(name.get())).findFirst();
+        return named.orElseThrow(() -> new WrongUsage(file + ": there is no scene named \"" + name.get() + "\""
+                + Similar.suggestion(name.get(), scenes.stream().map(Scene::name).toList())));
+    }
+}

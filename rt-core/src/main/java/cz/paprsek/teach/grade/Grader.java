@@ -1,0 +1,182 @@
+package cz.paprsek.teach.grade;
+
+import cz.paprsek.image.Image;
+import cz.paprsek.image.StoredImage;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.Mistake;
+import cz.paprsek.teach.Mistake.Part;
+import cz.paprsek.teach.Mistakes;
+import cz.paprsek.teach.PlainTracer;
+import cz.paprsek.teach.grade.Grade.Verdict;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/**
+ * Says which mistakes explain a picture of a scene best, one or two of them. Every mistake is rendered once, at a few hundred pixels of the very size of the
+ * picture, among them some that are wrong; what comes near is looked at at more. Of two mistakes, one at least explains something by itself: the five best are tried with all others.
+ */
+public final class Grader {
+    private static final int FEW = 150;
+    private static final int MANY = 1500;
+    /** So many mistakes are tried together with all others. */
+    private static final int LIKELY = 5;
+    private static final int REFINED = 10;
+    /** Nearer than this is the same: a pixel in a thousand may be any. */
+    private static final double SAME = 0.001;
+    /** What changes less does not show in a scene. */
+    private static final double SHOWS = 0.0003;
+    /** Two mistakes are believed only if they leave less than this share of what one leaves. */
+    private static final double MUCH_BETTER = 0.6;
+    /** Mistakes that leave more than this share of what is wrong explain nothing. */
+    private static final double MOST_LEFT = 0.4;
+    /** Farther than this from right is wrong, whether anything explains it or not. */
+    private static final double RATHER_RIGHT = 0.03;
+
+    private final List<Look> looks;
+
+    /** One number of rays along a pixel's side. */
+    private static final class Look {
+        final int samples;
+        final Attempts attempts;
+        final int[] many;
+
+        Look(Scene scene, RenderSettings settings, BooleanSupplier stop) {
+            samples = settings.samples();
+            attempts = new Attempts(scene, settings, Places.of(settings.width(), settings.height(), MANY), stop);
+            many = IntStream.range(0, attempts.places().count()).toArray();
+        }
+    }
+
+    private record Candidate(Mistakes made, double left) {}
+
+    /**
+     * For pictures of a scene in one size.
+     *
+     * @param areSamplesKnown whether the pictures have the samples of these settings; else one ray a pixel is tried, too
+     * @throws IllegalArgumentException if the plain tracer does not know all of the scene, saying what
+     */
+    public Grader(Scene scene, RenderSettings settings, boolean areSamplesKnown, BooleanSupplier stop) {
+        PlainTracer.of(scene, settings, Mistakes.NONE);
+        Objects.requireNonNull(stop, "stop");
+        looks = Stream.of(areSamplesKnown ? settings.samples() : 1, settings.samples()).distinct().map(n -> new Look(scene, settings.withSamples(n), stop)).toList();
+    }
+
+    /**
+     * What there is to say of a picture.
+     *
+     * @throws IllegalArgumentException if its size is not the one
+     */
+    public Grade grade(StoredImage picture) {
+        Image image = picture.image();
+        Grade best = null;
+        for (Look look : looks) {
+            Places places = look.attempts.places();
+            if (places.width() != image.width() || places.height() != image.height()) {
+                throw new IllegalArgumentException("the picture is " + image.width() + " x " + image.height() + " pixels, not " + places.width() + " x " + places.height());
+            }
+            Grade grade = new Judging(look, image, picture.isGrey()).grade();
+            if (best == null || rank(grade) > rank(best)) {
+                best = grade;
+            }
+            if (grade.verdict() == Verdict.RIGHT) {
+                break;
+            }
+        }
+        return Objects.requireNonNull(best);
+    }
+
+    private static double rank(Grade grade) {
+        return grade.verdict() == Verdict.RIGHT ? 2 : grade.explained() - 0.05 * grade.explanations().stream().mapToInt(one -> one.all().size()).max().orElse(0);
+    }
+
+    /** The mistakes that do not show in the scene, in pictures of this size. */
+    public Set<Mistake> silent() {
+        Look look = looks.get(0);
+        Sheet right = look.attempts.with(Mistakes.NONE, look.many, false);
+        Set<Mistake> silent = new LinkedHashSet<>(List.of(Mistake.values()));
+        silent.removeIf(mistake -> look.attempts.with(Mistakes.of(mistake), look.many, false).distance(right) > SHOWS);
+        return silent;
+    }
+
+    /** One picture, with one number of rays. */
+    private static final class Judging {
+        private final Look look;
+        private final boolean isGrey;
+        private final Sheet many;
+        /** Some pixels all over the picture, and some of those that are wrong. */
+        private final int[] telling;
+        private final Sheet few;
+
+        Judging(Look look, Image image, boolean isGrey) {
+            this.look = look;
+            this.isGrey = isGrey;
+            this.many = Sheet.of(image, look.attempts.places(), look.many, isGrey);
+            Sheet right = look.attempts.with(Mistakes.NONE, look.many, isGrey);
+            this.telling = IntStream.concat(IntStream.range(0, Math.min(FEW, look.many.length)),
+                    IntStream.of(look.many).filter(i -> many.distance(right, i) > 0).limit(FEW)).distinct().toArray();
+            this.few = Sheet.of(image, look.attempts.places(), telling, isGrey);
+        }
+
+        Grade grade() {
+            Candidate right = refined(Mistakes.NONE);
+            if (right.left < SAME) {
+                return new Grade(Verdict.RIGHT, List.of(), 1, look.samples);
+            }
+            Sheet rightOnes = look.attempts.with(Mistakes.NONE, telling, isGrey);
+            List<Candidate> singles = Stream.of(Mistake.values()).parallel().map(Mistakes::of)
+                    .filter(one -> look.attempts.with(one, telling, isGrey).distance(rightOnes) > SHOWS).map(this::rough).sorted(Comparator.comparingDouble(Candidate::left)).toList();
+            List<Candidate> best = best(singles);
+            if (best.isEmpty() || best.get(0).left >= SAME) {
+                List<Candidate> pairs = best(pairs(singles));
+                double single = best.isEmpty() ? 1 : best.get(0).left;
+                best = !pairs.isEmpty() && pairs.get(0).left < MUCH_BETTER * single ? pairs : best;
+            }
+            double left = best.isEmpty() ? 1 : best.get(0).left / right.left;
+            if (left > MOST_LEFT) {
+                return new Grade(right.left < RATHER_RIGHT ? Verdict.RIGHT : Verdict.UNEXPLAINED, List.of(), 0, look.samples);
+            }
+            return new Grade(Verdict.MISTAKEN, best.stream().map(Candidate::made).toList(), 1 - left, look.samples);
+        }
+
+        /** The best, and those that cannot be told from it. */
+        private List<Candidate> best(List<Candidate> rough) {
+            List<Candidate> refined = rough.stream().limit(REFINED).parallel().map(one -> refined(one.made)).sorted(Comparator.comparingDouble(Candidate::left)).toList();
+            if (refined.isEmpty()) {
+                return List.of();
+            }
+            Sheet first = look.attempts.with(refined.get(0).made, look.many, isGrey);
+            return refined.stream().filter(one -> look.attempts.with(one.made, look.many, isGrey).distance(first) < SHOWS).toList();
+        }
+
+        private List<Candidate> pairs(List<Candidate> singles) {
+            Set<Mistakes> pairs = new LinkedHashSet<>();
+            IntStream.range(0, singles.size()).forEach(i -> singles.subList(i + 1, singles.size()).stream().map(Candidate::made)
+                    .filter(other -> i < LIKELY || isCheap(other) || isCheap(singles.get(i).made) || (isOfEye(other) && isOfEye(singles.get(i).made)))
+                    .forEach(other -> pairs.add(singles.get(i).made.and(other.all().iterator().next()))));
+            return pairs.stream().parallel().map(this::rough).sorted(Comparator.comparingDouble(Candidate::left)).toList();
+        }
+
+        private static boolean isCheap(Mistakes one) {
+            return one.all().iterator().next().part() == Part.PICTURE;
+        }
+
+        private static boolean isOfEye(Mistakes one) {
+            return one.all().iterator().next().part() == Part.EYE;
+        }
+
+        private Candidate rough(Mistakes made) {
+            return new Candidate(made, look.attempts.with(made, telling, isGrey).distance(few));
+        }
+
+        private Candidate refined(Mistakes made) {
+            return new Candidate(made, look.attempts.with(made, look.many, isGrey).distance(many));
+        }
+    }
+}
