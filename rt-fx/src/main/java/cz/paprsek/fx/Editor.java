@@ -47,6 +47,7 @@ final class Editor implements Notices {
     private final Dialogs dialogs;
     private final RenderWindow renders;
     private final LibraryWindow library;
+    private final MistakesWindow mistakes;
     private final ObjectProperty<Theme> theme;
     private final ObjectProperty<Texts> texts;
     private final BooleanProperty snapping = new SimpleBooleanProperty(true);
@@ -71,6 +72,7 @@ final class Editor implements Notices {
         this.autosave = new Autosave(document, recovery, this::say);
         this.renders = new RenderWindow(this, dialogs);
         this.library = new LibraryWindow(this, document, dialogs);
+        this.mistakes = new MistakesWindow(this);
         stage.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1280, 800));
         stage.setMinWidth(LEAST_WIDTH);
         stage.setMinHeight(LEAST_HEIGHT);
@@ -164,6 +166,10 @@ final class Editor implements Notices {
         return library;
     }
 
+    MistakesWindow mistakes() {
+        return mistakes;
+    }
+
     /** Changes the language of the window, now and for later. */
     void setLanguage(Locale language) {
         settings.set("language", language.toLanguageTag());
@@ -192,6 +198,7 @@ final class Editor implements Notices {
         disk.stop();
         renders.close();
         library.close();
+        mistakes.close();
         if (window != null) {
             window.close();
         }
@@ -253,6 +260,7 @@ final class Editor implements Notices {
         stage.getScene().setRoot(fresh.root());
         theme.get().applyTo(stage.getScene());
         library.fill();
+        mistakes.fill();
         renders.translate();
         showTitle();
     }

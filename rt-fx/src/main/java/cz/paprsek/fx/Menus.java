@@ -158,7 +158,8 @@ final class Menus {
     }
 
     private Menu renderMenu() {
-        return menu("menu.render", render.menuItem(), command("render-menu.pictures", editor.renders()::open).keys("Shortcut+P").menuItem());
+        return menu("menu.render", render.menuItem(), command("render-menu.pictures", editor.renders()::open).keys("Shortcut+P").menuItem(),
+                command("render-menu.mistakes", editor.mistakes()::show).menuItem());
     }
 
     private MenuItem maximize(String key, int view, String keys) {

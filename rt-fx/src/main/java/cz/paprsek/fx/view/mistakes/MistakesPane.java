@@ -1,0 +1,150 @@
+package cz.paprsek.fx.view.mistakes;
+
+import cz.paprsek.fx.view.library.Worker;
+import cz.paprsek.fx.view.picture.PictureBuffer;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageComparison;
+import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.StoredImage;
+import cz.paprsek.render.Tile;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.Beside;
+import cz.paprsek.teach.Mistake;
+import cz.paprsek.teach.Mistakes;
+import cz.paprsek.teach.PlainTracer;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
+import javafx.application.Platform;
+import javafx.collections.ListChangeListener;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
+import javafx.scene.control.SelectionMode;
+import javafx.scene.control.TextArea;
+import javafx.scene.image.ImageView;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.FlowPane;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+
+/** A list of mistakes, and of those chosen the wrong picture beside the right one, where they differ, and the numbers of a pixel that is clicked. */
+public final class MistakesPane extends BorderPane {
+    /** Pictures are no wider and no higher, so that each mistake shows at once. */
+    private static final int LARGEST = 320;
+    private static final double TOLERANCE = 2;
+
+    private final Scene scene;
+    private final RenderSettings settings;
+    private final Texts texts;
+    private final ExecutorService worker = Worker.named("mistakes");
+    private final ListView<Mistake> list = new ListView<>();
+    private final ImageView right = view("mistakes-right");
+    private final ImageView wrong = view("mistakes-wrong");
+    private final ImageView difference = view("mistakes-difference");
+    private final Label lines = new Label();
+    private final TextArea numbers = new TextArea();
+    /** Counts what has been chosen. */
+    private final AtomicInteger turn = new AtomicInteger();
+
+    /** Of a scene as it is now. */
+    public MistakesPane(Scene scene, Texts texts) {
+        this.scene = scene;
+        this.texts = texts;
+        double scale = Math.min(1, LARGEST / (double) Math.max(scene.settings().width(), scene.settings().height()));
+        this.settings = scene.settings().withSize(Math.max(1, (int) (scale * scene.settings().width())), Math.max(1, (int) (scale * scene.settings().height()))).withSamples(1);
+        setId("mistakes-pane");
+        lines.setId("mistakes-lines");
+        lines.setWrapText(true);
+        numbers.setId("mistakes-numbers");
+        numbers.setEditable(false);
+        numbers.setStyle("-fx-font-family: monospace");
+        numbers.setPromptText(texts.of("mistakes.click"));
+        VBox.setVgrow(numbers, Priority.ALWAYS);
+        FlowPane pictures = new FlowPane(10, 10, captioned(texts.words().of("beside.right"), right), captioned(texts.words().of("beside.wrong"), wrong),
+                captioned(texts.of("mistakes.difference"), difference));
+        VBox content = new VBox(10, lines, pictures, numbers);
+        content.setStyle("-fx-padding: 10");
+        setCenter(content);
+        List<String> unknown = PlainTracer.unknown(scene, settings);
+        if (!unknown.isEmpty()) {
+            lines.setText(texts.of("mistakes.unknown", String.join(", ", unknown)));
+            return;
+        }
+        setLeft(list);
+        fillList();
+        worker.execute(() -> compute(turn.get(), List.of()));
+    }
+
+    private void fillList() {
+        list.setId("mistakes-list");
+        list.setPrefWidth(230);
+        list.getSelectionModel().setSelectionMode(SelectionMode.MULTIPLE);
+        list.getItems().setAll(Mistake.values());
+        list.getSelectionModel().getSelectedItems().addListener((ListChangeListener<Mistake>) change -> choose(List.copyOf(list.getSelectionModel().getSelectedItems())));
+        lines.setText(texts.of("mistakes.choose"));
+    }
+
+    /** Ends what is being computed. */
+    public void close() {
+        turn.incrementAndGet();
+        worker.shutdown();
+    }
+
+    private void choose(List<Mistake> made) {
+        int mine = turn.incrementAndGet();
+        lines.setText(made.stream().map(mistake -> mistake.meaning(texts.words()) + ":   " + mistake.wrong() + "   (" + texts.words().of("beside.right") + ":   " + mistake.right() + ")")
+                .collect(Collectors.joining("\n")));
+        numbers.clear();
+        worker.execute(() -> compute(mine, made));
+    }
+
+    /** On the worker's thread; gives up as soon as something else has been chosen. */
+    private void compute(int mine, List<Mistake> made) {
+        try {
+            Image good = PlainTracer.of(scene, settings, Mistakes.NONE).render(() -> turn.get() != mine);
+            Image bad = made.isEmpty() ? good : PlainTracer.of(scene, settings, Mistakes.of(made)).render(() -> turn.get() != mine);
+            Image heat = ImageComparison.heatmap(eightBit(good), eightBit(bad), TOLERANCE);
+            Platform.runLater(() -> {
+                if (turn.get() == mine) {
+                    show(good, right);
+                    show(bad, wrong);
+                    show(heat, difference);
+                }
+            });
+        } catch (CancellationException other) {
+            // Something else has been chosen, and will be computed.
+        }
+    }
+
+    private static StoredImage eightBit(Image image) {
+        return new StoredImage(image, StoredImage.Precision.EIGHT_BIT, false);
+    }
+
+    private static void show(Image image, ImageView view) {
+        PictureBuffer buffer = new PictureBuffer(image.width(), image.height());
+        buffer.paint(image, new Tile(0, 0, image.width(), image.height()), 1, ImageOptions.DEFAULT);
+        view.setImage(buffer.image());
+    }
+
+    private ImageView view(String id) {
+        ImageView view = new ImageView();
+        view.setId(id);
+        view.setOnMouseClicked(event -> tell((int) event.getX(), (int) event.getY()));
+        return view;
+    }
+
+    private void tell(int column, int row) {
+        List<Mistake> made = list.getSelectionModel().getSelectedItems();
+        if (column >= 0 && row >= 0 && column < settings.width() && row < settings.height()) {
+            numbers.setText(String.join("\n", new Beside(scene, settings, Mistakes.of(made), column, row).lines(texts.words())));
+        }
+    }
+
+    private static VBox captioned(String caption, ImageView picture) {
+        return new VBox(4, new Label(caption), picture);
+    }
+}

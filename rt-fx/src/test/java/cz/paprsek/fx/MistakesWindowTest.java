@@ -1,0 +1,81 @@
+package cz.paprsek.fx;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.Torus;
+import cz.paprsek.teach.Mistake;
+import java.nio.file.Path;
+import java.util.Locale;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
+import javafx.scene.control.TextArea;
+import javafx.scene.image.Image;
+import javafx.scene.image.ImageView;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class MistakesWindowTest {
+    private static final Scene BALL = Scene.EMPTY.withSettings(RenderSettings.DEFAULT.withSize(80, 60)).plus(Light.at(3, 4, 5)).plus(SceneObject.of(new Sphere(1)).at(0, 1, 0));
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void theWrongPictureStandsBesideTheRightOneAndAClickTellsTheNumbers() {
+        EditorGui editor = new EditorGui(folder, BALL);
+        try {
+            editor.menu("render-menu-mistakes");
+            Gui gui = Gui.open(() -> editor.editor.mistakes().stage().orElseThrow());
+            gui.until("the right picture is there", () -> picture(gui, "right") != null);
+            assertThat(Gui.on(() -> same(gui))).isTrue();
+            gui.act(() -> list(gui).getSelectionModel().select(Mistake.FULL_FOVY));
+            gui.until("the wrong picture is another", () -> !same(gui));
+            assertThat(Gui.on(() -> ((Label) gui.node("#mistakes-lines")).getText())).contains("the whole vertical angle", "h = 2·tan(fovy)", "right:   h = 2·tan(fovy/2)");
+            gui.pulse();
+            gui.click("#mistakes-wrong");
+            assertThat(Gui.on(() -> ((TextArea) gui.node("#mistakes-numbers")).getText())).contains("pixel 40,30", "* h            0.82843");
+            gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+            gui.act(() -> list(gui).getSelectionModel().select(Mistake.FULL_FOVY));
+            assertThat(Gui.on(() -> ((Label) gui.node("#mistakes-lines")).getText())).contains("celý svislý úhel");
+        } finally {
+            editor.close();
+        }
+    }
+
+    @Test
+    void whatThePlainTracerDoesNotKnowIsNamed() {
+        EditorGui editor = new EditorGui(folder, BALL.plus(SceneObject.of(new Torus(1, 0.2))));
+        try {
+            editor.menu("render-menu-mistakes");
+            Gui gui = Gui.open(() -> editor.editor.mistakes().stage().orElseThrow());
+            assertThat(Gui.on(() -> ((Label) gui.node("#mistakes-lines")).getText())).contains("torus");
+        } finally {
+            editor.close();
+        }
+    }
+
+    @SuppressWarnings("unchecked")
+    private static ListView<Mistake> list(Gui gui) {
+        return (ListView<Mistake>) gui.node("#mistakes-list");
+    }
+
+    private static Image picture(Gui gui, String which) {
+        return ((ImageView) gui.node("#mistakes-" + which)).getImage();
+    }
+
+    private static boolean same(Gui gui) {
+        Image right = picture(gui, "right");
+        Image wrong = picture(gui, "wrong");
+        for (int i = 0; i < 80 * 60; i++) {
+            if (right.getPixelReader().getArgb(i % 80, i / 80) != wrong.getPixelReader().getArgb(i % 80, i / 80)) {
+                return false;
+            }
+        }
+        return true;
+    }
+}
