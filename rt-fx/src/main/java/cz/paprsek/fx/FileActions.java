@@ -3,6 +3,7 @@ package cz.paprsek.fx;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.format.ForeignFormat;
 import cz.paprsek.format.ForeignScene;
+import cz.paprsek.format.MeshFiles;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.file.Document;
 import cz.paprsek.fx.model.file.KeptText;
@@ -12,7 +13,10 @@ import cz.paprsek.fx.model.file.Settings;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.Failures;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -118,13 +122,21 @@ final class FileActions {
     private Loaded read(Path file) throws IOException, SceneFileException {
         if (!SceneFiles.isDatabase(file)) {
             SceneSource source = SceneSource.file(file);
-            return new Loaded(source.read(), recovery.left(Optional.of(source)), Optional.empty());
+            SceneSource.Kept kept = source.read();
+            return new Loaded(new SceneSource.Kept(source, withMeshes(kept.scene(), file), kept.text()), recovery.left(Optional.of(source)), Optional.empty());
         }
         DatabaseFile database = DatabaseFile.open(file);
         Scene first = database.database().scenes().stream().findFirst()
                 .orElseThrow(() -> new IOException(file + ": there is no scene in this database"));
         SceneSource source = SceneSource.inDatabase(file, first.name());
         return new Loaded(new SceneSource.Kept(source, first, KeptText.of(database)), recovery.left(Optional.of(source)), Optional.of(database));
+    }
+
+    /** With the triangles of meshes, and ready to be drawn: large ones take seconds, in which the window is not to stand still. What is wrong with them is told by the picture. */
+    private static Scene withMeshes(Scene scene, Path file) {
+        Scene read = MeshFiles.read(scene, Assets.beside(file), (place, problem) -> {});
+        ScenePath.bodies(read).map(place -> place.in(read).shape()).filter(Mesh.class::isInstance).forEach(mesh -> mesh.outline(Vec3.Z, 1));
+        return read;
     }
 
     private void opened(Loaded loaded) {

@@ -13,7 +13,7 @@ import java.util.Map;
  */
 final class Sketch {
     /** More lines than this are not seen apart: then every second is left out, or more. */
-    private static final int MOST = 6000;
+    private static final int MOST = 2000;
     /** The cosine of 40°. */
     private static final double SHARP = 0.766;
     private static final int KEPT = 12;

@@ -17,6 +17,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.standard.StandardScenes;
 import cz.paprsek.xml.SceneFiles;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
@@ -72,7 +73,16 @@ class LiveFigures {
     void tenThousandObjects() {
         List<SceneObject> balls = IntStream.range(0, 10_000)
                 .mapToObj(i -> SceneObject.of(new Sphere(0.3)).at(i % 100, i / 1000 * 2, i / 100 % 10 * 2)).toList();
-        EditorModel model = new EditorModel(Scene.EMPTY.withObjects(balls).plus(Light.at(50, 50, 50)));
+        projections(Scene.EMPTY.withObjects(balls).plus(Light.at(50, 50, 50)), 5000, "10,000 spheres");
+    }
+
+    @Test
+    void aMeshOfAMillionTriangles() {
+        projections(StandardScenes.mesh(1_000_000), 1, "a mesh of a million triangles");
+    }
+
+    private static void projections(Scene scene, int dragged, String what) {
+        EditorModel model = new EditorModel(scene);
         ObservableValue<Theme> theme = new SimpleObjectProperty<>(Theme.LIGHT);
         List<ProjectionPane> panes = Stream.of(Axes.values()).map(axes -> Gui.on(
                 () -> new ProjectionPane(model, Texts.in(Locale.ENGLISH), axes, theme, new SimpleBooleanProperty(true), new SimpleBooleanProperty(true)))).toList();
@@ -82,12 +92,12 @@ class LiveFigures {
             panes.forEach(pane -> HBox.setHgrow(pane, Priority.ALWAYS));
             return row;
         }, 1200, 330)) {
-            gui.act(() -> model.select(ScenePath.body(5000)));
+            gui.act(() -> model.select(ScenePath.body(dragged)));
             ProjectionPane pane = panes.get(0);
             pulses(gui, model, pane, 0, 1);
-            System.out.printf(Locale.ROOT, "three projections of 10,000 spheres, 400 x 330 pixels each, %d processors:%n"
-                            + "  while a ball is dragged with the mouse: %s%n  while a view is zoomed: %s%n",
-                    Runtime.getRuntime().availableProcessors(), pulses(gui, model, pane, 1, 1), pulses(gui, model, pane, 0, 1.01));
+            System.out.printf(Locale.ROOT, "three projections of %s, 400 x 330 pixels each, %d processors:%n"
+                            + "  while one is dragged with the mouse: %s%n  while a view is zoomed: %s%n",
+                    what, Runtime.getRuntime().availableProcessors(), pulses(gui, model, pane, 1, 1), pulses(gui, model, pane, 0, 1.01));
         }
     }
 
