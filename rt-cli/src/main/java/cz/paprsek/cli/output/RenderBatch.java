@@ -96,6 +96,10 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                 Room.checkDisk(target.file().get(), view.written(target.format()).leastBytes(width, height));
             }
             try (Tiles tiles = resume ? Tiles.kept(target, scene, assets, options, terminal) : Tiles.NOT_KEPT) {
+                if (options.isInPasses()) {
+                    // A picture is kept, and how good it is must be said.
+                    stop.oweLastWords();
+                }
                 WholePasses passes = new WholePasses(seconds, (image, count) -> isWritten(target, read, image, ofPasses(options, count)));
                 RenderResult result = rendered(target, scene, assets, options, tiles, passes);
                 if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
