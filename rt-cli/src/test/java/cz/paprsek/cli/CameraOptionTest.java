@@ -77,6 +77,6 @@ class CameraOptionTest {
         Path blurred = folder.resolve("blurred.xml");
         Files.writeString(blurred, Files.readString(file).replace("target=\"0 0 0\"/><camera name=\"plan\"", "target=\"0 0 0\" aperture=\"0.1\"/><camera name=\"plan\""));
         assertThat(Run.cli("validate", blurred).out()).contains("a camera's lens has an aperture, but a pixel has one ray; blur will be grain: give <render> samples=\"4\" or more");
-        assertThat(Run.cli("convert", blurred, folder.resolve("b.pov")).err()).contains("it is given the middle of it, and all is sharp");
+        assertThat(Run.cli("convert", blurred, folder.resolve("b.pov")).err()).contains("is given the middle of it, and all is sharp");
     }
 }
