@@ -6,6 +6,7 @@ import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Renderer;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -48,7 +49,8 @@ class ShippedScenesTest {
         }
         assertThat(scene.tags()).isNotEmpty();
         assertThat(scene.description()).isNotEmpty();
-        assertThat(scene.settings().isAdaptive()).as("as many rays as it needs").isTrue();
+        // Paths are random one by one: so many as are asked for are a picture, where rays on a grid show stairs.
+        assertThat(scene.settings().isAdaptive() || scene.settings().integrator() == Integrator.PATH).as("as many rays as it needs").isTrue();
         assertThat(Arrays.stream(image.toArgb()).distinct().count()).as("different colours").isGreaterThan(200);
     }
 
