@@ -39,6 +39,7 @@ module cz.paprsek.core {
     exports cz.paprsek.standard to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.teach to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.teach.grade to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.teach.mistake to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.text to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.warning to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.words to cz.paprsek.cli, cz.paprsek.fx;

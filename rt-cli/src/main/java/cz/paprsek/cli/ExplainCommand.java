@@ -27,7 +27,7 @@ import cz.paprsek.render.explain.text.TreeText;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.teach.Beside;
-import cz.paprsek.teach.Mistakes;
+import cz.paprsek.teach.mistake.Mistakes;
 import cz.paprsek.words.Words;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;

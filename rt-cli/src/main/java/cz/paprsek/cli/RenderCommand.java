@@ -31,7 +31,7 @@ import cz.paprsek.query.SceneTables;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.teach.Mistakes;
+import cz.paprsek.teach.mistake.Mistakes;
 import cz.paprsek.text.Numbers;
 import java.nio.file.Files;
 import java.util.List;

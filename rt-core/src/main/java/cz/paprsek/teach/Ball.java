@@ -1,6 +1,9 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.NORMAL_NOT_UNIT;
+import static cz.paprsek.teach.mistake.Mistake.NORMAL_NOT_UNIT;
+
+import cz.paprsek.teach.Primitive.Stretch;
+import cz.paprsek.teach.mistake.Mistakes;
 
 /** A sphere. With b = (S − o)·d, a line d through o crosses it at b ± √(r² − |S − o − b·d|²). */
 final class Ball extends Primitive.Convex {

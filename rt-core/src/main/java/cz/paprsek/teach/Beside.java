@@ -4,6 +4,8 @@ import cz.paprsek.image.Image;
 import cz.paprsek.io.Json;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.mistake.Mistake;
+import cz.paprsek.teach.mistake.Mistakes;
 import cz.paprsek.text.Numbers;
 import cz.paprsek.words.Words;
 import java.util.ArrayList;

@@ -1,9 +1,10 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.BEHIND;
-import static cz.paprsek.teach.Mistake.LAST_HIT;
-import static cz.paprsek.teach.Mistake.SMALLER_T;
+import static cz.paprsek.teach.mistake.Mistake.BEHIND;
+import static cz.paprsek.teach.mistake.Mistake.LAST_HIT;
+import static cz.paprsek.teach.mistake.Mistake.SMALLER_T;
 
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -110,5 +111,16 @@ record Bodies(List<Body> all, Mistakes made) {
         Met from = Objects.requireNonNull(ray.from());
         return ray.beyond() ? met.number() > from.number() || (from.body().isGlass && !media.hold(from.body()))
                 : met.number() < from.number() && !media.hold(from.body());
+    }
+
+    /** A body, and where it is crossed. */
+    record Met(Body body, Crossing crossing) {
+        double t() {
+            return crossing.t();
+        }
+
+        int number() {
+            return crossing.of().number;
+        }
     }
 }

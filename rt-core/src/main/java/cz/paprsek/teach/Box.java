@@ -1,10 +1,12 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.NORMAL_BY_MATRIX;
+import static cz.paprsek.teach.mistake.Mistake.NORMAL_BY_MATRIX;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.shape.Block;
+import cz.paprsek.teach.Primitive.Stretch;
+import cz.paprsek.teach.mistake.Mistakes;
 
 /** A block: what lies between three pairs of planes. Face 2a is at the minimum of axis a, 2a + 1 at its maximum. */
 final class Box extends Primitive.Convex {

@@ -1,12 +1,13 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.GAMMA_DOUBLED;
-import static cz.paprsek.teach.Mistake.GAMMA_MISSING;
-import static cz.paprsek.teach.Mistake.GAMMA_POWER;
-import static cz.paprsek.teach.Mistake.NO_CLAMP;
-import static cz.paprsek.teach.Mistake.RED_BLUE_SWAPPED;
+import static cz.paprsek.teach.mistake.Mistake.GAMMA_DOUBLED;
+import static cz.paprsek.teach.mistake.Mistake.GAMMA_MISSING;
+import static cz.paprsek.teach.mistake.Mistake.GAMMA_POWER;
+import static cz.paprsek.teach.mistake.Mistake.NO_CLAMP;
+import static cz.paprsek.teach.mistake.Mistake.RED_BLUE_SWAPPED;
 
 import cz.paprsek.material.Rgb;
+import cz.paprsek.teach.mistake.Mistakes;
 
 /** What goes wrong when light becomes numbers of a picture: said as the light that a right picture would have to show the same numbers. */
 record Development(Mistakes made) {

@@ -1,9 +1,11 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.NORMAL_BY_MATRIX;
+import static cz.paprsek.teach.mistake.Mistake.NORMAL_BY_MATRIX;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.shape.Cylinder;
+import cz.paprsek.teach.Primitive.Stretch;
+import cz.paprsek.teach.mistake.Mistakes;
 
 /** A closed cylinder about the y axis of its own space: what lies between its lids and within x² + z² = r². */
 final class Drum extends Primitive.Convex {

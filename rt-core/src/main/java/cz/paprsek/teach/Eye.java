@@ -1,18 +1,19 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.ASPECT_IGNORED;
-import static cz.paprsek.teach.Mistake.FLIP_X;
-import static cz.paprsek.teach.Mistake.FLIP_Y;
-import static cz.paprsek.teach.Mistake.FOVY_HORIZONTAL;
-import static cz.paprsek.teach.Mistake.FULL_FOVY;
-import static cz.paprsek.teach.Mistake.HALF_PIXEL;
-import static cz.paprsek.teach.Mistake.RIGHT_NOT_UNIT;
-import static cz.paprsek.teach.Mistake.UP_AS_GIVEN;
+import static cz.paprsek.teach.mistake.Mistake.ASPECT_IGNORED;
+import static cz.paprsek.teach.mistake.Mistake.FLIP_X;
+import static cz.paprsek.teach.mistake.Mistake.FLIP_Y;
+import static cz.paprsek.teach.mistake.Mistake.FOVY_HORIZONTAL;
+import static cz.paprsek.teach.mistake.Mistake.FULL_FOVY;
+import static cz.paprsek.teach.mistake.Mistake.HALF_PIXEL;
+import static cz.paprsek.teach.mistake.Mistake.RIGHT_NOT_UNIT;
+import static cz.paprsek.teach.mistake.Mistake.UP_AS_GIVEN;
 
 import cz.paprsek.math.Angles;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
+import cz.paprsek.teach.mistake.Mistakes;
 
 /** Makes the rays through points of the picture: d + (x/W − ½)·h·W/H·r + (½ − y/H)·h·u. */
 final class Eye {

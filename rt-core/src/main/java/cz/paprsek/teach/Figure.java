@@ -1,12 +1,13 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.RECTANGLE_ONE_SIDED;
-import static cz.paprsek.teach.Mistake.RECTANGLE_SIGN;
+import static cz.paprsek.teach.mistake.Mistake.RECTANGLE_ONE_SIDED;
+import static cz.paprsek.teach.mistake.Mistake.RECTANGLE_SIGN;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.List;
 
 /** A rectangle or disc in the plane z = 0 of its own space: a line meets it at t = −o.z / d.z. */

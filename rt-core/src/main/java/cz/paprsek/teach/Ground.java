@@ -1,6 +1,7 @@
 package cz.paprsek.teach;
 
 import cz.paprsek.math.Affine;
+import cz.paprsek.teach.Primitive.Stretch;
 
 /** The half-space y ≤ 0. */
 final class Ground extends Primitive.Convex {

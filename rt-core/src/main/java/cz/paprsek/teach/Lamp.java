@@ -1,11 +1,11 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.FALL_OFF_ADDED;
-import static cz.paprsek.teach.Mistake.FALL_OFF_LINEAR;
-import static cz.paprsek.teach.Mistake.NO_FALL_OFF;
-import static cz.paprsek.teach.Mistake.SPOT_FULL_ANGLE;
-import static cz.paprsek.teach.Mistake.SPOT_HARD;
-import static cz.paprsek.teach.Mistake.WHITE_LIGHT;
+import static cz.paprsek.teach.mistake.Mistake.FALL_OFF_ADDED;
+import static cz.paprsek.teach.mistake.Mistake.FALL_OFF_LINEAR;
+import static cz.paprsek.teach.mistake.Mistake.NO_FALL_OFF;
+import static cz.paprsek.teach.mistake.Mistake.SPOT_FULL_ANGLE;
+import static cz.paprsek.teach.mistake.Mistake.SPOT_HARD;
+import static cz.paprsek.teach.mistake.Mistake.WHITE_LIGHT;
 
 import cz.paprsek.math.Angles;
 import cz.paprsek.scene.Light;
@@ -13,6 +13,7 @@ import cz.paprsek.scene.PlacedLight;
 import cz.paprsek.scene.PointLight;
 import cz.paprsek.scene.SpotLight;
 import cz.paprsek.scene.SunLight;
+import cz.paprsek.teach.mistake.Mistakes;
 
 /** A light of no size. */
 final class Lamp {

@@ -1,9 +1,11 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.ELLIPSOID_AS_DIRECTION;
-import static cz.paprsek.teach.Mistake.NORMAL_BY_MATRIX;
+import static cz.paprsek.teach.mistake.Mistake.ELLIPSOID_AS_DIRECTION;
+import static cz.paprsek.teach.mistake.Mistake.NORMAL_BY_MATRIX;
 
 import cz.paprsek.math.Affine;
+import cz.paprsek.teach.Primitive.Stretch;
+import cz.paprsek.teach.mistake.Mistakes;
 
 /** An ellipsoid: the ball of radius 1 in a space of its own, where the line's direction has any length. */
 final class Oval extends Primitive.Convex {

@@ -1,15 +1,16 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.CHECKER_CONSTANT;
-import static cz.paprsek.teach.Mistake.CHECKER_SWAPPED;
-import static cz.paprsek.teach.Mistake.CHECKER_TRUNCATED;
-import static cz.paprsek.teach.Mistake.COLORS_NOT_DECODED;
+import static cz.paprsek.teach.mistake.Mistake.CHECKER_CONSTANT;
+import static cz.paprsek.teach.mistake.Mistake.CHECKER_SWAPPED;
+import static cz.paprsek.teach.mistake.Mistake.CHECKER_TRUNCATED;
+import static cz.paprsek.teach.mistake.Mistake.COLORS_NOT_DECODED;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.List;
 
 /** What a primitive is made of, and its colour at each point. */

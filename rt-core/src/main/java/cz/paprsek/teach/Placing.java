@@ -1,9 +1,9 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.NO_ROTATION;
-import static cz.paprsek.teach.Mistake.RADIUS_IS_DIAMETER;
-import static cz.paprsek.teach.Mistake.ROTATION_OPPOSITE;
-import static cz.paprsek.teach.Mistake.ROTATION_ORDER;
+import static cz.paprsek.teach.mistake.Mistake.NO_ROTATION;
+import static cz.paprsek.teach.mistake.Mistake.RADIUS_IS_DIAMETER;
+import static cz.paprsek.teach.mistake.Mistake.ROTATION_OPPOSITE;
+import static cz.paprsek.teach.mistake.Mistake.ROTATION_ORDER;
 
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
@@ -24,6 +24,9 @@ import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.teach.Body.Thing;
+import cz.paprsek.teach.mistake.Mistake;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.ArrayList;
 import java.util.List;
 

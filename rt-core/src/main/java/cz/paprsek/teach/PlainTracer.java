@@ -4,6 +4,7 @@ import cz.paprsek.image.Image;
 import cz.paprsek.math.Require;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

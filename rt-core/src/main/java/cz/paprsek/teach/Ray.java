@@ -1,5 +1,6 @@
 package cz.paprsek.teach;
 
+import cz.paprsek.teach.Bodies.Met;
 import org.jspecify.annotations.Nullable;
 
 /**

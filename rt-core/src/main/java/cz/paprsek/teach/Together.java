@@ -1,10 +1,12 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.DIFFERENCE_SWAPPED;
-import static cz.paprsek.teach.Mistake.ONE_INTERVAL;
-import static cz.paprsek.teach.Mistake.SUBTRACTED_NOT_TURNED;
+import static cz.paprsek.teach.mistake.Mistake.DIFFERENCE_SWAPPED;
+import static cz.paprsek.teach.mistake.Mistake.ONE_INTERVAL;
+import static cz.paprsek.teach.mistake.Mistake.SUBTRACTED_NOT_TURNED;
 
 import cz.paprsek.shape.Csg.Operation;
+import cz.paprsek.teach.Body.Thing;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,45 +1,44 @@
 package cz.paprsek.teach;
 
-import static cz.paprsek.teach.Mistake.ACNE;
-import static cz.paprsek.teach.Mistake.AMBIENT_PER_LIGHT;
-import static cz.paprsek.teach.Mistake.AMBIENT_UNCOLORED;
-import static cz.paprsek.teach.Mistake.BEHIND;
-import static cz.paprsek.teach.Mistake.DEPTH_LESS;
-import static cz.paprsek.teach.Mistake.DEPTH_MORE;
-import static cz.paprsek.teach.Mistake.DIFFUSE_NOT_CLAMPED;
-import static cz.paprsek.teach.Mistake.FIRST_LIGHT_ONLY;
-import static cz.paprsek.teach.Mistake.GLASS_SHADOW_BLACK;
-import static cz.paprsek.teach.Mistake.HALF_VECTOR;
-import static cz.paprsek.teach.Mistake.HIGHLIGHT_BEHIND;
-import static cz.paprsek.teach.Mistake.HIGHLIGHT_COLORED;
-import static cz.paprsek.teach.Mistake.HIGHLIGHT_NOT_CLAMPED;
-import static cz.paprsek.teach.Mistake.HIGHLIGHT_OPPOSITE;
-import static cz.paprsek.teach.Mistake.LAST_HIT;
-import static cz.paprsek.teach.Mistake.L_NOT_UNIT;
-import static cz.paprsek.teach.Mistake.MIRROR_BLENDS;
-import static cz.paprsek.teach.Mistake.MIRROR_SIGN;
-import static cz.paprsek.teach.Mistake.MISS_IS_BLACK;
-import static cz.paprsek.teach.Mistake.NORMAL_NOT_TURNED;
-import static cz.paprsek.teach.Mistake.NO_AMBIENT;
-import static cz.paprsek.teach.Mistake.NO_COSINE;
-import static cz.paprsek.teach.Mistake.NO_DIFFUSE;
-import static cz.paprsek.teach.Mistake.NO_EXPONENT;
-import static cz.paprsek.teach.Mistake.NO_HIGHLIGHT;
-import static cz.paprsek.teach.Mistake.NO_REFLECTION;
-import static cz.paprsek.teach.Mistake.NO_REFRACTION;
-import static cz.paprsek.teach.Mistake.NO_SHADOW;
-import static cz.paprsek.teach.Mistake.NO_TRANSPARENCY;
-import static cz.paprsek.teach.Mistake.SHADOW_BEYOND_LIGHT;
-import static cz.paprsek.teach.Mistake.SMALLER_T;
-import static cz.paprsek.teach.Mistake.SNELL_ALWAYS_IN;
-import static cz.paprsek.teach.Mistake.SNELL_NOT_SQUARED;
-import static cz.paprsek.teach.Mistake.SNELL_UPSIDE_DOWN;
-import static cz.paprsek.teach.Mistake.TOTAL_REFLECTION_LOST;
+import static cz.paprsek.teach.mistake.Mistake.ACNE;
+import static cz.paprsek.teach.mistake.Mistake.AMBIENT_PER_LIGHT;
+import static cz.paprsek.teach.mistake.Mistake.AMBIENT_UNCOLORED;
+import static cz.paprsek.teach.mistake.Mistake.DEPTH_LESS;
+import static cz.paprsek.teach.mistake.Mistake.DEPTH_MORE;
+import static cz.paprsek.teach.mistake.Mistake.DIFFUSE_NOT_CLAMPED;
+import static cz.paprsek.teach.mistake.Mistake.FIRST_LIGHT_ONLY;
+import static cz.paprsek.teach.mistake.Mistake.GLASS_SHADOW_BLACK;
+import static cz.paprsek.teach.mistake.Mistake.HALF_VECTOR;
+import static cz.paprsek.teach.mistake.Mistake.HIGHLIGHT_BEHIND;
+import static cz.paprsek.teach.mistake.Mistake.HIGHLIGHT_COLORED;
+import static cz.paprsek.teach.mistake.Mistake.HIGHLIGHT_NOT_CLAMPED;
+import static cz.paprsek.teach.mistake.Mistake.HIGHLIGHT_OPPOSITE;
+import static cz.paprsek.teach.mistake.Mistake.L_NOT_UNIT;
+import static cz.paprsek.teach.mistake.Mistake.MIRROR_BLENDS;
+import static cz.paprsek.teach.mistake.Mistake.MIRROR_SIGN;
+import static cz.paprsek.teach.mistake.Mistake.MISS_IS_BLACK;
+import static cz.paprsek.teach.mistake.Mistake.NORMAL_NOT_TURNED;
+import static cz.paprsek.teach.mistake.Mistake.NO_AMBIENT;
+import static cz.paprsek.teach.mistake.Mistake.NO_COSINE;
+import static cz.paprsek.teach.mistake.Mistake.NO_DIFFUSE;
+import static cz.paprsek.teach.mistake.Mistake.NO_EXPONENT;
+import static cz.paprsek.teach.mistake.Mistake.NO_HIGHLIGHT;
+import static cz.paprsek.teach.mistake.Mistake.NO_REFLECTION;
+import static cz.paprsek.teach.mistake.Mistake.NO_REFRACTION;
+import static cz.paprsek.teach.mistake.Mistake.NO_SHADOW;
+import static cz.paprsek.teach.mistake.Mistake.NO_TRANSPARENCY;
+import static cz.paprsek.teach.mistake.Mistake.SHADOW_BEYOND_LIGHT;
+import static cz.paprsek.teach.mistake.Mistake.SNELL_ALWAYS_IN;
+import static cz.paprsek.teach.mistake.Mistake.SNELL_NOT_SQUARED;
+import static cz.paprsek.teach.mistake.Mistake.SNELL_UPSIDE_DOWN;
+import static cz.paprsek.teach.mistake.Mistake.TOTAL_REFLECTION_LOST;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.Bodies.Met;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.List;
 import java.util.Optional;
 
@@ -215,5 +214,36 @@ final class Tracer {
             sum = sum.plus(trace(made.has(ACNE) ? Ray.fromEye(hit.point(), through) : hit.on(through), depth + 1, beyond).times(material.transparency()));
         }
         return sum;
+    }
+
+    /**
+     * What a ray meets first.
+     *
+     * @param media around the ray
+     * @param size what the rounding errors of the point are relative to
+     * @param normal of length 1, turned to the viewer
+     * @param leaving whether the ray comes from inside
+     */
+    record Hit(Ray ray, Media media, Met met, Vec point, double size, Vec normal, boolean leaving) {
+        Paint paint() {
+            return met.crossing().of().paint;
+        }
+
+        /** The media beyond the surface. A flat figure has no inside. */
+        Media beyond(double index) {
+            Media here = met.t() > ray.contact() || !ray.beyond() ? media.elsewhere() : media;
+            return !met.body().isSolid ? here : leaving ? here.leaving(met.body()) : here.entering(met.body(), index);
+        }
+
+        /** A ray on the side from which the surface was seen: into the inside of the primitive if that is where it was seen from. */
+        Ray back(Vec direction) {
+            boolean isAlone = met.t() > ray.contact();
+            return new Ray(point, direction, size, isAlone ? Ray.TOUCH * size : -Ray.TOUCH * size, met, leaving != met.crossing().flipped(), false);
+        }
+
+        /** A ray beyond the surface. */
+        Ray on(Vec direction) {
+            return new Ray(point, direction, size, -Ray.TOUCH * size, met, leaving == met.crossing().flipped(), true);
+        }
     }
 }

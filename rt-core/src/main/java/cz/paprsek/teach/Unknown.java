@@ -24,6 +24,7 @@ import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;

@@ -9,6 +9,7 @@ import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.mistake.Mistakes;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;

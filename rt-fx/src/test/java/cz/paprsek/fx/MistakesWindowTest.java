@@ -8,7 +8,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Torus;
-import cz.paprsek.teach.Mistake;
+import cz.paprsek.teach.mistake.Mistake;
 import java.nio.file.Path;
 import java.util.Locale;
 import javafx.scene.control.Label;

@@ -1,8 +1,8 @@
 package cz.paprsek.cli.input;
 
 import cz.paprsek.cli.value.MistakeNames;
-import cz.paprsek.teach.Mistake;
-import cz.paprsek.teach.Mistakes;
+import cz.paprsek.teach.mistake.Mistake;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.List;
 import picocli.CommandLine.Option;
 

@@ -13,7 +13,7 @@ import cz.paprsek.render.mode.RenderMode.HeatScale;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.teach.Mistakes;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;

@@ -1,6 +1,6 @@
 package cz.paprsek.cli.value;
 
-import cz.paprsek.teach.Mistake;
+import cz.paprsek.teach.mistake.Mistake;
 import java.util.Iterator;
 
 /** What can be done wrong, by the names a user gives; lists them for the help and for shells that complete words. */

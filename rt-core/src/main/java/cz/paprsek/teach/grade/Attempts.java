@@ -2,9 +2,9 @@ package cz.paprsek.teach.grade;
 
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.teach.Mistake.Part;
-import cz.paprsek.teach.Mistakes;
 import cz.paprsek.teach.PlainTracer;
+import cz.paprsek.teach.mistake.Mistake.Part;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentHashMap;

@@ -1,6 +1,6 @@
 package cz.paprsek.teach.grade;
 
-import cz.paprsek.teach.Mistakes;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.List;
 import java.util.Objects;
 

@@ -2,8 +2,8 @@ package cz.paprsek.teach.grade;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Rgb;
-import cz.paprsek.teach.Mistakes;
 import cz.paprsek.teach.PlainTracer;
+import cz.paprsek.teach.mistake.Mistakes;
 import java.util.stream.IntStream;
 
 /** Some pixels of a picture by the numbers, 0–255, that a file has for them: three each, or one if only brightness is known. */

@@ -1,4 +1,4 @@
-package cz.paprsek.teach;
+package cz.paprsek.teach.mistake;
 
 import java.util.Collection;
 import java.util.Collections;

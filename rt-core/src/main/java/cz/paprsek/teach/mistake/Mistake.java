@@ -1,4 +1,4 @@
-package cz.paprsek.teach;
+package cz.paprsek.teach.mistake;
 
 import cz.paprsek.words.Words;
 import java.util.Arrays;
