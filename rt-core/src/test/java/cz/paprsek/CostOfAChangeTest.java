@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** How many files know of one attribute, or of one shape: so many does the next one cost. The README says the numbers. */
+/** How many files know of one attribute, or of one shape: so many does the next one cost. docs/architecture.md says the numbers. */
 class CostOfAChangeTest {
     /** The record that says it, the bean that reads it, and those who compute with just this one: that an exponent is one cannot be said in general. */
     @Test

@@ -14,8 +14,12 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -28,18 +32,45 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What the README shows works as it stands there. */
+/** What the README and the pages beside it show works as it stands there. */
 class ReadmeTest {
+    private static final Path README = Path.of("../README.md");
+
     static Stream<String> javaExamples() throws IOException {
         return blocks("java");
     }
 
     static Stream<String> sceneExamples() throws IOException {
-        return blocks("xml");
+        return blocks("xml").filter(xml -> !isDependency(xml));
+    }
+
+    private static boolean isDependency(String xml) {
+        return xml.startsWith("<dependency>");
+    }
+
+    @Test
+    void theCoordinatesAreThoseOfTheBuild() throws IOException {
+        String build = Files.readString(Path.of("../pom.xml"));
+        Matcher version = Pattern.compile("<version>(.*?)</version>").matcher(build);
+        assertThat(version.find()).isTrue();
+        assertThat(blocks("xml").filter(ReadmeTest::isDependency).toList()).singleElement().asString()
+                .contains("<groupId>cz.paprsek</groupId>", "<artifactId>rt-core</artifactId>", version.group());
+    }
+
+    /** The README first, then all others. */
+    private static Map<Path, String> pages() throws IOException {
+        Map<Path, String> pages = new LinkedHashMap<>();
+        pages.put(README, Files.readString(README));
+        try (Stream<Path> others = Files.list(Path.of("../docs"))) {
+            for (Path page : others.filter(file -> file.toString().endsWith(".md")).sorted().toList()) {
+                pages.put(page, Files.readString(page));
+            }
+        }
+        return pages;
     }
 
     private static Stream<String> blocks(String language) throws IOException {
-        Matcher matcher = Pattern.compile("```" + language + "\n(.*?)```", Pattern.DOTALL).matcher(Files.readString(Path.of("../README.md")));
+        Matcher matcher = Pattern.compile("```" + language + "\n(.*?)```", Pattern.DOTALL).matcher(String.join("\n", pages().values()));
         List<String> found = matcher.results().map(result -> result.group(1)).toList();
         assertThat(found).as("examples in %s", language).isNotEmpty();
         return found.stream();
@@ -101,9 +132,31 @@ class ReadmeTest {
 
     @Test
     void everyShippedSceneIsMentioned() throws IOException {
-        String readme = Files.readString(Path.of("../README.md"));
+        String readme = String.join("\n", pages().values());
         try (Stream<Path> files = Files.list(Path.of("../scenes"))) {
             assertThat(files.map(file -> file.getFileName().toString())).allSatisfy(name -> assertThat(readme).contains(name));
         }
+    }
+
+    /** A newcomer reads it to the end, and comes from it wherever it points: files that are there, and headings in them. */
+    @Test
+    void theReadmeIsShortAndAllLinksLeadSomewhere() throws IOException {
+        Map<Path, String> pages = pages();
+        assertThat(Files.readAllLines(README)).hasSizeLessThanOrEqualTo(130);
+        assertThat(Files.readString(README)).as("every page is found from it").contains(pages.keySet().stream().skip(1).map(page -> "(docs/" + page.getFileName() + ")").toList());
+        List<String> lost = new ArrayList<>();
+        pages.forEach((page, text) -> Pattern.compile("\\]\\(([^)#\\s]*)(#[^)\\s]+)?\\)").matcher(text).results().filter(link -> !link.group(1).startsWith("http")).forEach(link -> {
+            Path target = link.group(1).isEmpty() ? page : page.resolveSibling(link.group(1)).normalize();
+            if (!Files.exists(target) || (link.group(2) != null && !headings(pages.getOrDefault(target, "")).contains(link.group(2)))) {
+                lost.add(page + ": " + link.group());
+            }
+        }));
+        assertThat(lost).isEmpty();
+    }
+
+    /** As links name them: small letters and hyphens. */
+    private static List<String> headings(String page) {
+        return Pattern.compile("(?m)^#+ (.*)$").matcher(page).results()
+                .map(heading -> "#" + heading.group(1).toLowerCase(Locale.ROOT).replaceAll("[^\\w\\- ]", "").replace(' ', '-')).toList();
     }
 }

@@ -9,7 +9,7 @@ import cz.paprsek.shape.Shape;
 final class Memory {
     private static final long MEGABYTE = 1 << 20;
     private static final long GIGABYTE = 1 << 30;
-    /** Bytes of a body, with all that is prepared for it and the most that this takes meanwhile: measured, see README, and rounded up. */
+    /** Bytes of a body, with all that is prepared for it and the most that this takes meanwhile: measured, see docs/performance.md, and rounded up. */
     private static final long BODY = 500;
     /** Bytes of a picture's pixel: three floats, and one number of the sRGB that is made of them to be written or shown. */
     private static final long PIXEL = 16;
