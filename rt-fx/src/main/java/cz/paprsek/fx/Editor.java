@@ -8,7 +8,7 @@ import cz.paprsek.fx.model.file.Settings;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.fx.view.look.Theme;
-import cz.paprsek.fx.view.sheet.PictureFinder;
+import cz.paprsek.fx.view.sheet.FileFinder;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
@@ -104,8 +104,8 @@ final class Editor implements Notices {
         return document;
     }
 
-    PictureFinder pictureFinder() {
-        return new ScenePictures(document, dialogs, texts());
+    FileFinder fileFinder() {
+        return new SceneFolder(document, dialogs, texts());
     }
 
     /** What brings meshes into the scene, by the edits of a window. */

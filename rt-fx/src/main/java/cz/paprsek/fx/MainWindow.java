@@ -56,7 +56,7 @@ final class MainWindow {
         problems = new ProblemList("problem", texts.of("window.close-message"), texts::sentence);
         warningList = new ProblemList("warning", texts.of("window.close-message"), texts::sentence);
         ObjectTree tree = new ObjectTree(model, texts, commands);
-        PropertySheet sheet = new PropertySheet(model, texts, editor.proportional(), editor.pictureFinder());
+        PropertySheet sheet = new PropertySheet(model, texts, editor.proportional(), editor.fileFinder());
         SceneMeshes meshes = editor.meshes(edits);
         AddPalette palette = new AddPalette(model, texts, views::sight, edits, meshes::choose);
         Menus menus = new Menus(editor, views, palette, commands);

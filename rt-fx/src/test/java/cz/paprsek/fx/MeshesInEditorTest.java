@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFiles;
@@ -11,6 +12,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -93,5 +95,22 @@ class MeshesInEditorTest {
         editor.menu("menu-add-mesh");
         editor.gui.until("told", () -> editor.status().contains("line 3: z of a corner is missing"));
         assertThat(editor.dialogs.faults).isEmpty();
+    }
+
+    @Test
+    void anotherOneIsChosenInTheSheet() throws Exception {
+        Files.writeString(scenes.resolve("other.obj"), CORNER);
+        open(Scene.EMPTY.plus(SceneObject.of(new Sphere(1))));
+        editor.dialogs.chosen = Optional.of(folder.resolve("corner.obj"));
+        editor.dialogs.copies = true;
+        editor.menu("menu-add-mesh");
+        editor.gui.until("the mesh is there", () -> editor.model().scene().objects().size() == 2);
+        editor.dialogs.asked.clear();
+        editor.dialogs.chosen = Optional.of(scenes.resolve("other.obj"));
+        editor.gui.act(() -> editor.model().select(Set.of(ScenePath.body(1))));
+        editor.gui.pulse();
+        editor.gui.click("#shape-file-choose");
+        assertThat(editor.dialogs.asked).containsExactly("mesh");
+        assertThat(((Mesh) last().shape()).file()).isEqualTo("other.obj");
     }
 }

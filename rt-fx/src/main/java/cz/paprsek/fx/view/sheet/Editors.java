@@ -17,9 +17,9 @@ final class Editors {
     private final EditorModel model;
     private final Texts texts;
     private final BooleanProperty proportional;
-    private final PictureFinder finder;
+    private final FileFinder finder;
 
-    Editors(EditorModel model, Texts texts, BooleanProperty proportional, PictureFinder finder) {
+    Editors(EditorModel model, Texts texts, BooleanProperty proportional, FileFinder finder) {
         this.finder = finder;
         this.model = model;
         this.texts = texts;

@@ -46,7 +46,7 @@ public final class PropertySheet extends BorderPane {
      * @param proportional whether the three factors of a scale stay in proportion
      * @param finder asks for pictures
      */
-    public PropertySheet(EditorModel model, Texts texts, BooleanProperty proportional, PictureFinder finder) {
+    public PropertySheet(EditorModel model, Texts texts, BooleanProperty proportional, FileFinder finder) {
         this.model = model;
         editors = new Editors(model, texts, proportional, finder);
         titles = new Titles(texts);

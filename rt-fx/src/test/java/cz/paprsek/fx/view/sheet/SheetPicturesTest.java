@@ -59,7 +59,7 @@ class SheetPicturesTest {
     @ParameterizedTest
     @CsvSource({"en, LIGHT", "cs, DARK"})
     void noWordIsCutOff(String language, Theme theme) {
-        try (Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.forLanguageTag(language)), new SimpleBooleanProperty(true), owner -> java.util.Optional.empty()), 300, 980)) {
+        try (Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.forLanguageTag(language)), new SimpleBooleanProperty(true), (kind, owner) -> java.util.Optional.empty()), 300, 980)) {
             gui.act(() -> theme.applyTo(gui.stage().getScene()));
             STATES.forEach((state, items) -> {
                 gui.act(() -> model.select(items));

@@ -1,7 +1,7 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.file.Document;
-import cz.paprsek.fx.view.sheet.PictureFinder;
+import cz.paprsek.fx.view.sheet.FileFinder;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.Failures;
 import java.io.IOException;
@@ -10,14 +10,14 @@ import java.util.Objects;
 import java.util.Optional;
 import javafx.stage.Window;
 
-/** Finds pictures in the scene's folder or below, where scenes have them; one from elsewhere can be copied there. */
-record ScenePictures(Document document, Dialogs dialogs, Texts texts) implements PictureFinder {
+/** Finds pictures and meshes in the scene's folder or below, where scenes have them; one from elsewhere can be copied there. */
+record SceneFolder(Document document, Dialogs dialogs, Texts texts) implements FileFinder {
 
     @Override
-    public Optional<String> find(Window owner) {
-        Path scene = document.sourceProperty().get().orElseThrow(() -> new IllegalArgumentException(texts.of("picture.unsaved"))).file();
+    public Optional<String> find(Kind kind, Window owner) {
+        Path scene = document.sourceProperty().get().orElseThrow(() -> new IllegalArgumentException(texts.of(kind == Kind.MESH ? "mesh.unsaved" : "picture.unsaved"))).file();
         Path folder = Objects.requireNonNull(scene.toAbsolutePath().getParent());
-        Optional<Path> chosen = dialogs.pictureToOpen(folder);
+        Optional<Path> chosen = kind == Kind.MESH ? dialogs.meshToOpen(Optional.of(folder)) : dialogs.pictureToOpen(folder);
         if (chosen.isEmpty()) {
             return Optional.empty();
         }

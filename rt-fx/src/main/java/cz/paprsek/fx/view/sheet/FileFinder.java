@@ -3,14 +3,17 @@ package cz.paprsek.fx.view.sheet;
 import java.util.Optional;
 import javafx.stage.Window;
 
-/** Asks for a picture that a scene is to have. */
+/** Asks for a picture or a mesh that a scene is to have. */
 @FunctionalInterface
-public interface PictureFinder {
+public interface FileFinder {
+    /** What is looked for. */
+    enum Kind { PICTURE, MESH }
+
     /**
      * Asks, and waits for the answer.
      *
      * @return the name by which the scene has it, relative to its folder; empty if the user thought better of it
      * @throws IllegalArgumentException with a sentence why the scene cannot have it
      */
-    Optional<String> find(Window owner);
+    Optional<String> find(Kind kind, Window owner);
 }
