@@ -40,7 +40,7 @@ public final class SceneFiles {
      */
     public record Contents(List<Scene> scenes, boolean isDatabase) {
         public Contents {
-            scenes = List.copyOf(scenes);
+            scenes = List.copyOf(Objects.requireNonNull(scenes, "scenes"));
         }
 
         /** As a database: a scene on its own is one of one, under that name if it has none of its own. */
