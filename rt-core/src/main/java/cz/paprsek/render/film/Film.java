@@ -21,7 +21,8 @@ public final class Film {
     private final int top;
     private final float[][] planes;
     private final int kept;
-    private final float[] sums;
+    /** By rows: of a large picture they are more numbers than one array holds. */
+    private final float[][] sums;
     private volatile boolean wantsMore;
 
     /**
@@ -50,7 +51,7 @@ public final class Film {
         this.top = top;
         this.planes = new float[planes][image.width() * image.height()];
         this.kept = kept;
-        this.sums = new float[Math.multiplyExact(kept, image.width() * image.height())];
+        this.sums = new float[image.height()][kept * image.width()];
     }
 
     /** Whether something is kept of each pixel from one pass to the next. */
@@ -61,13 +62,13 @@ public final class Film {
     /** Puts there what is kept of a pixel: zeros at first. */
     public void kept(int x, int y, float[] into) {
         Objects.requireNonNull(into, "into");
-        System.arraycopy(sums, kept * at(x, y), into, 0, kept);
+        System.arraycopy(sums[y - top], kept * (x - left), into, 0, kept);
     }
 
     /** Keeps that of a pixel. */
     public void keep(int x, int y, float[] numbers) {
         Objects.requireNonNull(numbers, "numbers");
-        System.arraycopy(numbers, 0, sums, kept * at(x, y), kept);
+        System.arraycopy(numbers, 0, sums[y - top], kept * (x - left), kept);
     }
 
     /** A pixel is to get more in another pass. */
@@ -137,7 +138,7 @@ public final class Film {
             case 1 -> green(x, y);
             case 2 -> blue(x, y);
             default -> channel < lights() ? image.alpha(x - left, y - top)
-                    : channel < lights() + planes.length ? planes[channel - lights()][at(x, y)] : sums[kept * at(x, y) + channel - lights() - planes.length];
+                    : channel < lights() + planes.length ? planes[channel - lights()][at(x, y)] : sums[y - top][kept * (x - left) + channel - lights() - planes.length];
         };
     }
 
@@ -151,7 +152,7 @@ public final class Film {
         for (int i = 0; i < planes.length; i++) {
             planes[i][at(x, y)] = values[lights() + i];
         }
-        System.arraycopy(values, lights() + planes.length, sums, kept * at(x, y), kept);
+        System.arraycopy(values, lights() + planes.length, sums[y - top], kept * (x - left), kept);
     }
 
     /**
