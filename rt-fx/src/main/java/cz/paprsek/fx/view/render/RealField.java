@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.render;
 
-import cz.paprsek.fx.model.property.Expression;
+import cz.paprsek.formula.Formula;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.text.Numbers;
 import java.util.function.DoublePredicate;
@@ -23,13 +23,13 @@ final class RealField extends CheckedField {
 
     /** The number; only if it is valid. */
     double get() {
-        return Expression.value(getText());
+        return Formula.value(getText());
     }
 
     @Override
     boolean isInRange(String text) {
         try {
-            return range.test(Expression.value(text));
+            return range.test(Formula.value(text));
         } catch (IllegalArgumentException refused) {
             return false;
         }

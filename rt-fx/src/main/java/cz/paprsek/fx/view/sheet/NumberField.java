@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.sheet;
 
-import cz.paprsek.fx.model.property.Expression;
+import cz.paprsek.formula.Formula;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.model.property.Trait;
 import cz.paprsek.fx.view.texts.Texts;
@@ -147,7 +147,7 @@ final class NumberField extends TextField implements PropertyEditor {
             return;
         }
         try {
-            Object entered = typed(Expression.value(getText()));
+            Object entered = typed(Formula.value(getText()));
             if (edit.change(scene -> writer.write(scene, old -> entered))) {
                 value = Optional.of(((Number) entered).doubleValue());
                 reset();

@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.sheet;
 
-import cz.paprsek.fx.model.property.Expression;
+import cz.paprsek.formula.Formula;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Pattern.Stop;
@@ -177,7 +177,7 @@ final class StopsEditor implements PropertyEditor {
                 return;
             }
             try {
-                set(new Stop(Expression.value(at.getText()), stop().color()));
+                set(new Stop(Formula.value(at.getText()), stop().color()));
             } catch (IllegalArgumentException refused) {
                 edit.refuse(refused);
             }
