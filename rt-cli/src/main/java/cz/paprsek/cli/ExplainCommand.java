@@ -19,9 +19,15 @@ import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
 import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.explain.PathPixel;
+import cz.paprsek.render.explain.PathPixel.Example;
 import cz.paprsek.render.explain.Pixel;
+import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.text.Decoration;
+import cz.paprsek.render.explain.text.PathJson;
+import cz.paprsek.render.explain.text.PathLines;
 import cz.paprsek.render.explain.text.TreeJson;
 import cz.paprsek.render.explain.text.TreeText;
 import cz.paprsek.scene.RenderSettings;
@@ -37,6 +43,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import java.util.function.BiFunction;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -48,6 +55,7 @@ import picocli.CommandLine.Parameters;
         description = {
             "Says why a pixel of the picture has its colour: every ray behind it, what it hits, and what each light, the mirrored and the "
                     + "refracted ray add, with formula, numbers and result.",
+            "Of a pixel of paths (--integrator path): by which ways its light came, from what, and a few paths point by point.",
             "Rays are named by how they came about: E from the eye, then R for reflected and T for transmitted, so that ETR is what is "
                     + "reflected inside the first body of glass."
         },
@@ -58,6 +66,7 @@ import picocli.CommandLine.Parameters;
             "  paprsek explain scenes/glass.xml 83,100 --size 320x180 | less",
             "  paprsek explain scenes/glass.xml 250,300 --svg rays.svg",
             "  paprsek explain scenes/glass.xml 250,300 --json   for a script",
+            "  paprsek explain scenes/glass.xml 250,300 --integrator path",
             "  paprsek explain scenes/glass.xml 250,300 --mistake snell-upside-down",
             "  paprsek explain scenes/database.xml 400,300 --scene Gears"
         })
@@ -104,7 +113,8 @@ final class ExplainCommand implements Callable<Integer> {
     private boolean json;
 
     @Option(names = "--svg", paramLabel = "FILE", description =
-            "Draws the rays in three projections, with the outlines of what they meet; of a pixel of several samples, the one whose light is nearest to the pixel's.")
+            "Draws the rays in three projections, with the outlines of what they meet; of a pixel of several samples, the one whose light is nearest to the pixel's, "
+                    + "and of paths one that is typical of how most of its light came.")
     private Optional<Path> svg;
 
     /** When to use colours. */
@@ -132,12 +142,7 @@ final class ExplainCommand implements Callable<Integer> {
             if (!mistakes.made().equals(Mistakes.NONE)) {
                 return beside(scene, wishes.applyTo(scene.settings()).settings());
             }
-            Pixel pixel = pixel(scene, wishes);
-            show(pixel);
-            if (svg.isPresent() && !draw(TreeDrawing.svg(scene, pixel.rays().get(pixel.typical()), all ? 0 : SMALLEST_SHARE, Words.ENGLISH), svg.get())) {
-                return ExitCode.FAILED;
-            }
-            return stop.requested() ? ExitCode.INTERRUPTED : ExitCode.DONE;
+            return explain(scene, wishes.applyTo(scene.settings()));
         } catch (CancellationException interrupted) {
             return Interruption.told(terminal, json);
         } catch (IllegalStateException e) {
@@ -169,7 +174,26 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
-    private Pixel pixel(Scene scene, Wishes wishes) throws IOException {
+    private int explain(Scene scene, RenderOptions options) throws IOException {
+        Optional<TracedRay> drawn;
+        if (options.settings().isPath()) {
+            PathPixel pixel = explained(scene, (ready, monitor) -> ready.explainPaths(options, place.column(), place.row(), monitor));
+            show(pixel);
+            drawn = pixel.examples().stream().map(Example::ray).findFirst();
+        } else {
+            Pixel pixel = explained(scene, (ready, monitor) -> ready.explain(options, place.column(), place.row(), monitor));
+            show(pixel);
+            drawn = Optional.of(pixel.rays().get(pixel.typical()));
+        }
+        if (svg.isPresent() && drawn.isEmpty()) {
+            terminal.message(svg.get() + ": not drawn, as no path brings any light");
+        } else if (svg.isPresent() && !draw(TreeDrawing.svg(scene, drawn.get(), all || options.settings().isPath() ? 0 : SMALLEST_SHARE, Words.ENGLISH), svg.get())) {
+            return ExitCode.FAILED;
+        }
+        return stop.requested() ? ExitCode.INTERRUPTED : ExitCode.DONE;
+    }
+
+    private <T> T explained(Scene scene, BiFunction<RenderScene, RenderMonitor, T> how) throws IOException {
         RenderMonitor monitor = new RenderMonitor() {
             @Override
             public boolean cancelled() {
@@ -177,7 +201,7 @@ final class ExplainCommand implements Callable<Integer> {
             }
         };
         try {
-            return RenderScene.of(scene, pictures.read(file, scene), monitor).explain(wishes.applyTo(scene.settings()), place.column(), place.row(), monitor);
+            return how.apply(RenderScene.of(scene, pictures.read(file, scene), monitor), monitor);
         } catch (UncheckedIOException unreadable) {
             throw new IOException(unreadable.getMessage(), unreadable);
         } catch (IllegalArgumentException refused) {
@@ -208,6 +232,16 @@ final class ExplainCommand implements Callable<Integer> {
         }
         if (!all && pixel.rays().size() > 1) {
             terminal.message("--all tells of each of the " + pixel.rays().size() + " rays in full, --samples 1 of the one through the middle of the pixel");
+        }
+    }
+
+    private void show(PathPixel pixel) {
+        if (json) {
+            terminal.result(PathJson.of(pixel).toString());
+        } else if (isColored()) {
+            PathLines.lines(pixel, all ? 0 : SMALLEST_SHARE, AnsiDecoration.ofSystem(), Words.ENGLISH).forEach(line -> terminal.out().println(Letters.fit(line)));
+        } else {
+            PathLines.lines(pixel, all ? 0 : SMALLEST_SHARE, Decoration.NONE, Words.ENGLISH).forEach(line -> terminal.result(Letters.fit(line)));
         }
     }
 

@@ -103,8 +103,9 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(names = "--mode", paramLabel = "MODE", defaultValue = "shaded", completionCandidates = Modes.class, description = {
         "What the picture shows: ${COMPLETION-CANDIDATES}.",
-        "rays and nodes are counts per pixel, on a scale of colours that is drawn below the picture. In exr, pfm, txt and lum these and depth "
-                + "are numbers: counts, and distances in scene units, 0 where nothing is seen."})
+        "rays, nodes and samples are counts per pixel, and error is how far its value may be from the true one, in steps of 255, on a scale of colours that is drawn below the "
+                + "picture. In exr, pfm, txt and lum these and depth are numbers: counts, errors from 0 to 1, below 0 where they cannot be trusted, and distances in scene units, "
+                + "0 where nothing is seen."})
     private RenderMode mode;
 
     @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
@@ -171,7 +172,7 @@ final class RenderCommand implements Callable<Integer> {
         if (resume && output.equals(Optional.of("-"))) {
             throw new WrongUsage("--resume needs a file for the picture, to keep the tiles beside it");
         }
-        if (mode != RenderMode.SHADED && shown.areSaid()) {
+        if (mode != RenderMode.SHADED && mode != RenderMode.ERROR && shown.areSaid()) {
             throw new WrongUsage("--exposure and --tone are for light, which --mode " + mode + " does not show");
         }
         if (mode != RenderMode.SHADED && (pixels.isTransparent() || pixels.haveLayers())) {

@@ -53,9 +53,26 @@ class PathOptionsTest {
     @Test
     void whoAsksForAnErrorIsToldHowNearThePixelsAre() {
         Run json = render(folder.resolve("a.png"), "--samples", "128", "--error", "4/255", "--json");
-        assertThat(json.out()).containsPattern("\"certainty\":\\{\"within\":[01](\\.\\d+)?,\"farthest\":0(\\.\\d+)?(E-\\d+)?}");
+        assertThat(json.out()).containsPattern("\"certainty\":\\{\"within\":[01](\\.\\d+)?,\"farthest\":[01](\\.\\d+)?(E-\\d+)?,\"untrusted\":[01](\\.\\d+)?}");
         assertThat(render(folder.resolve("a.png"), "--samples", "64..128").out()).contains("of the pixels within the error");
         assertThat(render(folder.resolve("a.png"), "--samples", "64").out()).doesNotContain("within the error");
+    }
+
+    @Test
+    void layersOpacityAndHeatMapsAreOfPathsAsOfRays() throws Exception {
+        Path layers = folder.resolve("a.exr");
+        assertThat(render(layers, "--aov", "normal,error,light,direct,indirect,samples", "--transparent", "--samples", 100, "--resume").code()).isEqualTo(ExitCode.DONE);
+        assertThat(render(layers, "--aov", "normal,error,light,direct,indirect,samples", "--transparent", "--samples", 200, "--resume").code()).isEqualTo(ExitCode.DONE);
+        Path atOnce = folder.resolve("b.exr");
+        assertThat(render(atOnce, "--aov", "normal,error,light,direct,indirect,samples", "--transparent", "--samples", 200).code()).isEqualTo(ExitCode.DONE);
+        assertThat(layers).hasSameBinaryContentAs(atOnce);
+        Run heat = render(folder.resolve("a.png"), "--mode", "error", "--exposure", 1);
+        assertThat(heat.code()).as(heat.err()).isEqualTo(ExitCode.DONE);
+        assertThat(heat.out()).contains("of the pixels within the error");
+        assertThat(render(folder.resolve("a.txt"), "--mode", "samples").code()).isEqualTo(ExitCode.DONE);
+        assertThat(Files.readString(folder.resolve("a.txt"))).startsWith("64 64");
+        assertThat(Run.cli("render", scene, "--aov", "error", "-o", layers).err()).contains("samples A..B");
+        assertThat(Run.cli("render", scene, "--mode", "error", "-o", folder.resolve("a.png")).err()).contains("samples A..B");
     }
 
     @Test
@@ -69,7 +86,5 @@ class PathOptionsTest {
         assertThat(Run.cli("info", scene).out()).contains("path");
         assertThat(Run.cli("render", scene, "--integrator", "whitted", "-o", other).code()).isEqualTo(ExitCode.DONE);
         assertThat(Files.mismatch(picture, other)).isNotEqualTo(-1);
-        assertThat(Run.cli("explain", scene, "1,1").err()).contains("--integrator whitted");
-        assertThat(Run.cli("render", scene, "--aov", "normal", "-o", folder.resolve("a.exr")).err()).contains("integrator whitted");
     }
 }

@@ -13,6 +13,7 @@ final class Memory {
     private static final long BODY = 500;
     /** Bytes of a picture's pixel: three floats, and one number of the sRGB that is made of them to be written or shown. */
     private static final long PIXEL = 16;
+    private static final int LIGHT = 3;
 
     private Memory() {}
 
@@ -34,7 +35,8 @@ final class Memory {
         }
         int width = options.region().width();
         int height = options.region().height();
-        long picture = PIXEL * width * height;
+        // Beyond the light: opacity, layers, and of paths what is kept from pass to pass.
+        long picture = (PIXEL + (long) Float.BYTES * (options.channels(scene) - LIGHT)) * width * height;
         long bodies = bodies(scene);
         return exceeded("a picture of " + width + " × " + height + " pixels takes " + size(picture)
                 + " and its scene of " + bodies + (bodies == 1 ? " body " : " bodies ") + size(bodies * BODY),

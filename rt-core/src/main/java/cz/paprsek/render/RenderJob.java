@@ -9,11 +9,12 @@ import cz.paprsek.render.integrate.Paths;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.sample.PassSums;
-import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.show.DepthRange;
 import cz.paprsek.render.show.LayerTracer;
 import cz.paprsek.render.show.ModeTracer;
+import cz.paprsek.render.show.PathCounts;
+import cz.paprsek.render.show.PathLayers;
 import cz.paprsek.render.work.Desk;
 import cz.paprsek.render.work.Workers;
 import cz.paprsek.scene.RenderSettings;
@@ -45,11 +46,16 @@ final class RenderJob implements Workers.Work {
     private final int columns;
     private final int tiles;
     private final int tilesOfAllPasses;
+    /** Whether each pixel ends when it is near enough: nobody knows after how many passes. */
+    private final boolean isJudged;
     private final int stride;
     private final AtomicInteger next = new AtomicInteger();
     private final AtomicInteger done = new AtomicInteger();
+    private final AtomicInteger told = new AtomicInteger();
     /** Passes over the picture that are complete. */
     private int passes;
+    /** Which share of the pixels needs no more after them. */
+    private double settledBefore;
     private volatile boolean stopped;
     /** What was thrown first, and in what pixel; noted in fields that are there already, because it may be that no memory is left. */
     private @Nullable Throwable fault;
@@ -65,14 +71,15 @@ final class RenderJob implements Workers.Work {
         this.store = store;
         Tile region = options.region();
         image = options.transparent() ? Image.ofTransparent(region.width(), region.height()) : new Image(region.width(), region.height());
-        film = new Film(image, region.x(), region.y(), options.planes().size(), options.kept());
+        film = new Film(image, region.x(), region.y(), options.planes(scene.scene()).size(), options.kept(scene.scene()));
         depths = options.mode() == RenderMode.DEPTH
                 ? DepthRange.of(scene.world(), eye, RenderOptions.coarse(options.settings().width(), options.step()),
                         RenderOptions.coarse(options.settings().height(), options.step())) : DepthRange.NONE;
         block = Math.max(1, TOGETHER / (options.settings().isPath() ? (int) Math.ceil(Math.sqrt(options.settings().samples())) : options.settings().samples()));
         columns = (region.width() + SIDE - 1) / SIDE;
         tiles = columns * ((region.height() + SIDE - 1) / SIDE);
-        tilesOfAllPasses = (int) Math.min(Integer.MAX_VALUE, (long) tiles * options.passes());
+        isJudged = options.isInPasses() && options.settings().isAdaptive();
+        tilesOfAllPasses = isJudged ? tiles : (int) Math.min(Integer.MAX_VALUE, (long) tiles * options.passes());
         stride = stride(tiles);
     }
 
@@ -87,50 +94,60 @@ final class RenderJob implements Workers.Work {
     /** What else is known of its pixels. */
     Layers layers() {
         Layers layers = Layers.ofSize(image.width(), image.height());
-        List<String> planes = options.planes();
+        List<String> planes = options.planes(scene.scene());
         for (int i = 0; i < planes.size(); i++) {
             layers = layers.with(planes.get(i), film.plane(i));
         }
         return layers;
     }
 
-    /** How near the pixels are to the truth; empty if they are not judged. */
+    /** How near the pixels are to the truth; empty if they are not judged as paths are. */
     Optional<RenderResult.Certainty> certainty() {
-        RenderSettings settings = options.settings();
-        if (!options.isInPasses() || !settings.isAdaptive()) {
+        if (!options.isInPasses() || !options.isJudged()) {
             return Optional.empty();
         }
-        Passes passes = new Passes(settings, options.fixedSampler());
-        PassSums sums = passes.newSums();
-        float[] kept = new float[passes.kept()];
+        PassSums sums = options.paths().newSums();
+        float[] kept = new float[options.kept(scene.scene())];
         int within = 0;
+        int untrusted = 0;
         double farthest = 0;
-        for (int i = 0; i < image.width() * image.height(); i++) {
+        for (int i = 0; i < pixels(); i++) {
             film.kept(options.region().x() + i % image.width(), options.region().y() + i / image.width(), kept);
-            sums.load(kept);
-            // Of less than a pass nothing is known.
-            double half = sums.count() == 0 ? 1 : sums.halfWidth();
-            within += half <= settings.error() ? 1 : 0;
-            farthest = Math.max(farthest, half);
+            sums.load(kept, 0);
+            double half = sums.interval();
+            untrusted += half < 0 ? 1 : 0;
+            within += half >= 0 && half <= options.settings().error() ? 1 : 0;
+            farthest = Math.max(farthest, Math.abs(half));
         }
-        return Optional.of(new RenderResult.Certainty((double) within / (image.width() * image.height()), farthest));
+        return Optional.of(new RenderResult.Certainty((double) within / pixels(), farthest, (double) untrusted / pixels()));
     }
 
     boolean isComplete() {
         return done.get() == tiles;
     }
 
-    /** How many tiles are done, those of passes that are complete included. */
+    /** How many tiles are done, those of passes that are complete included; of pixels that are judged, as many as those are that need no more. */
     private int told(int inThisPass) {
-        return (int) Math.min(tilesOfAllPasses, (long) passes * tiles + inThisPass);
+        if (!isJudged) {
+            return (int) Math.min(tilesOfAllPasses, (long) passes * tiles + inThisPass);
+        }
+        double pass = (double) inThisPass / tiles;
+        double settled = pass - (double) film.wanting() / pixels() + (1 - pass) * settledBefore;
+        return told.accumulateAndGet((int) (tiles * settled), Math::max);
+    }
+
+    private int pixels() {
+        return image.width() * image.height();
     }
 
     /** Makes ready for another pass, if one is to follow that which is complete. */
     boolean goesOn() {
         try {
-            if (!film.wantedMore() || !monitor.passed(image, passes + 1)) {
+            int wanting = film.beginPass();
+            if (wanting == 0 || !monitor.passed(image, this::layers, passes + 1)) {
                 return false;
             }
+            settledBefore = 1 - (double) wanting / pixels();
         } catch (Throwable thrown) {
             fail(thrown);
             return false;
@@ -216,11 +233,16 @@ final class RenderJob implements Workers.Work {
         // What is shown of things seen is no light whose spread would tell how many rays it takes; what is shown of rays is.
         RenderSettings shown = options.mode().scale().isPresent() ? settings : settings.withSamples(settings.samples()).withFilter(PixelFilter.BOX);
         List<Object> purpose = List.of(scene.world(), options.mode(), settings.withSize(1, 1), options.fixedSampler(), options.numbers(), depths, options.layers(), options.transparent());
-        return desk.integrator(purpose, () -> !options.layers().isEmpty() || options.transparent()
+        return desk.integrator(purpose, () -> options.isInPasses() ? paths() : options.isWatched()
                 ? new LayerTracer(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()), options.layers(), options.transparent())
-                : options.isInPasses() ? new Paths(scene.world(), settings.maxDepth(), new Passes(settings, options.fixedSampler()))
                 : options.mode() == RenderMode.SHADED ? new Whitted(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()))
                 : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), Sampling.of(shown, options.fixedSampler()), depths, options.numbers()));
+    }
+
+    private Integrator paths() {
+        int depth = options.settings().maxDepth();
+        return options.mode() != RenderMode.SHADED ? new PathCounts(scene.world(), options.mode(), depth, options.paths(), options.numbers())
+                : options.isWatched() ? new PathLayers(scene.world(), depth, options.paths(), options.layers(), options.transparent()) : new Paths(scene.world(), depth, options.paths());
     }
 
     private synchronized void add(Integrator.Work work) {
@@ -257,7 +279,7 @@ final class RenderJob implements Workers.Work {
             if (passes == 0 && store.load(inPicture(tile), passes, film)) {
                 // Whether that is all there is to it, the next pass will tell.
                 if (film.isInPasses()) {
-                    film.wantMore();
+                    film.wantMore(tile.width() * tile.height());
                 }
                 monitor.found(tile, image, told(done.incrementAndGet()), tilesOfAllPasses);
                 return;

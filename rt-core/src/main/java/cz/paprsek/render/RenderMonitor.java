@@ -1,6 +1,8 @@
 package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
+import cz.paprsek.image.Layers;
+import java.util.function.Supplier;
 
 /** What a render asks and tells its caller while it runs, from any of its threads. The methods must return quickly. */
 public interface RenderMonitor {
@@ -29,8 +31,9 @@ public interface RenderMonitor {
      *
      * @param tile its pixels, in the coordinates of the image under way
      * @param image the image under way; pixels of finished tiles no longer change, unless there is another pass
-     * @param done tiles finished so far, those of earlier passes and this one included
-     * @param total tiles in all, of all passes there may be
+     * @param done tiles finished so far, those of earlier passes and this one included; of a picture of paths that end when they are near enough, as many tiles as the
+     *     pixels make that need no more
+     * @param total tiles in all, of all passes there may be; of such a picture, of one
      */
     default void finished(Tile tile, Image image, int done, int total) {}
 
@@ -38,10 +41,11 @@ public interface RenderMonitor {
      * A pass over the whole picture is complete, and another one will make it better. Called by the thread that waits for the picture, while nothing is traced.
      *
      * @param image the picture as good as it is
+     * @param layers makes a copy of what else is known of its pixels by now
      * @param passes how many there have been
      * @return whether to go on; if not, the picture is as it is, and counts as complete
      */
-    default boolean passed(Image image, int passes) {
+    default boolean passed(Image image, Supplier<Layers> layers, int passes) {
         return true;
     }
 }

@@ -4,6 +4,8 @@ import cz.paprsek.math.Require;
 import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.sample.Passes;
+import cz.paprsek.render.show.PathCounts;
+import cz.paprsek.render.show.PathLayers;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.List;
@@ -25,6 +27,7 @@ import java.util.Objects;
  */
 public record RenderOptions(RenderSettings settings, Tile region, RenderMode mode, int threads, boolean numbers, boolean fixedSampler, int step,
         List<Layer> layers, boolean transparent) {
+    private static final String ONLY_JUDGED = " is of paths, and of pixels with samples A..B: no others are judged";
 
     /** @throws IllegalArgumentException if the region does not lie inside the picture */
     public RenderOptions {
@@ -36,8 +39,8 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
         layers = List.copyOf(layers);
         Require.that(layers.stream().distinct().count() == layers.size(), "each layer can be asked for once: " + layers);
         Require.that(mode == RenderMode.SHADED || (layers.isEmpty() && !transparent), "layers and transparency are of pictures of light, not of " + mode);
-        Require.that(!settings.isPath() || (layers.isEmpty() && !transparent), "layers and transparency are of the integrator whitted, not of path");
-        Require.that(!settings.isPath() || mode.scale().isEmpty(), "what mode " + mode + " counts are rays of the integrator whitted, not of path");
+        Require.that(!layers.contains(Layer.ERROR) || settings.isPath() || settings.isAdaptive(), "layer error" + ONLY_JUDGED);
+        Require.that(mode != RenderMode.ERROR || settings.isPath() || settings.isAdaptive(), "mode error" + ONLY_JUDGED);
         int columns = coarse(settings.width(), step);
         int rows = coarse(settings.height(), step);
         Require.that(region.x() + region.width() <= columns && region.y() + region.height() <= rows,
@@ -104,18 +107,38 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
     }
 
     /** How many numbers each pixel gets: three of light, with opacity that, those of layers, and those that are kept from pass to pass. */
-    public int channels() {
-        return (transparent ? 4 : 3) + planes().size() + kept();
+    public int channels(Scene scene) {
+        return keptFrom(scene) + kept(scene);
+    }
+
+    /** Which of them, counted from 0, is the first that is kept: of a picture in passes the number of the pixel's paths. */
+    public int keptFrom(Scene scene) {
+        return (transparent ? 4 : 3) + planes(scene).size();
     }
 
     /** How many numbers of each pixel are kept from one pass to the next; none if all of the picture's tiles are made once and for all. */
-    int kept() {
-        return isInPasses() ? Passes.kept(settings) : 0;
+    int kept(Scene scene) {
+        return !isInPasses() ? 0 : mode != RenderMode.SHADED ? PathCounts.kept(paths()) : isWatched() ? PathLayers.kept(paths(), layers, transparent, scene.lights().size()) : paths().kept();
+    }
+
+    /** The paths of its pixels. */
+    Passes paths() {
+        return new Passes(settings, fixedSampler, isJudged());
+    }
+
+    /** Whether it is to be known how near pixels are to the truth. */
+    boolean isJudged() {
+        return settings.isAdaptive() || mode == RenderMode.ERROR || layers.contains(Layer.ERROR);
+    }
+
+    /** Whether more is to be known of pixels than their light. */
+    boolean isWatched() {
+        return !layers.isEmpty() || transparent;
     }
 
     /** Whether the picture is made in passes, each of which makes all of it better. */
     public boolean isInPasses() {
-        return mode == RenderMode.SHADED && settings.isPath() && layers.isEmpty() && !transparent;
+        return settings.isPath() && (mode == RenderMode.SHADED || mode.scale().isPresent());
     }
 
     /** Into how many passes a picture is divided at most: one, unless it is {@linkplain #isInPasses made in passes}. */
@@ -124,8 +147,8 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
     }
 
     /** The names of the planes of all layers. */
-    List<String> planes() {
-        return layers.stream().flatMap(layer -> layer.planes().stream()).toList();
+    List<String> planes(Scene scene) {
+        return layers.stream().flatMap(layer -> layer.planes(scene.lights()).stream()).toList();
     }
 
     /** How many pixels of the image there are to so many of the picture. */

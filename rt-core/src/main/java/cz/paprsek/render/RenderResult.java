@@ -9,7 +9,7 @@ import java.util.Optional;
  * A picture, whole or as far as it got, and what it took.
  *
  * @param layers what else was to be known of its pixels; without planes if nothing was
- * @param certainty how near its pixels are to the truth; empty unless they were judged as paths are, by {@code samples="A..B"}
+ * @param certainty how near its pixels are to the truth; empty unless they were judged as paths are, by {@code samples="A..B"}, or for a layer or a mode that tells of it
  */
 public record RenderResult(Image image, Layers layers, Stats stats, Outcome outcome, Optional<Certainty> certainty) {
     public RenderResult {
@@ -25,8 +25,9 @@ public record RenderResult(Image image, Layers layers, Stats stats, Outcome outc
      *
      * @param within the share of pixels that are within the error asked for
      * @param farthest how far any of them may be from the truth
+     * @param untrusted the share of pixels of which that cannot be trusted: they are not counted as within the error
      */
-    public record Certainty(double within, double farthest) {}
+    public record Certainty(double within, double farthest, double untrusted) {}
 
     /** How a render ended. */
     public enum Outcome {

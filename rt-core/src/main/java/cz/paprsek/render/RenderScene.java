@@ -3,10 +3,12 @@ package cz.paprsek.render;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.format.MeshFiles;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.account.Explainer;
+import cz.paprsek.render.account.PathExplainer;
+import cz.paprsek.render.explain.PathPixel;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.eye.Eye;
-import cz.paprsek.render.integrate.Explainer;
 import cz.paprsek.render.integrate.PartPaths;
 import cz.paprsek.render.surface.World;
 import cz.paprsek.render.texture.Textures;
@@ -147,6 +149,17 @@ public final class RenderScene {
     /** As {@link #explain(RenderOptions, int, int, RenderMonitor)}, without a monitor. */
     public Pixel explain(RenderOptions options, int column, int row) {
         return explain(options, column, row, RenderMonitor.NONE);
+    }
+
+    /**
+     * What brings the light of a pixel of paths, in the picture that would be rendered with these options.
+     *
+     * @throws IllegalArgumentException if there is no such pixel, the options are not of paths, or more than 131 072 paths are behind it
+     * @throws CancellationException as {@link #explain(RenderSettings, int, int)}, or if the monitor cancels
+     * @throws IllegalStateException as there, or if the monitor throws anything
+     */
+    public PathPixel explainPaths(RenderOptions options, int column, int row, RenderMonitor monitor) {
+        return explained(monitor, stop -> PathExplainer.pixel(world, options.settings(), options.fixedSampler(), column, row, stop));
     }
 
     /**

@@ -82,15 +82,15 @@ class CoverageTest {
         Film film = new Film(new Image(side, side), 0, 0, 0, passes.kept());
         do {
             paths.block(Eye.of(camera, side, side), 0, 0, side, side, film);
-        } while (film.wantedMore());
+        } while (film.beginPass() > 0);
         PassSums sums = passes.newSums();
         float[] kept = new float[passes.kept()];
         int covered = 0;
         int within = 0;
         for (int i = 0; i < side * side; i++) {
             film.kept(i % side, i / side, kept);
-            sums.load(kept);
-            double half = sums.halfWidth();
+            sums.load(kept, 0);
+            double half = Math.abs(sums.interval());
             double off = Math.abs(shown(film.red(i % side, i / side)) - shown(truth));
             covered += off <= half ? 1 : 0;
             within += half <= settings.error() ? 1 : 0;

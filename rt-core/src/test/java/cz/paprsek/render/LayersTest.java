@@ -23,6 +23,7 @@ import cz.paprsek.scene.SphereLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -30,7 +31,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is known of pixels beside their light: opacity and layers. */
 class LayersTest {
-    private static final List<Layer> ALL = List.of(Layer.values());
+    private static final List<Layer> ALL = Stream.of(Layer.values()).filter(layer -> layer != Layer.ERROR).toList();
 
     private static RenderResult render(Scene scene, RenderOptions options) {
         return Renderer.render(RenderScene.of(scene), options, RenderMonitor.NONE);
@@ -43,15 +44,20 @@ class LayersTest {
         RenderOptions options = RenderOptions.of(scene);
         RenderResult layered = render(scene, options.withLayers(ALL));
         assertThat(Scenes.difference(layered.image(), render(scene, options).image(), 0)).isZero();
-        assertThat(layered.layers().names()).containsExactly("normal.X", "normal.Y", "normal.Z", "albedo.R", "albedo.G", "albedo.B", "depth.Z", "object.ID",
+        assertThat(layered.layers().names()).startsWith("normal.X", "normal.Y", "normal.Z", "albedo.R", "albedo.G", "albedo.B", "depth.Z", "object.ID",
                 "direct.R", "direct.G", "direct.B", "indirect.R", "indirect.G", "indirect.B", "samples.N");
         boolean isSharpened = scene.settings().filter() == PixelFilter.MITCHELL;
         for (int y = 0; y < scene.settings().height() && !isSharpened; y++) {
             for (int x = 0; x < scene.settings().width(); x++) {
                 double light = layered.image().red(x, y);
+                assertThat(sumOfLights(layered.layers(), x, y)).as("of all lights").isCloseTo(light, within(1e-6 * (1 + light)));
                 assertThat(layered.layers().at("direct.R", x, y) + (double) layered.layers().at("indirect.R", x, y)).as("direct and indirect").isCloseTo(light, within(1e-6 * (1 + light)));
             }
         }
+    }
+
+    static double sumOfLights(Layers layers, int x, int y) {
+        return layers.names().stream().filter(name -> name.startsWith("light.") && name.endsWith(".R")).mapToDouble(name -> layers.at(name, x, y)).sum();
     }
 
     @Test
@@ -68,7 +74,7 @@ class LayersTest {
         assertThat(layers.at("direct.B", x, y)).isCloseTo(0.4f, within(1e-6f));
         assertThat(layers.at("indirect.B", x, y)).as("of the white background").isCloseTo(0.2f, within(1e-6f));
         assertThat(layers.at("samples.N", x, y)).isEqualTo(1);
-        assertThat(layers.names()).allSatisfy(name -> assertThat(layers.at(name, 0, 0)).isEqualTo(name.startsWith("direct") || name.startsWith("samples") ? 1 : 0));
+        assertThat(layers.names()).allSatisfy(name -> assertThat(layers.at(name, 0, 0)).isEqualTo(name.startsWith("direct") || name.startsWith("samples") || name.startsWith("light.rest") ? 1 : 0));
     }
 
     @Test
@@ -160,6 +166,7 @@ class LayersTest {
         RenderOptions options = RenderOptions.of(RenderSettings.DEFAULT);
         assertThatThrownBy(() -> options.withMode(RenderMode.NORMALS).withTransparency()).hasMessage("layers and transparency are of pictures of light, not of normals");
         assertThatThrownBy(() -> options.withLayers(List.of(Layer.DEPTH, Layer.DEPTH))).hasMessageContaining("once");
-        assertThat(options.withTransparency().withLayers(ALL).channels()).isEqualTo(19);
+        assertThatThrownBy(() -> options.withLayers(List.of(Layer.ERROR))).hasMessageContaining("samples A..B");
+        assertThat(options.withTransparency().withLayers(ALL).channels(Scenes.empty().plus(Light.at(0, 0, 5)))).isEqualTo(25);
     }
 }

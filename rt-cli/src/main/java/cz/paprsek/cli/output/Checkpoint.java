@@ -31,8 +31,6 @@ import java.util.zip.CRC32;
  */
 public final class Checkpoint implements AutoCloseable {
     private static final byte[] MAGIC = "paprsek tiles 4\n".getBytes(StandardCharsets.US_ASCII);
-    /** Which of the numbers of a picture in passes says how many paths a pixel has. */
-    private static final int NUMBER_OF_PATHS = 3;
     private static final int RECORD_HEAD = 6 * Integer.BYTES;
 
     private final Path file;
@@ -73,10 +71,10 @@ public final class Checkpoint implements AutoCloseable {
             if (isTaken(channel)) {
                 throw new WrongUsage(file + ": another render is at work on this picture");
             }
-            Checkpoint checkpoint = new Checkpoint(file, channel, options.channels());
+            Checkpoint checkpoint = new Checkpoint(file, channel, options.channels(scene));
             checkpoint.read(digest(scene, assets, options), options.region());
             if (options.isInPasses()) {
-                checkpoint.checkPaths(options.settings().mostRays());
+                checkpoint.checkPaths(options.keptFrom(scene), options.settings().mostRays());
             }
             opened = true;
             return checkpoint;
@@ -87,10 +85,15 @@ public final class Checkpoint implements AutoCloseable {
         }
     }
 
-    /** @throws WrongUsage if a pixel has more paths than are asked for: they could not be taken away */
-    private void checkPaths(int most) {
+    /**
+     * Compares how many paths pixels have with how many are asked for.
+     *
+     * @param number which of the numbers of a pixel says so
+     * @throws WrongUsage if there are more, which could not be taken away
+     */
+    private void checkPaths(int number, int most) {
         for (FloatBuffer tile : tiles.values()) {
-            for (int i = NUMBER_OF_PATHS; i < tile.limit(); i += channels) {
+            for (int i = number; i < tile.limit(); i += channels) {
                 if (tile.get(i) > most) {
                     throw new WrongUsage(file + ": has pixels of " + (int) tile.get(i) + " paths already, more than --samples " + most
                             + "; ask for as many, or delete it to begin anew");

@@ -8,6 +8,8 @@ final class Pace {
     private final long total;
     private long done;
     private long found;
+    /** Of pixels that end when they are near enough, the share of those that have; below 0 of others. */
+    private double settled = -1;
     /** Two earlier moments: seconds, and pixels traced by then. What lies behind the older one, half of the time at most, is forgotten. */
     private double olderSeconds;
     private long olderTraced;
@@ -36,13 +38,21 @@ final class Pace {
         }
     }
 
-    /** The share of the picture that is there, 0–1. */
-    double share() {
-        return (double) done / total;
+    /** Such a share of the pixels, 0–1, is near enough; when the others will be nobody knows. */
+    void settled(double share) {
+        settled = Math.max(settled, share);
     }
 
-    /** Pixels traced a second, lately. */
+    /** The share of the picture that is there, 0–1. */
+    double share() {
+        return settled >= 0 ? settled : (double) done / total;
+    }
+
+    /** Pixels traced a second, lately; not a number if pixels end when they are near enough. */
     double pixelsPerSecond(double seconds) {
+        if (settled >= 0) {
+            return Double.NaN;
+        }
         return (done - found - olderTraced) / Math.max(seconds - olderSeconds, 1e-9);
     }
 

@@ -3,26 +3,31 @@ package cz.paprsek.cli.output;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.Layers;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
+import java.util.function.Supplier;
 
 /** Shows how far a render is, and passes on the user's wish to stop. */
 public abstract class Progress implements RenderMonitor, AutoCloseable {
     private final Stop stop;
     private final Pace pace;
+    /** Whether pixels end when they are near enough. */
+    private final boolean isJudged;
     private final long begin = System.nanoTime();
-    private Passed whenPassed = (image, passes) -> true;
+    private Passed whenPassed = (image, layers, passes) -> true;
 
     Progress(RenderOptions options, Stop stop) {
         this.stop = stop;
-        this.pace = new Pace((long) options.region().width() * options.region().height() * options.passes());
+        this.isJudged = options.isInPasses() && options.settings().isAdaptive();
+        this.pace = new Pace((long) options.region().width() * options.region().height() * (isJudged ? 1 : options.passes()));
     }
 
     /** Is told of each pass over a picture that is complete. */
     interface Passed {
         /** Whether to go on. */
-        boolean passed(Image image, int passes);
+        boolean passed(Image image, Supplier<Layers> layers, int passes);
     }
 
     /** Begins to show the progress of a render. */
@@ -54,19 +59,27 @@ public abstract class Progress implements RenderMonitor, AutoCloseable {
 
     @Override
     public final synchronized void found(Tile tile, Image image, int done, int tiles) {
-        pace.found((long) tile.width() * tile.height());
+        if (isJudged) {
+            pace.settled((double) done / tiles);
+        } else {
+            pace.found((long) tile.width() * tile.height());
+        }
         refresh();
     }
 
     @Override
     public final synchronized void finished(Tile tile, Image image, int done, int tiles) {
-        pace.traced((long) tile.width() * tile.height(), seconds());
+        if (isJudged) {
+            pace.settled((double) done / tiles);
+        } else {
+            pace.traced((long) tile.width() * tile.height(), seconds());
+        }
         refresh();
     }
 
     @Override
-    public final boolean passed(Image image, int passes) {
-        return whenPassed.passed(image, passes);
+    public final boolean passed(Image image, Supplier<Layers> layers, int passes) {
+        return whenPassed.passed(image, layers, passes);
     }
 
     final void whenPassed(Passed listener) {

@@ -55,7 +55,7 @@ public final class ProgressBar extends Progress {
         int full = (int) (share * CELLS);
         String percent = String.format(Locale.ROOT, "%3d %%", (int) (share * 100));
         String bar = String.format(" [%s%s]", "#".repeat(full), " ".repeat(CELLS - full));
-        String speed = String.format(Locale.ROOT, " %.1f M eye rays/s", eyeRaysPerSecond / 1e6);
+        String speed = Double.isNaN(eyeRaysPerSecond) ? "" : String.format(Locale.ROOT, " %.1f M eye rays/s", eyeRaysPerSecond / 1e6);
         String left = Double.isNaN(secondsLeft) ? "" : "  " + clock(secondsLeft) + " left";
         for (String rest : new String[] {percent + bar + speed + left, percent + bar + left, percent + left, percent}) {
             int room = Math.min(LONGEST_NAME, columns - 2 - Columns.of(rest));

@@ -25,8 +25,9 @@ final class ProgressInLines extends Progress {
     void show(Pace pace, double seconds) {
         if (pace.share() < 1 && seconds >= said + SECONDS_BETWEEN) {
             said = seconds;
-            terminal.message(String.format(Locale.ROOT, "%s: %d %% after %.0f s, about %.0f s left",
-                    scene, (int) (100 * pace.share()), seconds, pace.secondsLeft(seconds)));
+            double left = pace.secondsLeft(seconds);
+            terminal.message(String.format(Locale.ROOT, "%s: %d %% after %.0f s", scene, (int) (100 * pace.share()), seconds)
+                    + (Double.isNaN(left) ? "" : String.format(Locale.ROOT, ", about %.0f s left", left)));
         }
     }
 }

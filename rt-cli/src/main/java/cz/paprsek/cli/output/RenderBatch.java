@@ -88,7 +88,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         int width = options.region().width();
         int height = options.region().height();
         String tooLarge = target.source().label() + ": " + Room.sentence(scene, options, target.format());
-        if (Room.memory(options, target.format()) > Memory.allowed()) {
+        if (Room.memory(scene, options, target.format()) > Memory.allowed()) {
             return fail(target, Outcome.FAILED, List.of(tooLarge));
         }
         try {
@@ -100,7 +100,9 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                     // A picture is kept, and how good it is must be said.
                     stop.oweLastWords();
                 }
-                WholePasses passes = new WholePasses(seconds, (image, count) -> isWritten(target, read, image, ofPasses(options, count)));
+                WholePasses passes = new WholePasses(seconds, (image, layers, count) -> isWritten(target, read, image, layers, ofPasses(options, count)),
+                        hindered -> terminal.message(target.source().label() + ": note: the picture so far could not be written, rendering goes on: "
+                                + Failures.sentence(target.shown(), hindered)));
                 RenderResult result = rendered(target, scene, assets, options, tiles, passes);
                 if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
                     return interrupted(target, passes);
@@ -113,7 +115,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         } catch (WrongUsage e) {
             return fail(target, Outcome.WRONG_USAGE, List.of(String.valueOf(e.getMessage())));
         } catch (IOException e) {
-            return stop.requested() ? interrupted(target, new WholePasses(seconds, (image, count) -> false))
+            return stop.requested() ? interrupted(target, new WholePasses(seconds, (image, layers, count) -> false, hindered -> {}))
                     : fail(target, Outcome.FAILED, List.of(Failures.sentence(target.file().map(Path::toString).orElse("standard output"), e)));
         } catch (OutOfMemoryError e) {
             return fail(target, Outcome.FAILED, List.of(tooLarge));
@@ -137,17 +139,13 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         return options.withSettings(options.settings().withMostRays(passes * RenderSettings.USUAL_PATHS));
     }
 
-    /** Writes the picture of the passes so far, if it goes to a file; what hinders that is told when it is complete. */
-    private boolean isWritten(Target target, Scene read, Image image, RenderOptions options) {
+    /** Writes the picture of the passes so far, if it goes to a file. */
+    private boolean isWritten(Target target, Scene read, Image image, Layers layers, RenderOptions options) throws IOException {
         if (target.file().isEmpty()) {
             return false;
         }
-        try {
-            write(target, read, view.finished(image, target.format()), Layers.ofSize(image.width(), image.height()), options);
-            return true;
-        } catch (IOException later) {
-            return false;
-        }
+        write(target, read, view.finished(image, target.format()), layers, options);
+        return true;
     }
 
     private void write(Target target, Scene read, Image image, Layers layers, RenderOptions options) throws IOException {

@@ -49,7 +49,8 @@ public interface Report {
             RenderResult.Stats stats = result.stats();
             String line = String.format(Locale.ROOT, "%s -> %s  %dx%d  %.2f s  %.1f Mray/s", target.source().label(), target.shown(), width, height,
                     totalSeconds, stats.rays() / 1e6 / Math.max(stats.traceSeconds(), 1e-9))
-                    + result.certainty().map(known -> String.format(Locale.ROOT, "  %.2f %% of the pixels within the error, the farthest %.4f", 100 * known.within(), known.farthest())).orElse("");
+                    + result.certainty().map(known -> String.format(Locale.ROOT, "  %.2f %% of the pixels within the error, the farthest %.4f", 100 * known.within(), known.farthest())
+                            + (known.untrusted() > 0 ? String.format(Locale.ROOT, ", %.2f %% not to be trusted", 100 * known.untrusted()) : "")).orElse("");
             if (!quiet && target.file().isPresent()) {
                 terminal.result(line);
             } else if (!quiet) {
@@ -77,7 +78,7 @@ public interface Report {
                             .with("total", micros(totalSeconds)))
                     .with("rays", RayCounts.asJson(stats))
                     .with("hits", stats.hits());
-            result.certainty().ifPresent(known -> all.with("certainty", new Json().with("within", known.within()).with("farthest", known.farthest())));
+            result.certainty().ifPresent(known -> all.with("certainty", new Json().with("within", known.within()).with("farthest", known.farthest()).with("untrusted", known.untrusted())));
             terminal.result(all.toString());
         }
 

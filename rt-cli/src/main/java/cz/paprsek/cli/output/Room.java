@@ -22,21 +22,20 @@ final class Room {
     private Room() {}
 
     /** How many bytes of memory a picture takes until it is written. */
-    static long memory(RenderOptions options, ImageFormat format) {
+    static long memory(Scene scene, RenderOptions options, ImageFormat format) {
         boolean isEncoded = switch (format) {
             case JPG, BMP, TIF, EXR -> true;
             case PNG, PPM, PGM, PFM, TXT, RAW, PPM16, HDR -> false;
         };
-        // Layers are copied when all is there.
-        int further = options.channels() - LIGHT;
-        long traced = Float.BYTES * (LIGHT + 2L * further);
+        // Layers are copied when all is there; what is kept from pass to pass is not.
+        long traced = Float.BYTES * ((long) options.channels(scene) + options.keptFrom(scene) - LIGHT);
         return (long) options.region().width() * options.region().height() * (isEncoded ? traced + ENCODED : traced);
     }
 
     /** What takes the memory, and what to do. */
     static String sentence(Scene scene, RenderOptions options, ImageFormat format) {
         long objects = (long) scene.objects().size() * OBJECT;
-        long picture = memory(options, format);
+        long picture = memory(scene, options, format);
         boolean isPicture = picture >= objects;
         return Memory.sentence(isPicture ? "the picture of " + options.region().width() + "x" + options.region().height() + " pixels" : "the scene of " + scene.objects().size() + " objects",
                 picture + objects) + (isPicture ? "; or render in parts with --region" : "");

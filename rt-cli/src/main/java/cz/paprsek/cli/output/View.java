@@ -12,6 +12,7 @@ import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.mode.RenderMode.HeatScale;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.teach.mistake.Mistakes;
 import java.util.List;
@@ -41,7 +42,8 @@ public record View(RenderMode mode, Optional<String> camera, Optional<String> li
             }
         }
         try {
-            applyTo(RenderOptions.of(RenderSettings.DEFAULT), ImageFormat.EXR);
+            // Which integrator a scene has is not known yet: there is none with more layers than this.
+            applyTo(RenderOptions.of(RenderSettings.DEFAULT.withIntegrator(Integrator.PATH)), ImageFormat.EXR);
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(String.valueOf(refused.getMessage()));
         }

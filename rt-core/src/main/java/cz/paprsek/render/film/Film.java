@@ -1,10 +1,13 @@
 package cz.paprsek.render.film;
 
 import cz.paprsek.image.Image;
+import cz.paprsek.scene.Light;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -23,7 +26,7 @@ public final class Film {
     private final int kept;
     /** By rows: of a large picture they are more numbers than one array holds. */
     private final float[][] sums;
-    private volatile boolean wantsMore;
+    private final AtomicInteger wanting = new AtomicInteger();
 
     /**
      * @param image what becomes of it
@@ -71,16 +74,19 @@ public final class Film {
         System.arraycopy(numbers, 0, sums[y - top], kept * (x - left), kept);
     }
 
-    /** A pixel is to get more in another pass. */
-    public void wantMore() {
-        wantsMore = true;
+    /** So many pixels are to get more in another pass. */
+    public void wantMore(int pixels) {
+        wanting.addAndGet(pixels);
     }
 
-    /** Whether a pixel is to get more in another pass, since this was asked last. */
-    public boolean wantedMore() {
-        boolean wanted = wantsMore;
-        wantsMore = false;
-        return wanted;
+    /** How many pixels are to get more in another pass, as far as is known. */
+    public int wanting() {
+        return wanting.get();
+    }
+
+    /** How many pixels were to get more in another pass, which begins: now none is known to get more in that after it. */
+    public int beginPass() {
+        return wanting.getAndSet(0);
     }
 
     private int at(int x, int y) {
@@ -100,6 +106,13 @@ public final class Film {
     /** Sets a pixel's value on a plane, counted from 0. */
     public void setPlane(int plane, int x, int y, double value) {
         planes[plane][at(x, y)] = (float) value;
+    }
+
+    /** Sets a pixel's values on three planes that follow each other, the first counted from 0. */
+    public void setPlanes(int plane, int x, int y, double first, double second, double third) {
+        setPlane(plane, x, y, first);
+        setPlane(plane + 1, x, y, second);
+        setPlane(plane + 2, x, y, third);
     }
 
     /** The light of a pixel of the picture, linear; 0 as long as it has not been set. */
@@ -168,13 +181,25 @@ public final class Film {
         DEPTH("the distance of what is seen, in scene units", "Z"),
         /** The object's number in the scene, from 1, and after the objects those of lights that are seen; the one that most rays meet, 0 if most meet nothing. */
         OBJECT("the number of the object seen, from 1", "ID"),
-        /** The light that reaches what is seen straight from lamps, its ambient and its own; or the background's. Linear. */
-        DIRECT("the light that comes by no mirror and no glass", "R", "G", "B"),
-        /** The light that is mirrored or let through: what {@link #DIRECT} lacks to the picture. Linear. */
-        INDIRECT("the light that is mirrored or let through", "R", "G", "B"),
+        /**
+         * The light that reaches what is seen straight from lamps, its ambient and its own; or the background's. Of paths also what comes straight from the sky and from bodies
+         * that glow, and is strewn there. Linear.
+         */
+        DIRECT("the light that comes by no mirror, no glass and no other surface", "R", "G", "B"),
+        /** The light that is mirrored or let through, and of paths what other surfaces strew: what {@link #DIRECT} lacks to the picture. Linear. */
+        INDIRECT("the light that is mirrored, let through or strewn elsewhere", "R", "G", "B"),
         /** How many rays from the eye the pixel took. */
-        SAMPLES("how many rays from the eye a pixel took", "N");
+        SAMPLES("how many rays from the eye a pixel took", "N"),
+        /**
+         * How far the value that is shown, from black as 0 to white as 1, may be from the true one, in the channel where that is farthest, with the confidence that is asked for;
+         * below 0 where that cannot be trusted. Of pixels that are judged: those of paths, and of adaptive samples.
+         */
+        ERROR("how far the value shown may be from the true one", "V"),
+        /** What each light brings, wherever it went: {@code light.NAME.R}, or its number from 1, and {@code light.rest.R} for what comes from none. Their sum is the picture. Linear. */
+        LIGHT("what each light brings", "R", "G", "B");
 
+        private static final String REST = "rest";
+        private static final int LONGEST_NAME = 80;
         private final String meaning;
         @SuppressWarnings("ImmutableEnumChecker") // a copy that nobody can change
         private final List<String> channels;
@@ -189,9 +214,22 @@ public final class Film {
             return meaning;
         }
 
-        /** The names of its planes as files have them: {@code normal.X}. */
-        public List<String> planes() {
-            return channels.stream().map(channel -> this + "." + channel).toList();
+        /**
+         * The names of its planes as files have them: {@code normal.X}.
+         *
+         * @param lights of the scene
+         */
+        public List<String> planes(List<Light> lights) {
+            Stream<String> layers = this == LIGHT ? Stream.concat(IntStream.range(0, lights.size()).mapToObj(i -> this + "." + word(lights, i)), Stream.of(this + "." + REST)) : Stream.of(toString());
+            return layers.flatMap(layer -> channels.stream().map(channel -> layer + "." + channel)).toList();
+        }
+
+        /** A light's name if that can stand in the name of a plane, and is nobody else's; else its number from 1. */
+        private static String word(List<Light> lights, int light) {
+            String name = lights.get(light).name();
+            boolean isPlain = !name.isEmpty() && name.length() <= LONGEST_NAME && !name.equals(REST) && name.chars().allMatch(c -> c == ' ' || c == '-' || c == '_' || Character.isLetterOrDigit(c))
+                    && !name.chars().allMatch(Character::isDigit);
+            return isPlain ? name : Integer.toString(light + 1);
         }
 
         /** The name as people type it. */

@@ -84,6 +84,11 @@ abstract class BlockTracer extends Shading {
         return sums.count();
     }
 
+    /** How near to the true value the pixel is whose rays were traced so last, if they are judged. */
+    protected final double interval() {
+        return sums.interval();
+    }
+
     /** One of a pixel's rays has been traced by itself; the light it brought is in {@link #alone}. */
     protected void tracedAlone() {}
 

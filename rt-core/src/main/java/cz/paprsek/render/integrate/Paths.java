@@ -18,7 +18,7 @@ import cz.paprsek.shape.placed.Spans;
  *
  * @source Kajiya, The Rendering Equation, SIGGRAPH 1986; Veach and Guibas, Optimally Combining Sampling Techniques, SIGGRAPH 1995
  */
-public final class Paths extends BlockTracer {
+public class Paths extends BlockTracer {
     /** From this hit on a path that brings little ends by chance, and counts the more if it does not. */
     private static final int ROULETTE = 8;
 
@@ -42,7 +42,7 @@ public final class Paths extends BlockTracer {
 
     /** All passes; of a film in passes, the next one. */
     @Override
-    public void block(Eye eye, int x, int y, int width, int height, Film film) {
+    public final void block(Eye eye, int x, int y, int width, int height, Film film) {
         if (!film.isInPasses()) {
             super.block(eye, x, y, width, height, film);
             return;
@@ -52,9 +52,10 @@ public final class Paths extends BlockTracer {
         }
     }
 
-    private void pass(Eye eye, int x, int y, Film film) {
+    /** Gives a pixel the paths of the next pass, if it is to get any. */
+    protected void pass(Eye eye, int x, int y, Film film) {
         film.kept(x, y, kept);
-        sums.load(kept);
+        sums.load(kept, 0);
         int more = sampling.further(sums);
         if (more == 0) {
             return;
@@ -64,18 +65,18 @@ public final class Paths extends BlockTracer {
             return;
         }
         if (sums.areWhole()) {
-            sums.save(kept);
+            sums.save(kept, 0);
             film.keep(x, y, kept);
         }
         sums.mean();
         film.set(x, y, sums.red, sums.green, sums.blue);
         if (sampling.further(sums) > 0) {
-            film.wantMore();
+            film.wantMore(1);
         }
     }
 
     @Override
-    double unlit(Level level, int lamp) {
+    final double unlit(Level level, int lamp) {
         Ray ray = level.ray;
         double other = scene.lamps()[lamp].density(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.max);
         // Of what it is never looked for at, such as its dark side, all comes this way.
@@ -83,7 +84,7 @@ public final class Paths extends BlockTracer {
     }
 
     @Override
-    void scatter(Level level, int depth, Finish finish) {
+    final void scatter(Level level, int depth, Finish finish) {
         if (depth == last) {
             level.light(finish.red, finish.green, finish.blue);
             return;

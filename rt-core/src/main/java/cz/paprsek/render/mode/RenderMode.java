@@ -32,7 +32,12 @@ public enum RenderMode {
      */
     UV("how a picture lies on what is seen: numbered cells, u and v in tenths"),
     /** How many rays from the eye a pixel took, on a {@linkplain HeatScale#SAMPLES scale} of colours. */
-    SAMPLES("how many rays from the eye a pixel took");
+    SAMPLES("how many rays from the eye a pixel took"),
+    /**
+     * How far the value that is shown may be from the true one, in steps of 255, on a {@linkplain HeatScale#ERROR scale} of colours; where that cannot be trusted,
+     * {@linkplain HeatScale#UNTRUSTED a colour of its own}. As numbers: 1 from black to white, and below 0 where that cannot be trusted.
+     */
+    ERROR("how far the value shown may be from the true one");
 
     private final String meaning;
 
@@ -51,6 +56,7 @@ public enum RenderMode {
             case RAYS -> Optional.of(HeatScale.RAYS);
             case NODES -> Optional.of(HeatScale.NODES);
             case SAMPLES -> Optional.of(HeatScale.SAMPLES);
+            case ERROR -> Optional.of(HeatScale.ERROR);
             default -> Optional.empty();
         };
     }
@@ -73,22 +79,27 @@ public enum RenderMode {
     }
 
     /**
-     * A logarithmic scale of colours for counts, from dark for 1 to bright for the largest: the same in every picture, so that pictures can be
+     * A logarithmic scale of colours for counts, from dark for the smallest to bright for the largest: the same in every picture, so that pictures can be
      * compared.
      *
+     * @param smallest what is as dark as can be; anything below is, too
      * @param largest what is as bright as can be; anything above is, too
      */
-    public record HeatScale(int largest) {
-        public static final HeatScale RAYS = new HeatScale(1024);
-        public static final HeatScale SAMPLES = new HeatScale(256);
-        public static final HeatScale NODES = new HeatScale(16_384);
+    public record HeatScale(double smallest, int largest) {
+        public static final HeatScale RAYS = new HeatScale(1, 1024);
+        public static final HeatScale SAMPLES = new HeatScale(1, 256);
+        public static final HeatScale NODES = new HeatScale(1, 16_384);
+        /** In steps of 255 from black to white. */
+        public static final HeatScale ERROR = new HeatScale(1.0 / 16, 64);
+        /** In place of an error that cannot be trusted: no colour of the scale. */
+        public static final Rgb UNTRUSTED = new Rgb(0, 190, 230);
 
         private static final List<Rgb> COLORS = List.of(new Rgb(8, 8, 40), new Rgb(58, 20, 130), new Rgb(165, 35, 125), new Rgb(235, 85, 60),
                 new Rgb(250, 175, 50), new Rgb(255, 250, 200));
 
         /** The colour of a count: black for 0. */
-        public Rgb color(long count) {
-            return count <= 0 ? Rgb.BLACK : at(StrictMath.log((double) count) / StrictMath.log(largest));
+        public Rgb color(double count) {
+            return count <= 0 ? Rgb.BLACK : at(StrictMath.log(count / smallest) / StrictMath.log(largest / smallest));
         }
 
         /** The colour at a place of the scale, from 0 to 1. */

@@ -39,13 +39,22 @@ final class HeldSums extends PixelSums {
 
     @Override
     boolean areNear() {
+        return target.isMet(halfWidth());
+    }
+
+    @Override
+    public double interval() {
+        return count < Target.FEWEST ? Target.UNKNOWN : halfWidth();
+    }
+
+    private double halfWidth() {
         for (int i = 0; i < GROUPS; i++) {
             mean(i * count / GROUPS, (i + 1) * count / GROUPS);
             target.group(i, this);
         }
         // The groups may happen to agree: one sample on the wrong side of an edge is always thought possible.
         double share = 1.0 / count;
-        return target.isMet(share * range(0), share * range(1), share * range(2));
+        return target.halfWidth(share * range(0), share * range(1), share * range(2));
     }
 
     /** How far the samples are apart in a channel. */

@@ -6,7 +6,7 @@ package cz.paprsek.render.sample;
  */
 public final class PassSums extends PixelSums {
     /** How many samples are summed before their sum is added to the others'. */
-    static final int PASS = 64;
+    public static final int PASS = 64;
     private static final int CHANNELS = 3;
 
     private final boolean isSigned;
@@ -132,12 +132,23 @@ public final class PassSums extends PixelSums {
 
     @Override
     boolean areNear() {
-        tellGroups();
-        return target.isMet(brightestRed / count, brightestGreen / count, brightestBlue / count);
+        return target.isMet(halfWidth()) && isTrusted();
     }
 
-    /** How far the value that is shown may be from the true one, 0 to 1, as is known after a whole pass. */
-    public double halfWidth() {
+    @Override
+    public double interval() {
+        if (count < PASS) {
+            return Target.UNKNOWN;
+        }
+        double half = halfWidth();
+        return isTrusted() ? half : -half;
+    }
+
+    private boolean isTrusted() {
+        return target.isTrusted(brightestRed / count, brightestGreen / count, brightestBlue / count);
+    }
+
+    private double halfWidth() {
         tellGroups();
         // The groups may happen to agree: one more sample such as the brightest is always thought possible.
         return target.halfWidth(brightestRed / count, brightestGreen / count, brightestBlue / count);
@@ -156,10 +167,10 @@ public final class PassSums extends PixelSums {
         return 1 + one + (isSigned ? 2 : 1) * CHANNELS + (isJudged ? CHANNELS + Sampler.SCRAMBLES * one : 0);
     }
 
-    /** Keeps the sums of whole passes. */
-    public void save(float[] numbers) {
-        numbers[0] = count;
-        int at = save(all, numbers, 1);
+    /** Keeps the sums of whole passes, from a place on; where what follows them begins. */
+    public int save(float[] numbers, int from) {
+        numbers[from] = count;
+        int at = save(all, numbers, from + 1);
         numbers[at++] = low(all.addR);
         numbers[at++] = low(all.addG);
         numbers[at++] = low(all.addB);
@@ -176,13 +187,14 @@ public final class PassSums extends PixelSums {
                 at = save(one, numbers, at);
             }
         }
+        return at;
     }
 
-    /** Goes on with sums that were kept; with none if there is nothing but zeros. */
-    public void load(float[] numbers) {
-        count = (int) numbers[0];
+    /** Goes on with sums that were kept, from a place on; with none if there is nothing but zeros. Where what follows them begins. */
+    public int load(float[] numbers, int from) {
+        count = (int) numbers[from];
         pass.clear();
-        int at = load(all, numbers, 1);
+        int at = load(all, numbers, from + 1);
         all.addR += numbers[at++];
         all.addG += numbers[at++];
         all.addB += numbers[at++];
@@ -199,6 +211,7 @@ public final class PassSums extends PixelSums {
                 at = load(one, numbers, at);
             }
         }
+        return at;
     }
 
     private int save(Sum sum, float[] numbers, int from) {

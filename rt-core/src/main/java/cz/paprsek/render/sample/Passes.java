@@ -12,13 +12,24 @@ public final class Passes extends Sampling {
     private static final int LOOKS = 14;
 
     private final RenderSettings settings;
+    private final boolean isJudged;
     private final int least;
     private final int most;
 
     /** @param fixed whether what is random is the same in every pixel */
     public Passes(RenderSettings settings, boolean fixed) {
+        this(settings, fixed, settings.isAdaptive());
+    }
+
+    /**
+     * Paths of which it is known how near they bring a pixel.
+     *
+     * @param isJudged whether that is to be known, also if no pixel is to get more or fewer for it
+     */
+    public Passes(RenderSettings settings, boolean fixed, boolean isJudged) {
         super(settings, settings.mostRays(), fixed);
         this.settings = settings;
+        this.isJudged = isJudged || settings.isAdaptive();
         least = settings.samples();
         most = settings.mostRays();
     }
@@ -30,17 +41,31 @@ public final class Passes extends Sampling {
 
     @Override
     public PassSums newSums() {
-        return new PassSums(mass(), isSigned(), settings.isAdaptive(), new Target(settings, Sampler.SCRAMBLES, LOOKS));
+        return newSums(isJudged);
+    }
+
+    /** Sums of what else there is of a pixel's paths, by which nobody judges them. */
+    public PassSums newOtherSums() {
+        return newSums(false);
+    }
+
+    private PassSums newSums(boolean areJudged) {
+        return new PassSums(mass(), isSigned(), areJudged, new Target(settings, Sampler.SCRAMBLES, LOOKS));
+    }
+
+    /** How many standard deviations of the mean the truth is within, with the confidence that is asked for, if that of independent sequences is looked at once. */
+    public double deviations() {
+        return Target.quantile(1 - settings.confidence(), Sampler.SCRAMBLES - 1);
     }
 
     /** How many numbers keep the sums of a pixel. */
     public int kept() {
-        return kept(settings);
+        return PassSums.size(isSigned(), isJudged);
     }
 
-    /** How many numbers keep the sums of a pixel of these settings. */
-    public static int kept(RenderSettings settings) {
-        return PassSums.size(Strewing.of(settings.filter()).mass() > 1, settings.isAdaptive());
+    /** How many numbers keep {@linkplain #newOtherSums other sums} of a pixel. */
+    public int keptOfOthers() {
+        return PassSums.size(isSigned(), false);
     }
 
     /** How many passes there are at most. */

@@ -33,6 +33,9 @@ public abstract class PixelSums {
     /** Whether the light is known as well as is wished. */
     abstract boolean areNear();
 
+    /** How far the value that is shown may be from the true one, 0 to 1; below 0 if that cannot be trusted. Of judged samples only. */
+    public abstract double interval();
+
     /**
      * Finds what n samples come to: with all n weights alike their mean. Else, with s = ±1 the sign of the filter and m its mass, Σ s·m·L/n and, so
      * that an even brightness stays what it is, the mean of L times what the weights lack to 1.

@@ -15,6 +15,12 @@ import cz.paprsek.scene.RenderSettings;
 final class Target {
     /** Fewer samples have no spread. */
     static final int FEWEST = 4;
+    /** The interval of a value of which nothing is known. */
+    static final double UNKNOWN = -1;
+    /** Which share of the light a single sample may bring. */
+    private static final double MOST_OF_ONE = 0.25;
+    /** Of normal deviates it is 3, of eight of them about 2.3; of eight numbers of which one is not like the others, 6.1. */
+    private static final double MOST_KURTOSIS = 5;
 
     private final double error;
     private final double t;
@@ -49,26 +55,50 @@ final class Target {
         blues[number] = mean.blue;
     }
 
+    /** Whether a value that may be so far from the true one is known well enough. */
+    boolean isMet(double halfWidth) {
+        return halfWidth <= error;
+    }
+
     /**
-     * Whether the pixel of the groups told is known well enough.
+     * How far the value that is shown, of the groups told, may be from the true one, in the channel where that is farthest.
      *
      * @param red what the interval of each channel reaches to each side at least
      */
-    boolean isMet(double red, double green, double blue) {
-        return halfWidth(red, green, blue) <= error;
-    }
-
-    /** How far the value that is shown may be from the true one, in the channel where that is farthest. */
     double halfWidth(double red, double green, double blue) {
         return Math.max(halfWidth(reds, red), Math.max(halfWidth(greens, green), halfWidth(blues, blue)));
     }
 
-    private double halfWidth(double[] means, double step) {
+    /**
+     * Whether {@link #halfWidth} of the groups told can be trusted: not if a single sample brings much of the light, or a single group stands out among the others. Then
+     * there may be rare samples as bright or brighter, and how many of them there should be, so few do not tell.
+     */
+    boolean isTrusted(double red, double green, double blue) {
+        return isTrusted(reds, red) && isTrusted(greens, green) && isTrusted(blues, blue);
+    }
+
+    private boolean isTrusted(double[] means, double step) {
+        double mean = mean(means);
+        double squares = 0;
+        double fourths = 0;
+        for (double one : means) {
+            double square = (one - mean) * (one - mean);
+            squares += square;
+            fourths += square * square;
+        }
+        return step <= MOST_OF_ONE * Math.abs(mean) && groups * fourths <= MOST_KURTOSIS * squares * squares;
+    }
+
+    private double mean(double[] means) {
         double mean = 0;
         for (double one : means) {
             mean += one;
         }
-        mean /= groups;
+        return mean / groups;
+    }
+
+    private double halfWidth(double[] means, double step) {
+        double mean = mean(means);
         double squares = 0;
         for (double one : means) {
             squares += (one - mean) * (one - mean);

@@ -1,5 +1,7 @@
 package cz.paprsek.render.show;
 
+import cz.paprsek.ray.Arrival;
+import cz.paprsek.render.account.Ledger;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.film.Film.Layer;
@@ -10,6 +12,7 @@ import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The tracer that renders pictures, watched for what rays from the eye meet first: how much of a pixel is covered, and what goes to layers. The
@@ -24,16 +27,14 @@ public final class LayerTracer extends Whitted {
     private final PixelSums cover;
     private final PixelSums albedo;
     private final PixelSums direct;
-    /** Of each sample, the number of the object it meets. */
-    private final int[] objects;
-    private final double[] normal = new double[3];
+    /** Of each light, and last of all that comes from none. */
+    private final List<PixelSums> sources;
+    private final FirstHits hits = new FirstHits();
+    private final Ledger ledger = new Ledger();
     private final double[] left = new double[3];
-    private double distance;
-    private int met;
     /** How many rays' accounts are open: that of the eye's is the first. */
     private int open;
     /** Of the sample at hand. */
-    private int object;
     private double albedoRed;
     private double albedoGreen;
     private double albedoBlue;
@@ -52,7 +53,7 @@ public final class LayerTracer extends Whitted {
         cover = sampling.newSums();
         albedo = sampling.newSums();
         direct = sampling.newSums();
-        objects = new int[sampling.most()];
+        sources = Stream.generate(sampling::newSums).limit(layers.contains(Layer.LIGHT) ? scene.lamps().length + 1 : 0).toList();
     }
 
     @Override
@@ -67,9 +68,8 @@ public final class LayerTracer extends Whitted {
         cover.clear();
         albedo.clear();
         direct.clear();
-        Arrays.fill(normal, 0);
-        distance = 0;
-        met = 0;
+        sources.forEach(PixelSums::clear);
+        hits.clear();
         for (int more = sampling.rays(); more > 0 && !isCancelled(); more = Math.max(sampling.further(light), transparent ? sampling.further(cover) : 0)) {
             for (int i = 0; i < more; i++) {
                 sample(eye, x, y, light.count());
@@ -87,7 +87,8 @@ public final class LayerTracer extends Whitted {
 
     private void sample(Eye eye, int x, int y, int number) {
         open = 0;
-        object = 0;
+        hits.begin();
+        ledger.clear();
         albedoRed = 0;
         albedoGreen = 0;
         albedoBlue = 0;
@@ -95,74 +96,57 @@ public final class LayerTracer extends Whitted {
         Arrays.fill(left, 1);
         traceAlone(eye, x, y, number);
         Level level = alone();
-        boolean isSeen = object > 0 || !transparent;
-        objects[number] = object;
+        boolean isSeen = hits.object() > 0 || !transparent;
         light.add(isSeen ? level.red : 0, isSeen ? level.green : 0, isSeen ? level.blue : 0, level.isNegative);
-        double share = object > 0 ? 1 : 0;
+        double share = hits.object() > 0 ? 1 : 0;
         cover.add(share, share, share, level.isNegative);
         albedo.add(albedoRed, albedoGreen, albedoBlue, level.isNegative);
         direct.add(isSeen ? directRed : 0, isSeen ? directGreen : 0, isSeen ? directBlue : 0, level.isNegative);
+        ledger.close();
+        for (int i = 0; i < sources.size(); i++) {
+            ledger.sum(i, i < scene.lamps().length);
+            sources.get(i).add(isSeen ? ledger.red : 0, isSeen ? ledger.green : 0, isSeen ? ledger.blue : 0, level.isNegative);
+        }
     }
 
     private void expose(int x, int y, Film film) {
         albedo.mean();
         direct.mean();
-        double k = 1.0 / Math.max(1, met);
         int plane = 0;
         for (Layer layer : layers) {
             switch (layer) {
-                case NORMAL -> set(film, plane, x, y, k * normal[0], k * normal[1], k * normal[2]);
-                case ALBEDO -> set(film, plane, x, y, albedo.red, albedo.green, albedo.blue);
-                case DEPTH -> film.setPlane(plane, x, y, k * distance);
-                case OBJECT -> film.setPlane(plane, x, y, mostFrequent());
-                case DIRECT -> set(film, plane, x, y, direct.red, direct.green, direct.blue);
-                case INDIRECT -> set(film, plane, x, y, Math.max(0, light.red - direct.red), Math.max(0, light.green - direct.green), Math.max(0, light.blue - direct.blue));
+                case NORMAL -> film.setPlanes(plane, x, y, hits.normalX(), hits.normalY(), hits.normalZ());
+                case ALBEDO -> film.setPlanes(plane, x, y, albedo.red, albedo.green, albedo.blue);
+                case DEPTH -> film.setPlane(plane, x, y, hits.distance());
+                case OBJECT -> film.setPlane(plane, x, y, hits.mostFrequent());
+                case DIRECT -> film.setPlanes(plane, x, y, direct.red, direct.green, direct.blue);
+                case INDIRECT -> film.setPlanes(plane, x, y, Math.max(0, light.red - direct.red), Math.max(0, light.green - direct.green), Math.max(0, light.blue - direct.blue));
                 case SAMPLES -> film.setPlane(plane, x, y, light.count());
+                case ERROR -> film.setPlane(plane, x, y, light.interval());
+                case LIGHT -> exposeSources(plane, x, y, film);
             }
-            plane += layer.planes().size();
+            plane += layer.planes(scene.scene().lights()).size();
         }
     }
 
-    private static void set(Film film, int plane, int x, int y, double first, double second, double third) {
-        film.setPlane(plane, x, y, first);
-        film.setPlane(plane + 1, x, y, second);
-        film.setPlane(plane + 2, x, y, third);
-    }
-
-    /** Of the objects that the samples meet, the one that most do; of several the first in the scene. */
-    private int mostFrequent() {
-        Arrays.sort(objects, 0, light.count());
-        int most = 0;
-        int winner = 0;
-        int run = 0;
-        for (int i = 0; i < light.count(); i++) {
-            run = i > 0 && objects[i] == objects[i - 1] ? run + 1 : 1;
-            if (run > most) {
-                most = run;
-                winner = objects[i];
-            }
+    private void exposeSources(int plane, int x, int y, Film film) {
+        for (int i = 0; i < sources.size(); i++) {
+            PixelSums one = sources.get(i);
+            one.mean();
+            film.setPlanes(plane + 3 * i, x, y, one.red, one.green, one.blue);
         }
-        return winner;
     }
 
     @Override
     public void met(Level level) {
         if (open++ == 0) {
-            note(level, scene.parts().object(level.ray.part));
+            hits.meet(level, scene.parts().object(level.ray.part));
             double diffusion = scene.parts().finish(level.ray.part).diffusion;
             albedoRed = diffusion * level.colorRed;
             albedoGreen = diffusion * level.colorGreen;
             albedoBlue = diffusion * level.colorBlue;
         }
-    }
-
-    private void note(Level level, int number) {
-        object = number + 1;
-        normal[0] += level.hit.sx;
-        normal[1] += level.hit.sy;
-        normal[2] += level.hit.sz;
-        distance += level.ray.max;
-        met++;
+        ledger.met(level);
     }
 
     @Override
@@ -170,10 +154,12 @@ public final class LayerTracer extends Whitted {
         if (open == 1 && !isDirectKnown) {
             keepDirect(alone());
         }
+        ledger.following(red, green, blue);
     }
 
     @Override
     public void missed(Level level) {
+        ledger.arrived(level, Ledger.SKY);
         endOfAll(level);
     }
 
@@ -181,8 +167,9 @@ public final class LayerTracer extends Whitted {
     @Override
     public void seen(Level level, int lamp) {
         if (open == 0 && Double.isFinite(level.ray.max)) {
-            note(level, scene.scene().objects().size() + lamp);
+            hits.meet(level, scene.scene().objects().size() + lamp);
         }
+        ledger.arrived(level, lamp);
         endOfAll(level);
     }
 
@@ -199,10 +186,32 @@ public final class LayerTracer extends Whitted {
         left[0] = red;
         left[1] = green;
         left[2] = blue;
+        ledger.absorbed(red, green, blue);
+    }
+
+    @Override
+    public void sought(int lamp, Arrival arrival, double facing, double visibility) {
+        ledger.sought(lamp);
+    }
+
+    @Override
+    public void illuminated(double diffuse, double highlight, double red, double green, double blue) {
+        ledger.illuminated(red, green, blue);
+    }
+
+    @Override
+    public void averaged(int lamp, double red, double green, double blue) {
+        ledger.averaged(lamp, red, green, blue);
+    }
+
+    @Override
+    public void emitted(double red, double green, double blue) {
+        ledger.emitted(red, green, blue);
     }
 
     @Override
     public void ended(Level level) {
+        ledger.ended();
         if (--open == 0) {
             if (isDirectKnown) {
                 directRed *= left[0];

@@ -12,6 +12,7 @@ import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
 import java.util.Arrays;
+import java.util.Optional;
 
 /** The tracer that renders pictures, watched for what a mode other than shaded shows of each pixel. */
 public final class ModeTracer extends Whitted {
@@ -19,6 +20,8 @@ public final class ModeTracer extends Whitted {
     private final World scene;
     private final DepthRange range;
     private final boolean numbers;
+    /** How a number of each pixel is shown, if that is what the mode shows. */
+    private final Optional<Heat> heat;
     private final double[] all = new double[3];
     private final double[] arrived = new double[3];
     /** What substances leave of the light that is told next. */
@@ -34,6 +37,7 @@ public final class ModeTracer extends Whitted {
         this.scene = scene;
         this.range = range;
         this.numbers = numbers;
+        this.heat = mode.scale().map(scale -> Heat.of(mode, numbers));
         for (Lamp lamp : scene.lamps()) {
             all[0] += lamp.red();
             all[1] += lamp.green();
@@ -44,9 +48,25 @@ public final class ModeTracer extends Whitted {
     @Override
     public void block(Eye eye, int x, int y, int width, int height, Film film) {
         for (int i = 0; i < width * height && !isCancelled(); i++) {
-            Level shown = shown(eye, x + i % width, y + i / width);
-            film.set(x + i % width, y + i / width, shown.red, shown.green, shown.blue);
+            if (heat.isPresent()) {
+                heat.get().show(counted(eye, x + i % width, y + i / width), x + i % width, y + i / width, film);
+            } else {
+                Level shown = shown(eye, x + i % width, y + i / width);
+                film.set(x + i % width, y + i / width, shown.red, shown.green, shown.blue);
+            }
         }
+    }
+
+    private double counted(Eye eye, int x, int y) {
+        long rays = rays();
+        long nodes = nodeVisits();
+        int samples = eachAlone(eye, x, y);
+        return switch (mode) {
+            case ERROR -> interval();
+            case SAMPLES -> samples;
+            case RAYS -> rays() - rays;
+            default -> nodeVisits() - nodes;
+        };
     }
 
     /** Renders a pixel; the colour is in the level returned. */
@@ -55,15 +75,9 @@ public final class ModeTracer extends Whitted {
         green = 0;
         blue = 0;
         seen = 0;
-        long rays = rays();
-        long nodes = nodeVisits();
         int samples = eachAlone(eye, x, y);
         Level result = alone();
-        if (mode.scale().isPresent()) {
-            long count = mode == RenderMode.SAMPLES ? samples : mode == RenderMode.RAYS ? rays() - rays : nodeVisits() - nodes;
-            Rgb heat = mode.scale().get().color(count);
-            result.light(numbers ? count : heat.linearRed(), numbers ? count : heat.linearGreen(), numbers ? count : heat.linearBlue());
-        } else if (numbers && mode == RenderMode.DEPTH) {
+        if (numbers && mode == RenderMode.DEPTH) {
             // A distance that is partly of nothing is none.
             double distance = red / Math.max(1, seen);
             result.light(distance, distance, distance);
@@ -104,7 +118,7 @@ public final class ModeTracer extends Whitted {
                 add(shown, shown, shown);
             }
             case OBJECTS -> add(ObjectColors.of(object));
-            case SHADED, RAYS, NODES, SAMPLES, SHADOWS -> {
+            case SHADED, RAYS, NODES, SAMPLES, ERROR, SHADOWS -> {
                 // What these show is known when the pixel is done.
             }
         }

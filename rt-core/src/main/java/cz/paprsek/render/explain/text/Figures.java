@@ -1,7 +1,10 @@
 package cz.paprsek.render.explain.text;
 
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.LinearRgb;
+import cz.paprsek.text.Numbers;
+import cz.paprsek.words.Words;
 import java.math.BigDecimal;
 import java.math.MathContext;
 
@@ -23,6 +26,17 @@ final class Figures {
 
     static String of(LinearRgb light) {
         return triple(light.red(), light.green(), light.blue());
+    }
+
+    /** How light is shown: exposed and toned if it is, and in sRGB. */
+    static String shown(LinearRgb light, double exposure, Tone tone, Words words) {
+        boolean isDeveloped = exposure != 0 || tone != Tone.NONE;
+        return (isDeveloped ? words.of("developed", Numbers.text(exposure), words.of("kind." + tone), of(light)) : "")
+                + words.of("srgb", srgb(light.shown().red()) + " " + srgb(light.shown().green()) + " " + srgb(light.shown().blue()));
+    }
+
+    private static String srgb(double channel) {
+        return Numbers.text(Math.rint(channel));
     }
 
     /** One number if it is the same in all channels. */

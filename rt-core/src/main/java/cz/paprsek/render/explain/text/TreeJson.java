@@ -195,7 +195,7 @@ public final class TreeJson {
         return share.isGrey() ? json.with(name, share.red()) : color(json, name, share);
     }
 
-    private static Json color(Json json, String name, LinearRgb light) {
+    static Json color(Json json, String name, LinearRgb light) {
         return json.withNumbers(name, light.red(), light.green(), light.blue());
     }
 }

@@ -1,9 +1,7 @@
 package cz.paprsek.render.explain.text;
 
-import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay;
-import cz.paprsek.text.Numbers;
 import cz.paprsek.words.Words;
 import java.util.ArrayList;
 import java.util.List;
@@ -105,10 +103,8 @@ public final class TreeText {
     /** What a pixel's light is, in one line: that of its ray, or what its rays make together. */
     public static String sum(Pixel pixel, Words words) {
         int rays = pixel.rays().size();
-        LinearRgb light = pixel.developed();
         return (rays > 1 ? words.of(pixel.isSharpened() ? "the-weighted" : "the-average", rays) : words.of("the-light")) + " = " + Figures.of(pixel.light())
-                + (pixel.isDeveloped() ? words.of("developed", Numbers.text(pixel.exposure()), words.of("kind." + pixel.tone()), Figures.of(light)) : "")
-                + words.of("srgb", srgb(light.shown().red()) + " " + srgb(light.shown().green()) + " " + srgb(light.shown().blue()));
+                + Figures.shown(pixel.developed(), pixel.exposure(), pixel.tone(), words);
     }
 
     /** What one of a pixel's rays, counted from 0, brings, in one line: where it goes through the pixel, its light and how much of it the pixel gets. */
@@ -141,10 +137,6 @@ public final class TreeText {
             lines.add(padded(words.of("ray-of", i + 1, outlines.size()), nameWidth) + " " + padded(place(pixel, i), placeWidth) + "  " + padded(weighed(pixel, i), lightWidth) + "  "
                     + outlines.get(i).headline(words) + (patch.isEmpty() ? "" : "  " + patch));
         }
-    }
-
-    private static String srgb(double channel) {
-        return Numbers.text(Math.rint(channel));
     }
 
     private static String padded(String text, int width) {

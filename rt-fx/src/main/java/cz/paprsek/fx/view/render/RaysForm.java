@@ -84,9 +84,10 @@ final class RaysForm {
         mostSamples.set(0);
     }
 
-    /** Whether light is that of paths. */
-    BooleanBinding isOfPaths() {
-        return Bindings.createBooleanBinding(() -> integrator.getValue().value() == Integrator.PATH, integrator.valueProperty());
+    /** Whether it can be known how near pixels are to the truth: those of paths, and of rays that are no grid. */
+    BooleanBinding areJudged() {
+        return Bindings.createBooleanBinding(() -> integrator.getValue().value() == Integrator.PATH || (mostSamples.validProperty().get() && mostSamples.get() > 0),
+                integrator.valueProperty(), mostSamples.textProperty());
     }
 
     /** Whether all fields hold numbers within their ranges. */

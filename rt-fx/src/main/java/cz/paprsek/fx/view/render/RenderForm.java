@@ -73,28 +73,29 @@ final class RenderForm extends FlowPane {
         transparent.setTooltip(new Tooltip(texts.of("render.transparent.hint")));
         mode = new ModeBox(texts);
         BooleanBinding isOfLight = Bindings.createBooleanBinding(() -> mode.getValue() == null || mode.mode() == RenderMode.SHADED, mode.valueProperty());
-        BooleanBinding isOfPaths = rays.isOfPaths();
-        Stream.of(exposure, tone).forEach(control -> control.disableProperty().bind(isOfLight.not()));
-        transparent.disableProperty().bind(isOfLight.not().or(isOfPaths));
-        BooleanBinding isCounted = Bindings.createBooleanBinding(() -> mode.getValue() != null && mode.mode().scale().isPresent() && isOfPaths.get(), mode.valueProperty(), isOfPaths);
-        Label counted = new Label(texts.of("render.paths.counts"));
-        counted.setId("render-paths-counts");
-        counted.visibleProperty().bind(isCounted);
-        counted.managedProperty().bind(isCounted);
+        BooleanBinding isOfErrors = Bindings.createBooleanBinding(() -> mode.getValue() != null && mode.mode() == RenderMode.ERROR, mode.valueProperty());
+        // How far a value is off depends on how it is shown.
+        Stream.of(exposure, tone).forEach(control -> control.disableProperty().bind(isOfLight.or(isOfErrors).not()));
+        transparent.disableProperty().bind(isOfLight.not());
+        BooleanBinding isUnknown = isOfErrors.and(rays.areJudged().not());
+        Label unknown = new Label(texts.of("render.unjudged"));
+        unknown.setId("render-unjudged");
+        unknown.visibleProperty().bind(isUnknown);
+        unknown.managedProperty().bind(isUnknown);
         lights = new LightBox(texts);
         camera = new CameraBox(texts);
         cameraGroup = group(new Label(texts.of("render.camera")), camera);
         MenuButton presets = new MenuButton(texts.of("render.size"));
         presets.setId("render-presets");
         PRESETS.forEach(preset -> presets.getItems().add(item(preset)));
-        valid = Bindings.createBooleanBinding(() -> !isCounted.get() && rays.valid().get() && exposure.validProperty().get() && fields().allMatch(field -> field.validProperty().get()),
-                Stream.concat(fields().map(WholeNumberField::validProperty), Stream.of(rays.valid(), exposure.validProperty(), isCounted)).toArray(Observable[]::new));
+        valid = Bindings.createBooleanBinding(() -> !isUnknown.get() && rays.valid().get() && exposure.validProperty().get() && fields().allMatch(field -> field.validProperty().get()),
+                Stream.concat(fields().map(WholeNumberField::validProperty), Stream.of(rays.valid(), exposure.validProperty(), isUnknown)).toArray(Observable[]::new));
         setHgap(12);
         setVgap(6);
         setAlignment(Pos.CENTER_LEFT);
         getChildren().addAll(group(presets, width, new Label("×"), height), group(new Label(texts.of("render.depth")), depth),
                 group(new Label(texts.of("render.threads")), threads), group(new Label(texts.of("render.exposure")), exposure, tone), transparent,
-                group(new Label(texts.of("render.mode")), mode, counted), group(new Label(texts.of("render.lights")), lights), cameraGroup);
+                group(new Label(texts.of("render.mode")), mode, unknown), group(new Label(texts.of("render.lights")), lights), cameraGroup);
         getChildren().addAll(1, rays.groups());
     }
 
@@ -131,7 +132,7 @@ final class RenderForm extends FlowPane {
         RenderSettings wished = rays.applyTo(settings.withSize(width.get(), height.get()).withMaxDepth(depth.get())
                 .withExposure(exposure.get()).withTone(tone.getValue().value()));
         RenderOptions options = rays.applyTo(RenderOptions.of(wished).withThreads(threads.get()).withMode(mode.mode()));
-        return transparent.isSelected() && !wished.isPath() && mode.mode() == RenderMode.SHADED ? options.withTransparency() : options;
+        return transparent.isSelected() && mode.mode() == RenderMode.SHADED ? options.withTransparency() : options;
     }
 
     /** The scene as the chosen camera sees it, with those of its lights that are to be lit. */

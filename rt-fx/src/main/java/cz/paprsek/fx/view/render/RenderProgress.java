@@ -7,8 +7,9 @@ package cz.paprsek.fx.view.render;
  * @param total tiles in all; 0 as long as that is not known
  * @param elapsedSeconds since the beginning
  * @param rays traced so far, of all kinds
+ * @param isEven whether the other tiles may be thought to take as long as those that are finished
  */
-record RenderProgress(int done, int total, double elapsedSeconds, long rays) {
+record RenderProgress(int done, int total, double elapsedSeconds, long rays, boolean isEven) {
 
     /** 0–1. */
     double share() {
@@ -17,7 +18,7 @@ record RenderProgress(int done, int total, double elapsedSeconds, long rays) {
 
     /** What is left to wait if the other tiles take as long as those that are finished; not a number if there is none. */
     double remainingSeconds() {
-        return done == 0 ? Double.NaN : elapsedSeconds * (total - done) / done;
+        return done == 0 || !isEven ? Double.NaN : elapsedSeconds * (total - done) / done;
     }
 
     double raysPerSecond() {

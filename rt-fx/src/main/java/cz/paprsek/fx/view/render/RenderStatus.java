@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.render;
 
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.Failures;
+import cz.paprsek.render.RenderResult.Certainty;
 import java.util.Locale;
 import java.util.Optional;
 import javafx.concurrent.Worker;
@@ -14,14 +15,24 @@ final class RenderStatus {
         this.texts = texts;
     }
 
-    String of(Worker.State state, RenderProgress progress, Optional<Throwable> fault) {
+    /** @param certainty how near its pixels are to the truth, once that is known */
+    String of(Worker.State state, RenderProgress progress, Optional<Certainty> certainty, Optional<Throwable> fault) {
         return switch (state) {
             case READY, SCHEDULED, RUNNING -> texts.of("render.running",
                     percent(progress), time(progress.elapsedSeconds()), time(progress.remainingSeconds()), speed(progress));
-            case SUCCEEDED -> texts.of("render.done", time(progress.elapsedSeconds()), speed(progress));
+            case SUCCEEDED -> texts.of("render.done", time(progress.elapsedSeconds()), speed(progress)) + certainty.map(this::known).orElse("");
             case CANCELLED -> texts.of("render.cancelled", percent(progress), time(progress.elapsedSeconds()));
             case FAILED -> texts.of("render.failed", fault.map(Failures::sentence).orElse(""));
         };
+    }
+
+    private String known(Certainty certainty) {
+        return " · " + texts.of("render.certainty", percent(certainty.within()), String.format(texts.locale(), "%.4f", certainty.farthest()))
+                + (certainty.untrusted() > 0 ? " · " + texts.of("render.untrusted", percent(certainty.untrusted())) : "");
+    }
+
+    private String percent(double share) {
+        return String.format(texts.locale(), "%.2f", 100 * share);
     }
 
     private static String percent(RenderProgress progress) {

@@ -4,6 +4,7 @@ import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureView;
 import cz.paprsek.fx.view.picture.PixelText;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.render.RenderResult;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.animation.Animation;
@@ -122,6 +123,6 @@ final class RenderTab extends Tab {
     private void update() {
         RenderProgress now = task.progress();
         bar.setProgress(now.share());
-        progress.setText(new RenderStatus(texts).of(task.getState(), now, Optional.ofNullable(task.getException())));
+        progress.setText(new RenderStatus(texts).of(task.getState(), now, Optional.ofNullable(task.getValue()).flatMap(RenderResult::certainty), Optional.ofNullable(task.getException())));
     }
 }

@@ -95,7 +95,7 @@ final class RenderTask extends Task<RenderResult> {
     /** How far it is by now. */
     RenderProgress progress() {
         long now = ended == 0 ? System.nanoTime() : ended;
-        return new RenderProgress(done, total, (now - created) / 1e9, rays.get());
+        return new RenderProgress(done, total, (now - created) / 1e9, rays.get(), !options.isInPasses() || !options.settings().isAdaptive());
     }
 
     private final class Monitor implements RenderMonitor {

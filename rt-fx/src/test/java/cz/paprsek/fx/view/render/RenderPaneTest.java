@@ -188,19 +188,24 @@ class RenderPaneTest {
         enter("#render-samples", "1000001");
         assertThat(gui.node("#render-start").isDisabled()).isTrue();
         enter("#render-samples", "100");
-        assertThat(gui.node("#render-transparent").isDisabled()).isTrue();
-        gui.act(() -> mode.getSelectionModel().select(4));
-        assertThat(gui.node("#render-start").isDisabled()).as("counts are of the other integrator").isTrue();
-        assertThat(gui.node("#render-paths-counts").isVisible()).isTrue();
-        gui.act(() -> mode.getSelectionModel().select(0));
+        assertThat(gui.node("#render-transparent").isDisabled()).isFalse();
         gui.click("#render-start");
         untilDone();
         RenderSettings wished = SCENE.settings().withSize(24, 16).withIntegrator(Integrator.PATH).withSamples(100);
         assertThat(shown().task().options()).isEqualTo(RenderOptions.of(wished));
         Image expected = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(wished), RenderMonitor.NONE).image();
         assertThat(shown().task().image().orElseThrow().red(12, 8)).isEqualTo(expected.red(12, 8));
+        gui.act(() -> mode.getSelectionModel().selectLast());
+        gui.click("#render-start");
+        untilDone();
+        assertThat(gui.node("#render-scale").isVisible()).as("what the colours of errors stand for").isTrue();
+        assertThat(shown().statusProperty().get()).contains("of the pixels within the error, the farthest");
         gui.act(() -> integrator.getSelectionModel().select(0));
         assertThat(text("#render-samples")).isEqualTo("1");
+        assertThat(gui.node("#render-unjudged").isVisible()).as("a grid is not judged").isTrue();
+        assertThat(gui.node("#render-start").isDisabled()).isTrue();
+        enter("#render-most-samples", "4");
+        assertThat(gui.node("#render-start").isDisabled()).isFalse();
     }
 
     @Test

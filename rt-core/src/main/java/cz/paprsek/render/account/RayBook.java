@@ -1,4 +1,4 @@
-package cz.paprsek.render.integrate;
+package cz.paprsek.render.account;
 
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
@@ -19,7 +19,9 @@ import cz.paprsek.render.explain.TracedRay.Medium;
 import cz.paprsek.render.explain.TracedRay.SeenLight;
 import cz.paprsek.render.explain.TracedRay.Sight;
 import cz.paprsek.render.eye.Eye;
-import cz.paprsek.render.sample.Sampling;
+import cz.paprsek.render.integrate.PartPaths;
+import cz.paprsek.render.integrate.ShadowWalk;
+import cz.paprsek.render.integrate.Witness;
 import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.Media;
@@ -42,13 +44,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
-/** The tracer that renders pictures, writing down what it does as a tree of rays. */
-public final class Recorder extends Whitted {
+/** What a tracer tells, written down as trees of rays. */
+final class RayBook extends Witness {
     /** How many rays are written down, and how many shadow rays: more than anybody reads, and about as many as fit into the memory that Java takes by itself. */
     private static final int MOST_RAYS = 100_000;
     private static final int MOST_SHADOW_RAYS = 1_000_000;
 
+    private final World scene;
+    private final Consumer<Level> map;
     private final int maxDepth;
     private final LinearRgb ambient;
     private final ShadowWalk shadowWalk;
@@ -67,9 +72,16 @@ public final class Recorder extends Whitted {
     /** What makes the rays, if an eye does. */
     private Optional<Eye> eye = Optional.empty();
 
-    /** @param stop whether to give up, which throws a {@link CancellationException} */
-    public Recorder(World scene, int maxDepth, Sampling sampling, BooleanSupplier stop) {
-        super(scene, maxDepth, sampling);
+    /**
+     * An empty book.
+     *
+     * @param maxDepth the level of the last rays
+     * @param map finds the place of a level's hit in a picture that covers the surface
+     * @param stop whether to give up, which throws a {@link CancellationException}
+     */
+    RayBook(World scene, int maxDepth, Consumer<Level> map, BooleanSupplier stop) {
+        this.scene = scene;
+        this.map = map;
         this.stop = stop;
         this.maxDepth = maxDepth;
         this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());
@@ -82,13 +94,8 @@ public final class Recorder extends Whitted {
     }
 
     /** The rays from the eye traced so far. */
-    public List<TracedRay> trees() {
+    List<TracedRay> trees() {
         return trees;
-    }
-
-    @Override
-    public boolean hearsAll() {
-        return true;
     }
 
     @Override
@@ -107,9 +114,9 @@ public final class Recorder extends Whitted {
         Ray ray = level.ray;
         Hit hit = level.hit;
         Finish finish = scene.parts().finish(ray.part);
-        map(level);
-        List<Reading> readings = finish.tell(level).stream().map(Recorder::reading).toList();
-        map(level);
+        map.accept(level);
+        List<Reading> readings = finish.tell(level).stream().map(RayBook::reading).toList();
+        map.accept(level);
         InScene<BodyAt> surface = surface(ray.part);
         boolean flipped = ray.face < 0;
         Vec3 outwards = new Vec3(hit.nx, hit.ny, hit.nz);
@@ -139,7 +146,7 @@ public final class Recorder extends Whitted {
     public void seen(Level level, int lamp) {
         TracedRay ray = begin(level);
         deliver(new TracedRay(ray.kind(), ray.level(), ray.weight(), ray.origin(), ray.direction(), ray.medium(), Optional.empty(),
-                Optional.of(new SeenLight(lamp, scene.scene().lights().get(lamp).name(), level.ray.max, level.isLit)), ray.sight(), ray.absorbed(), ray.light()));
+                Optional.of(new SeenLight(lamp, scene.scene().lights().get(lamp).name(), level.ray.max, level.isLit && light(level).equals(LinearRgb.BLACK))), ray.sight(), ray.absorbed(), ray.light()));
     }
 
     @Override

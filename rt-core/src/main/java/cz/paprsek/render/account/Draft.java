@@ -1,4 +1,4 @@
-package cz.paprsek.render.integrate;
+package cz.paprsek.render.account;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.render.explain.Encounter;
@@ -12,12 +12,13 @@ import cz.paprsek.render.explain.LightTerm.Strewn;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.explain.TracedRay.Absorption;
+import cz.paprsek.render.integrate.ShadowWalk;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
 /** The account of a ray under way: what is known of it once it has hit something, and the terms so far. */
-public final class Draft {
+final class Draft {
     private final TracedRay ray;
     public final Encounter.Place place;
     private final Material material;

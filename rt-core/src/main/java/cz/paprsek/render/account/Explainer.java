@@ -1,4 +1,4 @@
-package cz.paprsek.render.integrate;
+package cz.paprsek.render.account;
 
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
@@ -23,7 +23,7 @@ public final class Explainer {
     public static Pixel pixel(World scene, RenderSettings settings, boolean fixed, int column, int row, BooleanSupplier stop) {
         Require.that(column >= 0 && column < settings.width() && row >= 0 && row < settings.height(),
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
-        Require.that(!settings.isPath(), "what is explained are rays of the integrator whitted; a pixel of paths has too many to tell, so explain it with whitted (--integrator whitted)");
+        Require.that(!settings.isPath(), "these settings are of paths, whose pixels are explained as paths, not as trees of rays");
         Eye eye = eye(scene, settings);
         Sampling sampling = Sampling.of(settings, fixed);
         Recorder recorder = new Recorder(scene, settings.maxDepth(), sampling, stop);

@@ -1,0 +1,2 @@
+/** Tracers overheard: what becomes of rays, written down for explaining, and what the light of a pixel is made of. */
+package cz.paprsek.render.account;

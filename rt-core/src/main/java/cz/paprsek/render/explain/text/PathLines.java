@@ -1,0 +1,79 @@
+package cz.paprsek.render.explain.text;
+
+import cz.paprsek.render.explain.PathPixel;
+import cz.paprsek.render.explain.PathPixel.Example;
+import cz.paprsek.render.explain.PathPixel.Way;
+import cz.paprsek.render.explain.TracedRay;
+import cz.paprsek.words.Words;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** A pixel of paths as lines of text: by which ways its light came, from what, and a few paths point by point. */
+public final class PathLines {
+    private final PathPixel pixel;
+    private final Words words;
+    private final PathWords names;
+    private final Decoration decoration;
+    private final List<String> lines = new ArrayList<>();
+
+    private PathLines(PathPixel pixel, Decoration decoration, Words words) {
+        this.pixel = pixel;
+        this.words = words;
+        this.names = new PathWords(words);
+        this.decoration = decoration;
+    }
+
+    /**
+     * The lines, without their ends.
+     *
+     * @param smallestShare ways that bring a smaller share of the pixel's light are only counted; 0 for all
+     */
+    public static List<String> lines(PathPixel pixel, double smallestShare, Decoration decoration, Words words) {
+        PathLines text = new PathLines(pixel, decoration, words);
+        text.table(words.of("path.ways"), pixel.ways(), smallestShare, true);
+        text.table(words.of("path.sources"), pixel.sources(), smallestShare, false);
+        pixel.examples().forEach(text::example);
+        String patch = decoration.patch(pixel.developed());
+        text.lines.add(words.of("pixel", pixel.column(), pixel.row()) + ": " + text.names.sum(pixel) + (patch.isEmpty() ? "" : "  " + patch));
+        return text.lines;
+    }
+
+    private void table(String title, List<Way> ways, double smallestShare, boolean isWhole) {
+        List<Way> told = ways.stream().filter(way -> pixel.share(way.light()) >= smallestShare).toList();
+        int width = told.stream().mapToInt(way -> names.amount(pixel, way).length()).max().orElse(0);
+        lines.add(title);
+        for (Way way : told) {
+            String amount = names.amount(pixel, way);
+            String patch = decoration.patch(way.light());
+            lines.add("  " + amount + " ".repeat(width - amount.length()) + "  " + (isWhole ? names.of(way) : names.source(way)) + (patch.isEmpty() ? "" : "  " + patch));
+        }
+        if (told.size() < ways.size()) {
+            double rest = ways.stream().filter(way -> !told.contains(way)).mapToDouble(way -> pixel.share(way.light())).sum();
+            lines.add("  " + words.of("path.rest", ways.size() - told.size(), Figures.of(100 * rest)));
+        }
+        lines.add("");
+    }
+
+    private void example(Example example) {
+        lines.add(words.of("path.example", example.sample() + 1, pixel.samples().size(), names.of(pixel.ways().get(example.way())), Figures.of(example.brought())));
+        TracedRay ray = example.ray();
+        lines.add("  " + words.of("path.eye") + " " + Figures.of(ray.origin()));
+        Stream.iterate(ray, one -> !one.children().isEmpty(), one -> one.children().get(0)).forEach(this::point);
+        point(last(ray));
+        lines.add("");
+    }
+
+    private static TracedRay last(TracedRay ray) {
+        return ray.children().isEmpty() ? ray : last(ray.children().get(0));
+    }
+
+    /** What a ray of a path meets, and what comes straight from the lights there. */
+    private void point(TracedRay ray) {
+        ray.encounter().ifPresentOrElse(met -> {
+            lines.add("  " + decoration.headline(ray.kind(), names.name(met.place().surface()) + " " + Figures.of(met.place().point())));
+            met.lights().stream().filter(light -> light.added().most() > 0)
+                    .forEach(light -> lines.add("    " + words.of("path.adds", light.label(), Figures.of(light.added()), Figures.share(ray.weight()))));
+        }, () -> lines.add("  " + decoration.headline(ray.kind(), ray.seen().map(light -> words.of("light", light.label())).orElse(words.of("path.sky"))) + " " + Figures.of(ray.light())));
+    }
+}
