@@ -2,6 +2,7 @@ package cz.paprsek;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.attribute.Element;
 import java.io.File;
 import java.io.IOException;
 import java.io.StringWriter;
@@ -31,8 +32,8 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(120)
 class ModuleTest {
     private static final Path SOURCES = Path.of("src/main/java");
-    /** What is on offer to everybody is to be learnt and kept for long. */
-    private static final int MOST_PUBLIC_TYPES = 90;
+    /** What is on offer to everybody is to be learnt and kept for long. What is a word of scene files, such as a shape, does not count: who knows the word knows it. */
+    private static final int MOST_PUBLIC_TYPES = 69;
 
     @TempDir
     private static Path folder;
@@ -123,6 +124,7 @@ class ModuleTest {
                 offered.addAll(publicTypes(exports.source()));
             }
         }
+        offered.removeIf(ModuleTest::isWord);
         assertThat(offered).as("public types in packages exported to all").hasSizeBetween(50, MOST_PUBLIC_TYPES);
     }
 
@@ -185,6 +187,14 @@ class ModuleTest {
                 """);
         Run run = java("-p", path(core, user), "-m", "user/user.Main");
         assertThat(run.said()).isEqualTo("11 tiles, 0.5; 13 x 9 101 x 67");
+    }
+
+    private static boolean isWord(String type) {
+        try {
+            return Class.forName(type).isAnnotationPresent(Element.class);
+        } catch (ClassNotFoundException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     private static List<String> publicTypes(String name) throws IOException, ClassNotFoundException {

@@ -9,6 +9,8 @@ public enum Kind {
     INTENSITY(Form.NUMBER, "notNegative", "a finite number, 0 or above", Range.from(0).to(1e12)),
     SHARE(Form.NUMBER, "share", "a number from 0 to 1", Range.from(0).to(1)),
     EXPONENT(Form.NUMBER, "exponent", "a number from 0 to 1000000", Range.from(0).to(1_000_000)),
+    /** Of a superellipsoid. */
+    ROUNDNESS(Form.NUMBER, "roundness", "a number above 0, 2 at most", Range.above(0).to(2)),
     REFRACTIVE_INDEX(Form.NUMBER, "refractiveIndex", "a number above 0 and at most 100", Range.above(0).to(100)),
     /** Degrees. */
     FOVY(Form.NUMBER, "fovy", "a number of degrees above 0 and below 180", Range.above(0).below(180)),
@@ -33,6 +35,8 @@ public enum Kind {
     COLOR(Form.COLOR, "color", "three numbers from 0 to 255, red green blue, a name such as red, or #rrggbb", Range.from(0).to(255)),
     /** Whole numbers. */
     SQUARES(Form.WHOLE, "squares", "a whole number from 1 to 1000000", Range.from(1).to(1_000_000)),
+    SIDES(Form.WHOLE, "sides", "a whole number from 3 to 1000", Range.from(3).to(1000)),
+    SIDES_OR_NONE(Form.WHOLE, "sidesOrNone", "a whole number from 3 to 1000, or 0 for round", Range.from(0).to(1000)),
     OCTAVES(Form.WHOLE, "octaves", "a whole number from 1 to 12", Range.from(1).to(12)),
     SEED(Form.WHOLE, "seed", "a whole number from 0 to 1000000", Range.from(0).to(1_000_000)),
     PIXELS(Form.WHOLE, "pixels", "a whole number from 1 to 32768", Range.from(1).to(32_768)),

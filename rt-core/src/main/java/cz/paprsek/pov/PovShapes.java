@@ -4,6 +4,7 @@ import static cz.paprsek.pov.PovText.vector;
 import static cz.paprsek.text.Numbers.text;
 
 import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Capsule;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.CustomShape;
@@ -13,9 +14,11 @@ import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Ellipsoid;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Plane;
+import cz.paprsek.shape.Prism;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.Superellipsoid;
 import cz.paprsek.shape.Torus;
 import cz.paprsek.text.MadeInCode;
 import java.util.List;
@@ -35,18 +38,28 @@ final class PovShapes {
         if (shape instanceof Sphere s) {
             return "sphere { " + ORIGIN + ", " + text(s.radius());
         } else if (shape instanceof Block b) {
-            return "box { " + vector(b.min()) + ", " + vector(b.max());
+            return b.rounding() > 0 ? PovRounds.block(b) : "box { " + vector(b.min()) + ", " + vector(b.max());
         } else if (shape instanceof Ellipsoid e) {
             return "sphere { " + ORIGIN + ", 1 scale " + vector(e.semiAxes());
         } else if (shape instanceof Plane) {
             return "plane { y, 0";
         } else if (shape instanceof Cylinder c) {
             return "cylinder { " + ORIGIN + ", " + vector(0, c.height(), 0) + ", " + text(c.radius());
+        } else if (shape instanceof Cone c && c.sides() > 0) {
+            return PovRounds.sided(c.sides(), c.radius(), c.topRadius(), c.height());
         } else if (shape instanceof Cone c) {
             return "cone { " + ORIGIN + ", " + text(c.radius()) + ", " + vector(0, c.height(), 0) + ", " + text(c.topRadius());
         } else if (shape instanceof Torus t) {
             // The default solver is fast, and loses thin rings and crossings close together.
-            return "torus { " + text(t.majorRadius()) + ", " + text(t.minorRadius()) + " sturm";
+            String torus = "torus { " + text(t.majorRadius()) + ", " + text(t.minorRadius()) + " sturm";
+            return t.minorRadius() > t.majorRadius() ? PovRounds.spindle(t.majorRadius(), t.minorRadius(), torus) : torus;
+        } else if (shape instanceof Capsule c) {
+            return PovRounds.capsule(c);
+        } else if (shape instanceof Prism p) {
+            return PovRounds.sided(p.sides(), p.radius(), p.radius(), p.height());
+        } else if (shape instanceof Superellipsoid s) {
+            // Its poles lie on z.
+            return "superellipsoid { <" + text(s.east()) + ", " + text(s.north()) + "> rotate x*90 scale " + vector(s.semiAxes());
         } else if (shape instanceof Rectangle r) {
             String first = vector(r.minX(), r.minY(), 0);
             return "polygon { 5, " + first + ", " + vector(r.maxX(), r.minY(), 0) + ", " + vector(r.maxX(), r.maxY(), 0) + ", "

@@ -13,17 +13,25 @@ import cz.paprsek.shape.placed.Convex;
 import cz.paprsek.shape.placed.LocalConvex;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Rounded;
 import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.text.Numbers;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
-/** A box with faces perpendicular to the axes, from its minimum to its maximum corner. */
+/**
+ * A box with faces perpendicular to the axes, from its minimum to its maximum corner.
+ *
+ * @param rounding the radius of its edges and corners, within the box; 0 if they are sharp
+ */
 @Element("A box from its minimum to its maximum corner.")
 public record Block(
         @Attribute(value = Kind.VECTOR, means = "Below max along every axis", example = "-0.5 -0.5 -0.5") Vec3 min,
-        @Attribute(value = Kind.VECTOR, means = "Above min along every axis", example = "0.5 0.5 0.5") Vec3 max) implements Solid {
+        @Attribute(value = Kind.VECTOR, means = "Above min along every axis", example = "0.5 0.5 0.5") Vec3 max,
+        @Attribute(value = Kind.NOT_NEGATIVE, means = "The radius of its edges and corners; at most half its smallest side", otherwise = "0") double rounding) implements Solid {
+    /** A side is a difference of two numbers, and half of it is what somebody would write. */
+    private static final double SLACK = 1e-9;
     private static final List<Face> FACES = List.of(Face.MINUS_X, Face.PLUS_X, Face.MINUS_Y, Face.PLUS_Y, Face.MINUS_Z, Face.PLUS_Z);
 
     public Block {
@@ -35,6 +43,15 @@ public record Block(
         Require.size("block width", max.x() - min.x());
         Require.size("block height", max.y() - min.y());
         Require.size("block depth", max.z() - min.z());
+        Require.sizeOrZero("block rounding", rounding);
+        double smallest = Math.min(max.x() - min.x(), Math.min(max.y() - min.y(), max.z() - min.z()));
+        Require.that(rounding == 0 || rounding * 2 <= smallest * (1 + SLACK),
+                "block rounding must be at most half its smallest side of " + Numbers.text(smallest) + ", but is " + Numbers.text(rounding));
+    }
+
+    /** One with sharp edges. */
+    public Block(Vec3 min, Vec3 max) {
+        this(min, max, 0);
     }
 
     @Override
@@ -50,15 +67,24 @@ public record Block(
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
         Objects.requireNonNull(along, "along");
-        return Outlines.box(min, max);
+        return rounding == 0 ? Outlines.box(min, max) : Outlines.roundedBox(middle(), inner(), rounding, along, steps);
     }
 
     @Override
     public Volume place(Affine toWorld, Parts parts) {
-        return toWorld.keepsAxes()
+        return rounding > 0 ? parts.add(part -> new Soft(part, toWorld, this)) : toWorld.keepsAxes()
                 ? parts.add(part -> new Upright(part, Bounds.of(toWorld.point(min), toWorld.point(max)),
                         toWorld.turns() ? new Turned(part, toWorld, min, max) : null))
                 : parts.add(part -> new Turned(part, toWorld, min, max));
+    }
+
+    private Vec3 middle() {
+        return min.plus(max).times(0.5);
+    }
+
+    /** Half the box that is all around within the rounding. */
+    private Vec3 inner() {
+        return new Vec3(Math.max(0, (max.x() - min.x()) / 2 - rounding), Math.max(0, (max.y() - min.y()) / 2 - rounding), Math.max(0, (max.z() - min.z()) / 2 - rounding));
     }
 
     /**
@@ -179,6 +205,37 @@ public record Block(
         @Override
         protected void map(int face, double x, double y, double z, Hit hit) {
             Block.map(face, (x - min.x()) / (max.x() - min.x()), (y - min.y()) / (max.y() - min.y()), (z - min.z()) / (max.z() - min.z()), hit);
+        }
+    }
+
+    /** A block with rounded edges: half of each belongs to either face, and pictures are laid on straight from before. */
+    private static final class Soft extends Rounded {
+        private final Vec3 min;
+        private final Vec3 max;
+
+        Soft(int part, Affine toWorld, Block shape) {
+            super(part, toWorld, shape.middle(), shape.inner(), shape.rounding);
+            min = shape.min;
+            max = shape.max;
+        }
+
+        @Override
+        protected int faceAt(double x, double y, double z) {
+            Vec3 n = outwards(x, y, z);
+            double ax = Math.abs(n.x());
+            double ay = Math.abs(n.y());
+            double az = Math.abs(n.z());
+            return ax >= ay && ax >= az ? n.x() < 0 ? 0 : 1 : ay >= az ? n.y() < 0 ? 2 : 3 : n.z() < 0 ? 4 : 5;
+        }
+
+        /** Along the surface u grows towards t − (n·t/n·w)·w, t along the face and w out of it. */
+        @Override
+        protected void map(int face, double x, double y, double z, Hit hit) {
+            Block.map(face, (x - min.x()) / (max.x() - min.x()), (y - min.y()) / (max.y() - min.y()), (z - min.z()) / (max.z() - min.z()), hit);
+            Vec3 n = outwards(x, y, z);
+            double out = face / 2 == 0 ? n.x() : face / 2 == 1 ? n.y() : n.z();
+            double down = (n.x() * hit.tx + n.y() * hit.ty + n.z() * hit.tz) / out;
+            hit.map(hit.u, hit.v, face / 2 == 0 ? -down : hit.tx, face / 2 == 1 ? -down : hit.ty, face / 2 == 2 ? -down : hit.tz);
         }
     }
 }

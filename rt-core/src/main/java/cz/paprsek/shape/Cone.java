@@ -12,20 +12,32 @@ import cz.paprsek.ray.Line;
 import cz.paprsek.shape.placed.LocalConvex;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Sided;
 import cz.paprsek.shape.placed.Volume;
 import java.util.List;
 
-/** A closed cone about the y axis: {@code radius} at y = 0, {@code topRadius} at y = height; pointed if that is 0. */
+/**
+ * A closed cone about the y axis: {@code radius} at y = 0, {@code topRadius} at y = height; pointed if that is 0.
+ *
+ * @param sides 0 if it is round; else how many flat sides it has, whose corners lie at the radii, one towards +x
+ */
 @Element("A closed cone about its y axis, from y = 0.")
 public record Cone(
         @Attribute(value = Kind.NOT_NEGATIVE, means = "At y = 0") double radius,
         @Attribute(value = Kind.NOT_NEGATIVE, means = "At y = height; not both radii 0", otherwise = "0") double topRadius,
-        @Attribute(value = Kind.POSITIVE, means = "Above 0", example = "1") double height) implements Solid {
+        @Attribute(value = Kind.POSITIVE, means = "Above 0", example = "1") double height,
+        @Attribute(value = Kind.SIDES_OR_NONE, means = "How many flat ones, as of a pyramid, with a corner towards +x; 0 if it is round", otherwise = "0") int sides) implements Solid {
     public Cone {
         Require.sizeOrZero("cone radius", radius);
         Require.sizeOrZero("cone top-radius", topRadius);
         Require.that(radius > 0 || topRadius > 0, "cone radius and top-radius must not both be 0");
         Require.size("cone height", height);
+        Require.that(sides == 0 || (sides >= Kind.SIDES.least() && sides <= Kind.SIDES.most()), "cone sides must be " + Kind.SIDES_OR_NONE.words() + ", but is " + sides);
+    }
+
+    /** A round cone. */
+    public Cone(double radius, double topRadius, double height) {
+        this(radius, topRadius, height, 0);
     }
 
     /** A pointed cone. */
@@ -35,23 +47,26 @@ public record Cone(
 
     @Override
     public Face face(int number) {
-        return number == Placed.SIDE ? Face.SIDE : number == Placed.BOTTOM ? Face.BOTTOM : Face.TOP;
+        return sides > 0 ? Prism.faceOf(number) : number == Placed.SIDE ? Face.SIDE : number == Placed.BOTTOM ? Face.BOTTOM : Face.TOP;
     }
 
     @Override
     public Bounds bounds() {
+        if (sides > 0) {
+            return Sided.worldBounds(Affine.IDENTITY, sides, radius, topRadius, height);
+        }
         double widest = Math.max(radius, topRadius);
         return new Bounds(-widest, 0, -widest, widest, height, widest);
     }
 
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
-        return Outlines.round(radius, topRadius, height, along, steps);
+        return sides > 0 ? Outlines.sided(sides, radius, topRadius, height) : Outlines.round(radius, topRadius, height, along, steps);
     }
 
     @Override
     public Volume place(Affine toWorld, Parts parts) {
-        return parts.add(part -> new Placed(part, toWorld, this));
+        return parts.add(part -> sides > 0 ? new Sided(part, toWorld, sides, radius, topRadius, height) : new Placed(part, toWorld, this));
     }
 
     /** The box around a body of two discs about the y axis and what is between them. */

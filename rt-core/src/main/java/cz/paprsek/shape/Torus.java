@@ -17,20 +17,18 @@ import cz.paprsek.shape.placed.Volume;
 import java.util.List;
 
 /**
- * A ring about the y axis.
+ * A ring about the y axis: all that is not farther than the minor radius from a circle.
  *
  * @param majorRadius from the axis to the middle of the tube
- * @param minorRadius of the tube; at most the major radius
+ * @param minorRadius of the tube; beyond the major radius there is no hole but a dent above and below, and what the tube covers twice is inside
  */
 @Element("A ring about its y axis.")
 public record Torus(
         @Attribute(value = Kind.POSITIVE, means = "From the axis to the middle of the tube", example = "0.4") double majorRadius,
-        @Attribute(value = Kind.POSITIVE, means = "Of the tube; at most the major radius", example = "0.15") double minorRadius) implements Solid {
+        @Attribute(value = Kind.POSITIVE, means = "Of the tube; if larger than the major radius, there is no hole but two dents", example = "0.15") double minorRadius) implements Solid {
     public Torus {
         Require.size("torus major-radius", majorRadius);
         Require.size("torus minor-radius", minorRadius);
-        Require.that(minorRadius <= majorRadius, "torus minor-radius must be at most its major-radius of " + majorRadius
-                + ", but is " + minorRadius);
     }
 
     @Override
@@ -58,12 +56,14 @@ public record Torus(
         private final Bounds bounds;
         private final double major;
         private final double minor;
+        private final double size;
 
         Placed(int part, Affine toWorld, Torus shape) {
             this.part = part;
             toLocal = toWorld.inverse();
             major = shape.majorRadius;
             minor = shape.minorRadius;
+            size = Math.max(major, minor);
             Bounds circle = Bounds.ofEllipsoid(toWorld, major, 0, major);
             Bounds tube = Bounds.ofEllipsoid(toWorld, minor, minor, minor);
             Vec3 half = new Vec3((tube.maxX() - tube.minX()) / 2, (tube.maxY() - tube.minY()) / 2, (tube.maxZ() - tube.minZ()) / 2);
@@ -157,7 +157,7 @@ public record Torus(
                     b = s;
                 }
                 double step = f / slope(line, s);
-                if (Math.abs(step) <= LAST_BITS * (major + Math.abs(s))) {
+                if (Math.abs(step) <= LAST_BITS * (size + Math.abs(s))) {
                     return s - step;
                 }
                 s -= step;

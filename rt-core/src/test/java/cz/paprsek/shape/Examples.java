@@ -4,6 +4,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.mesh.Meshes;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /** An example of every shape, and by a formula of its own whether a point lies inside, independent of the code that meets rays. */
@@ -18,12 +19,25 @@ public final class Examples {
             Map.entry(Cylinder.class, new Cylinder(0.7, 1.5)),
             Map.entry(Cone.class, new Cone(1.1, 0.3, 1.4)),
             Map.entry(Torus.class, new Torus(1, 0.35)),
+            Map.entry(Capsule.class, new Capsule(0.5, 0.9)),
+            Map.entry(Prism.class, new Prism(6, 0.9, 1.2)),
+            Map.entry(Superellipsoid.class, new Superellipsoid(new Vec3(1, 0.8, 1.2), 0.5, 1.4)),
             Map.entry(Mesh.class, Mesh.of("cube.stl").read(new Mesh.Whole("cube.stl", Meshes.cube(0.9), Map.of()))),
             Map.entry(Rectangle.class, new Rectangle(-1, -0.5, 1.2, 0.9)),
             Map.entry(Disc.class, new Disc(1.1)),
             Map.entry(Csg.class, Csg.difference(
                     Operand.of(Csg.union(new Sphere(1), new Block(new Vec3(0, 0, 0), new Vec3(1.2, 1.2, 1.2)))),
                     Operand.of(new Torus(0.8, 0.3)).at(0.2, 0.4, 0), Operand.of(new Cone(0.5, 1.3)).rotated(40, 0, 20))));
+
+    /** Examples of what shapes become with attributes that are seldom given. */
+    public static final List<Shape> VARIANTS = List.of(
+            new Block(new Vec3(-1, -0.5, 0.2), new Vec3(1, 0.7, 1.4), 0.3),
+            new Block(new Vec3(-1, -0.5, -0.5), new Vec3(1, 0.5, 0.5), 0.5),
+            new Cone(1.1, 0.3, 1.4, 4),
+            new Cone(0, 0.9, 1.2, 7),
+            new Torus(0.5, 0.8),
+            new Superellipsoid(new Vec3(1, 1, 1), 2, 2),
+            new Superellipsoid(new Vec3(1, 0.7, 1), 0.05, 0.2));
 
     /** In this order: that of {@code Map.of} differs from one run of Java to the next, and with it whatever is drawn at random for each shape. */
     @SafeVarargs
@@ -40,6 +54,15 @@ public final class Examples {
         double rho = Math.hypot(p.x(), p.z());
         if (solid instanceof Sphere s) {
             return p.length() - s.radius();
+        } else if (solid instanceof Block b && b.rounding() > 0) {
+            Vec3 q = p.minus(b.min().plus(b.max()).times(0.5));
+            Vec3 h = b.max().minus(b.min()).times(0.5);
+            double x = Math.abs(q.x()) - h.x() + b.rounding();
+            double y = Math.abs(q.y()) - h.y() + b.rounding();
+            double z = Math.abs(q.z()) - h.z() + b.rounding();
+            return new Vec3(Math.max(x, 0), Math.max(y, 0), Math.max(z, 0)).length() + Math.min(0, largest(x, y, z)) - b.rounding();
+        } else if (solid instanceof Cone c && c.sides() > 0) {
+            return insideSides(c.sides(), c.radius(), c.topRadius(), c.height(), p);
         } else if (solid instanceof Block b) {
             return largest(b.min().x() - p.x(), p.x() - b.max().x(), b.min().y() - p.y(), p.y() - b.max().y(), b.min().z() - p.z(), p.z() - b.max().z());
         } else if (solid instanceof Ellipsoid e) {
@@ -52,6 +75,13 @@ public final class Examples {
             return largest(rho - c.radius() - (c.topRadius() - c.radius()) * p.y() / c.height(), -p.y(), p.y() - c.height());
         } else if (solid instanceof Torus t) {
             return Math.hypot(rho - t.majorRadius(), p.y()) - t.minorRadius();
+        } else if (solid instanceof Capsule c) {
+            return Math.hypot(rho, p.y() - Math.max(0, Math.min(c.height(), p.y()))) - c.radius();
+        } else if (solid instanceof Prism s) {
+            return insideSides(s.sides(), s.radius(), s.radius(), s.height(), p);
+        } else if (solid instanceof Superellipsoid s) {
+            double east = norm(p.x() / s.semiAxes().x(), p.z() / s.semiAxes().z(), 2 / s.east());
+            return norm(east, p.y() / s.semiAxes().y(), 2 / s.north()) - 1;
         } else if (solid instanceof Mesh) {
             return largest(Math.abs(p.x()), Math.abs(p.y()), Math.abs(p.z())) - 0.9;
         }
@@ -66,6 +96,19 @@ public final class Examples {
             };
         }
         return value;
+    }
+
+    /** Of the sides that of which the middle is nearest counts. */
+    private static double insideSides(int sides, double bottom, double top, double height, Vec3 p) {
+        double each = 2 * Math.PI / sides;
+        double angle = Math.atan2(p.z(), p.x());
+        double fromMiddle = angle - (Math.floor(angle / each) + 0.5) * each;
+        double radius = (bottom + (top - bottom) * p.y() / height) * Math.cos(Math.PI / sides);
+        return largest(Math.hypot(p.x(), p.z()) * Math.cos(fromMiddle) - radius, -p.y(), p.y() - height);
+    }
+
+    private static double norm(double a, double b, double p) {
+        return Math.pow(Math.pow(Math.abs(a), p) + Math.pow(Math.abs(b), p), 1 / p);
     }
 
     private static double insideOperand(Operand operand, Vec3 p) {

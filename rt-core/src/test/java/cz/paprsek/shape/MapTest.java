@@ -101,9 +101,13 @@ class MapTest {
                 placement.withPosition(placement.position().times(size)).withScale(placement.scale().times(size)), size))));
     }
 
+    static Stream<Arguments> everyVariantToo() {
+        return Stream.concat(everyShapeOfAnySize(), Examples.VARIANTS.stream().map(shape -> Arguments.of(shape, PLACEMENTS.get(PLACEMENTS.size() - 1), 1.0)));
+    }
+
     /** The tangent leads along the surface, u grows and v does not; at right angles to it, towards N × T, v grows: nothing is seen mirrored. */
     @ParameterizedTest
-    @MethodSource("everyShapeOfAnySize")
+    @MethodSource("everyVariantToo")
     void uGrowsAlongTheTangentAndVUpwardsFromIt(Shape shape, Placement placement, double size) {
         Affine toWorld = placement.toParent();
         boolean mirrored = placement.scale().x() * placement.scale().y() * placement.scale().z() < 0;
@@ -177,7 +181,8 @@ class MapTest {
     }
 
     private static boolean isRound(Shape shape) {
-        return shape instanceof Sphere || shape instanceof Mesh || shape instanceof Ellipsoid || shape instanceof Cylinder || shape instanceof Cone || shape instanceof Torus;
+        return shape instanceof Sphere || shape instanceof Mesh || shape instanceof Ellipsoid || shape instanceof Cylinder || shape instanceof Cone || shape instanceof Torus
+                || shape instanceof Capsule || shape instanceof Prism || shape instanceof Superellipsoid;
     }
 
     /** There u and v may change as fast as they like. */

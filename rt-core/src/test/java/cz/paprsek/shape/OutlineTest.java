@@ -20,7 +20,7 @@ class OutlineTest {
     private static final int STEPS = 64;
 
     static Stream<Shape> shapes() {
-        return Examples.ALL.values().stream().filter(shape -> !(shape instanceof Csg || shape instanceof Plane));
+        return Stream.concat(Examples.ALL.values().stream(), Examples.VARIANTS.stream()).filter(shape -> !(shape instanceof Csg || shape instanceof Plane));
     }
 
     @ParameterizedTest

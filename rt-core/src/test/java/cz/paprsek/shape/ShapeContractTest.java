@@ -38,7 +38,7 @@ class ShapeContractTest {
     }
 
     static Stream<Arguments> placedShapes() {
-        return Examples.ALL.values().stream().flatMap(shape -> PLACEMENTS.stream().map(placement -> Arguments.of(shape, placement)));
+        return Stream.concat(Examples.ALL.values().stream(), Examples.VARIANTS.stream()).flatMap(shape -> PLACEMENTS.stream().map(placement -> Arguments.of(shape, placement)));
     }
 
     static Stream<Arguments> placedSolids() {

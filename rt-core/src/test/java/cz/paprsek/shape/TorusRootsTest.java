@@ -18,7 +18,7 @@ class TorusRootsTest {
     private static final double LAST_BITS = 1.5e-15;
 
     @ParameterizedTest
-    @CsvSource({"1, 0.4", "1, 1", "1, 0.01", "1e4, 1", "1e7, 1", "2e7, 1e7", "1e-6, 1e-7", "1e-3, 1e-9"})
+    @CsvSource({"1, 0.4", "1, 1", "1, 0.01", "1e4, 1", "1e7, 1", "2e7, 1e7", "1e-6, 1e-7", "1e-3, 1e-9", "1, 1.5", "1, 30"})
     void theCrossingsAreThoseOfTheQuartic(double major, double minor) {
         Surface torus = new Torus(major, minor).place(Affine.IDENTITY, new TestParts());
         Random random = new Random(11);

@@ -48,7 +48,7 @@ class SentencesTest {
         Described.of(Material.class).stream().filter(Described::isNumber).forEach(one -> files.add("<material name='m' " + one.name() + "='-1'/>"));
         ElementTable.of(Pattern.class).forEach(type -> Described.of(type).stream().filter(Described::isNumber).forEach(one ->
                 files.add("<material name='m'><" + ElementTable.name(type) + " " + one.name() + "='-1'/></material>")));
-        files.addAll(List.of("<sphere radius='1' scale='0'/>", "<sphere radius='1' position='1 2'/>", "<torus major-radius='1' minor-radius='2'/>",
+        files.addAll(List.of("<sphere radius='1' scale='0'/>", "<sphere radius='1' position='1 2'/>", "<block min='0 0 0' max='1 1 1' rounding='2'/>",
                 "<block min='1 1 1' max='0 0 0'/>", "<rectangle min='1 1' max='0 0'/>", "<cone radius='0' height='1'/>", "<sphere radius='1' material='m'/>",
                 "<sphere radius='1' name='a'/><sphere radius='1' name='a'/>", "<sphere radius='1'><material color='reed'/></sphere>", "<spere radius='1'/>",
                 "<union/>", "<sphere radius='1'><material><checkerboard columns='2' rows='2'/></material></sphere>", "<sphere radius='1'>text</sphere>",

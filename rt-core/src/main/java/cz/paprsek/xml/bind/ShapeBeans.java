@@ -2,15 +2,18 @@ package cz.paprsek.xml.bind;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Capsule;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Ellipsoid;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Plane;
+import cz.paprsek.shape.Prism;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.Superellipsoid;
 import cz.paprsek.shape.Torus;
 import cz.paprsek.xml.mistake.Problems;
 import jakarta.xml.bind.annotation.XmlAccessType;
@@ -46,10 +49,11 @@ final class ShapeBeans {
     static final class BlockBean extends ShapeBean {
         @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 min = Vec3.ZERO;
         @XmlAttribute(required = true) @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 max = Vec3.ZERO;
+        @XmlAttribute double rounding;
 
         @Override
         Shape toShape(Problems problems) {
-            return new Block(min, max);
+            return new Block(min, max, rounding);
         }
     }
 
@@ -114,10 +118,49 @@ final class ShapeBeans {
         @XmlAttribute(required = true) double radius;
         @XmlAttribute(name = "top-radius") double topRadius;
         @XmlAttribute(required = true) double height;
+        @XmlAttribute int sides;
 
         @Override
         Shape toShape(Problems problems) {
-            return new Cone(radius, topRadius, height);
+            return new Cone(radius, topRadius, height, sides);
+        }
+    }
+
+    @XmlRootElement(name = "capsule")
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class CapsuleBean extends ShapeBean {
+        @XmlAttribute(required = true) double radius;
+        @XmlAttribute(required = true) double height;
+
+        @Override
+        Shape toShape(Problems problems) {
+            return new Capsule(radius, height);
+        }
+    }
+
+    @XmlRootElement(name = "prism")
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class PrismBean extends ShapeBean {
+        @XmlAttribute int sides = 6;
+        @XmlAttribute(required = true) double radius;
+        @XmlAttribute(required = true) double height;
+
+        @Override
+        Shape toShape(Problems problems) {
+            return new Prism(sides, radius, height);
+        }
+    }
+
+    @XmlRootElement(name = "superellipsoid")
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class SuperellipsoidBean extends ShapeBean {
+        @XmlAttribute(required = true, name = "semi-axes") @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 semiAxes = Vec3.ZERO;
+        @XmlAttribute double east = 1;
+        @XmlAttribute double north = 1;
+
+        @Override
+        Shape toShape(Problems problems) {
+            return new Superellipsoid(semiAxes, east, north);
         }
     }
 

@@ -18,6 +18,11 @@ final class Wording {
             ball globe orb = sphere
             spheroid ovoid = ellipsoid
             tube rod pipe = cylinder
+            pill spherocylinder stadium roundcylinder = capsule
+            pyramid frustum = cone
+            ngon hexagon polygonprism = prism
+            superquadric superquadrics superball = superellipsoid
+            roundedbox roundbox = block
             ring donut doughnut = torus
             square quad quadrangle rect = rectangle
             circle disk = disc

@@ -144,10 +144,10 @@ class SchemaTest {
             values[i] = components[i].getName().equals(one.component().getName()) ? (component == int.class ? (Object) (int) number : (Object) number)
                     : type == RenderSettings.class ? components[i].getAccessor().invoke(RenderSettings.DEFAULT)
                     : component == double.class ? (Object) (type == Cone.class || !one.name().equals("major-radius") ? 1.0 : 0.25)
-                    : component == int.class ? (Object) 1
+                    : component == int.class ? (Object) 4
                     : component == boolean.class ? (Object) true
                     : component == AreaLight.Form.class ? new AreaLight.Radius(1)
-                    : component == Vec3.class ? new Vec3(1, 1, 1)
+                    : component == Vec3.class ? components[i].getName().equals("min") ? new Vec3(-1, -1, -1) : new Vec3(1, 1, 1)
                     : component == String.class ? "name"
                     : component.isEnum() ? component.getEnumConstants()[0]
                     : component == Pattern.Lay.class ? Pattern.Lay.NONE

@@ -7,7 +7,8 @@ import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
-import cz.paprsek.shape.Torus;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.Block;
 import cz.paprsek.words.Words;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -85,9 +86,9 @@ class TextsTest {
 
     @Test
     void whatARecordRefusesIsSaidInTheLanguageOfTheWindow() {
-        String refused = String.valueOf(catchThrowable(() -> new Torus(1, 2)).getMessage());
+        String refused = String.valueOf(catchThrowable(() -> new Block(Vec3.ZERO, Vec3.ONE, 2)).getMessage());
         assertThat(Texts.in(Locale.ENGLISH).sentence(refused)).isEqualTo(refused);
-        assertThat(Texts.in(Locale.forLanguageTag("cs")).sentence(refused)).startsWith("anuloid, poloměr trubice: má být nejvýše").doesNotContain("must");
+        assertThat(Texts.in(Locale.forLanguageTag("cs")).sentence(refused)).startsWith("kvádr, zaoblení: má být nejvýše").doesNotContain("must");
     }
 
     @Test

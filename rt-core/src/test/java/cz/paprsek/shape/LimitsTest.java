@@ -1,0 +1,140 @@
+package cz.paprsek.shape;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Hit;
+import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Volume;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Solids that become others where one of their measures comes to its end, and areas and volumes in closed form. */
+class LimitsTest {
+    private static final Vec3 ONE = new Vec3(1, 1, 1);
+
+    static Stream<Arguments> pairs() {
+        return Stream.of(
+                Arguments.of(new Capsule(0.8, 0), new Sphere(0.8), 1e-12),
+                Arguments.of(new Block(ONE.negated(), ONE, 1), new Sphere(1), 1e-12),
+                Arguments.of(new Block(ONE.negated(), new Vec3(1, 2, 1.5), 1e-14), new Block(ONE.negated(), new Vec3(1, 2, 1.5)), 1e-12),
+                Arguments.of(new Superellipsoid(new Vec3(1, 0.5, 0.7), 1, 1), new Ellipsoid(new Vec3(1, 0.5, 0.7)), 1e-12),
+                Arguments.of(new Superellipsoid(ONE, 1e-13, 1e-13), new Block(ONE.negated(), ONE), 1e-11),
+                Arguments.of(new Superellipsoid(ONE, 2, 2), new Csg(Csg.Operation.UNION, List.of(
+                        Operand.of(new Cone(1, 0, 1, 4)), Operand.of(new Cone(1, 0, 1, 4)).rotated(180, 0, 0))), 1e-12),
+                Arguments.of(new Torus(1e-13, 1), new Sphere(1), 1e-12),
+                Arguments.of(new Cone(0.7, 0.7, 1.2, 6), new Prism(6, 0.7, 1.2), 0),
+                Arguments.of(new Prism(4, Math.sqrt(2), 1), turnedBlock(), 1e-12));
+    }
+
+    private static Solid turnedBlock() {
+        return new Csg(Csg.Operation.UNION, List.of(Operand.of(new Block(new Vec3(-1, 0, -1), new Vec3(1, 1, 1))).rotated(0, 45, 0)));
+    }
+
+    /** Along rays that start in the same places; those that only touch either may miss the other. */
+    @ParameterizedTest
+    @MethodSource("pairs")
+    void atTheEndOfAMeasureOneSolidIsAnother(Solid limit, Solid plain, double tolerance) {
+        Volume one = limit.place(Affine.IDENTITY, new TestParts());
+        Volume other = plain.place(Affine.IDENTITY, new TestParts());
+        Random random = new Random(3);
+        int met = 0;
+        for (int i = 0; i < 10_000; i++) {
+            Vec3 from = direction(random).times(4);
+            Vec3 d = direction(random).times(random.nextDouble()).minus(from).normalized();
+            Spans a = spans(one, from, d);
+            Spans b = spans(other, from, d);
+            if (a.size() != b.size()) {
+                assertThat(a.size() + b.size()).isEqualTo(2);
+                Spans only = a.size() > 0 ? a : b;
+                assertThat(only.t(1) - only.t(0)).as("a chord that one of them misses").isLessThan(1e-6);
+                continue;
+            }
+            met += a.size() / 2;
+            for (int k = 0; k < a.size(); k++) {
+                // Near the rim a ray's way to the surface is longer than the distance between the two.
+                assertThat(Math.abs(a.t(k) - b.t(k))).isLessThanOrEqualTo(tolerance / Math.max(1e-4, a.t(1) - a.t(0)));
+            }
+        }
+        assertThat(met).isGreaterThan(3000);
+    }
+
+    /** Chords of a fine grid of rays, added up: the volume; those that meet it, counted: the silhouette. */
+    @ParameterizedTest
+    @CsvSource({
+            "1, 1, 3.141592653589793, 4.1887902047863905",
+            "2, 2, 2, 1.3333333333333333",
+            // Γ(1 + 1/p)²/Γ(1 + 2/p)·4 with p = 4, and a barrel of that section: ∫ area·(1 − y²) dy.
+            "0.5, 1, 3.708149354602744, 4.944199139470325"})
+    void silhouettesAndVolumesOfSuperellipsoidsAreThoseOfTheFormula(double east, double north, double area, double volume) {
+        Volume solid = new Superellipsoid(ONE, east, north).place(Affine.IDENTITY, new TestParts());
+        int steps = 400;
+        double cell = 2.0 / steps * 2.0 / steps;
+        double covered = 0;
+        double filled = 0;
+        for (int i = 0; i < steps; i++) {
+            for (int k = 0; k < steps; k++) {
+                Spans spans = spans(solid, new Vec3((2 * i + 1.0) / steps - 1, 5, (2 * k + 1.0) / steps - 1), new Vec3(0, -1, 0));
+                covered += spans.size() > 0 ? cell : 0;
+                filled += spans.size() > 0 ? (spans.t(1) - spans.t(0)) * cell : 0;
+            }
+        }
+        assertThat(covered).isCloseTo(area, within(0.01));
+        assertThat(filled).isCloseTo(volume, within(0.003));
+    }
+
+    @Test
+    void theSilhouetteOfACapsuleIsAStadium() {
+        Volume capsule = new Capsule(0.5, 1).place(Affine.IDENTITY, new TestParts());
+        for (int i = -70; i <= 170; i++) {
+            double y = i / 100.0;
+            double beyond = y - Math.max(0, Math.min(1, y));
+            Spans spans = spans(capsule, new Vec3(4, y, 0), new Vec3(-1, 0, 0));
+            double half = Math.sqrt(Math.max(0, 0.25 - beyond * beyond));
+            assertThat(spans.size() > 0 ? spans.t(1) - spans.t(0) : 0).as("where it only touches, the root of rounding").isCloseTo(2 * half, within(half > 0 ? 1e-12 : 1e-7));
+        }
+    }
+
+    /** On the axis the ring that covers itself is dented, and whole: √(r² − R²) from the middle to either pole. */
+    @Test
+    void aRingThatCoversItselfIsDentedAndWhole() {
+        Spans spans = spans(new Torus(0.6, 1).place(Affine.IDENTITY, new TestParts()), new Vec3(0, 5, 0), new Vec3(0, -1, 0));
+        assertThat(spans.size()).isEqualTo(2);
+        assertThat(spans.t(0)).isCloseTo(5 - 0.8, within(1e-12));
+        assertThat(spans.t(1)).isCloseTo(5 + 0.8, within(1e-12));
+    }
+
+    @Test
+    void theEdgeOfARoundedBlockIsRound() {
+        TestParts parts = new TestParts();
+        Volume block = new Block(ONE.negated(), ONE, 0.25).place(Affine.IDENTITY, parts);
+        Ray ray = new Ray(new Spans());
+        Vec3 d = new Vec3(-1, -1, 0).normalized();
+        ray.start(3, 3, 0, d.x(), d.y(), 0);
+        block.nearest(ray);
+        assertThat(ray.max).isCloseTo(2.25 * Math.sqrt(2) - 0.25, within(1e-14));
+        Hit hit = parts.describe(ray);
+        assertThat(new Vec3(hit.nx, hit.ny, hit.nz).plus(d).length()).isLessThan(1e-14);
+    }
+
+    private static Spans spans(Volume solid, Vec3 from, Vec3 d) {
+        Spans spans = new Spans();
+        Ray ray = new Ray(new Spans());
+        ray.start(from.x(), from.y(), from.z(), d.x(), d.y(), d.z());
+        solid.spans(ray, spans);
+        return spans;
+    }
+
+    private static Vec3 direction(Random random) {
+        return new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).normalized();
+    }
+}
