@@ -144,9 +144,10 @@ public final class LibraryStore {
     private Job write() {
         DatabaseFile file = library.file().orElseThrow();
         SceneDatabase content = library.database();
-        refusal.set("");
+        // What was refused stays said while it is tried again, else the sentence and its button would flicker under the mouse.
         Job writing = new Job(new FutureTask<>(() -> file.save(content)), written -> {
             stamp = FileStamp.of(written.path());
+            refusal.set("");
             library.saved(content, written);
         }, refusal::set);
         job = writing;

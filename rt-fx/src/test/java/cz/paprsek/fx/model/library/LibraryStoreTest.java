@@ -99,6 +99,30 @@ class LibraryStoreTest {
     }
 
     @Test
+    void aRefusalIsSaidWhileItIsTriedAgainAndNoLongerWhenItIsIn() throws Exception {
+        Queue<Runnable> background = new ArrayDeque<>();
+        Library slow = new Library();
+        LibraryStore later = new LibraryStore(slow, background::add, Runnable::run);
+        later.open(path, faults::add);
+        background.remove().run();
+        others("b", Scene.EMPTY.withName("b").withDescription("theirs"));
+        slow.tag(List.of("b"), "mine");
+        background.remove().run();
+        String refused = later.refusalProperty().get();
+        assertThat(refused).contains("\"b\"");
+        others("b", Scene.EMPTY.withName("b").withDescription("theirs, once more"));
+        later.checkDisk();
+        assertThat(later.refusalProperty().get()).isEqualTo(refused);
+        background.remove().run();
+        assertThat(later.refusalProperty().get()).contains("\"b\"");
+        others("b", Scene.EMPTY.withName("b"));
+        later.checkDisk();
+        background.remove().run();
+        assertThat(later.refusalProperty().get()).isEmpty();
+        assertThat(onDisk().get("b").tags()).containsExactly("mine");
+    }
+
+    @Test
     void aRefusedChangeCanBeGivenUp() throws Exception {
         others("b", Scene.EMPTY.withName("b").withDescription("theirs"));
         mine.tag(List.of("b"), "mine");
