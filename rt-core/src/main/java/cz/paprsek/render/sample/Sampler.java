@@ -57,6 +57,11 @@ public final class Sampler {
     private int order;
     private int size;
     private int number;
+    /** The first number beyond those of the dimension, and the digits of the number in reversed order; those of a sample of paths are reversed once for all its dimensions. */
+    private int end;
+    private int reversed;
+    private int reversedSample;
+    private final Sequences sequences = new Sequences();
 
     /** The point: above 0 and below 1. */
     public double u;
@@ -112,6 +117,7 @@ public final class Sampler {
         if (isOfPaths) {
             scramble = SCRAMBLE * scramble(number);
             sample = number / (RUN * SCRAMBLES) * RUN + number % RUN;
+            reversedSample = Integer.reverse(sample);
         } else {
             sample = number;
         }
@@ -171,20 +177,42 @@ public final class Sampler {
         int dimension = what + scramble;
         int perSample = digits(count);
         size = digits + perSample;
+        number = first << perSample;
+        end = number + count;
+        if (isOfPaths && count == 1) {
+            reversed = reversedSample;
+            if (!sequences.find(dimension, pixel)) {
+                sequence(dimension);
+                sequences.keep(dimension, pixel, place, order, key);
+            } else {
+                place = sequences.place();
+                order = sequences.order();
+                key = sequences.key();
+            }
+        } else {
+            reversed = Integer.reverse(number);
+            sequence(dimension);
+        }
+    }
+
+    private void sequence(int dimension) {
         place = scrambled(pixel, mixed(dimension ^ ORDER));
         order = mixed(place ^ mixed(dimension));
         // Of a picture so large that its pixels have no more room in the sequence, parts far from each other get other digits.
         key = mixed(dimension + (int) ((place & UNSIGNED) >>> (Integer.SIZE - size)));
-        number = first << perSample;
     }
 
     /** Puts the next point of the dimension in {@link #u} and {@link #v}. */
     public void next() {
         int within = (1 << size) - 1;
-        int index = place << size | (scrambled(number, order) & within);
-        number++;
-        u = unit(permuted(index, key));
-        v = unit(permuted(second(index), key ^ SECOND));
+        int index = place << size | (Integer.reverse(permuted(reversed, order)) & within);
+        if (++number < end) {
+            reversed = Integer.reverse(number);
+        }
+        // Both coordinates at once: what takes longest is to reverse digits.
+        long both = Long.reverse((long) permuted(second(index), key ^ SECOND) << Integer.SIZE | (permuted(index, key) & UNSIGNED));
+        u = unit(both >>> Integer.SIZE);
+        v = unit(both & UNSIGNED);
     }
 
     /** How many binary digits it takes to count so many. */
@@ -192,9 +220,9 @@ public final class Sampler {
         return Integer.SIZE - Integer.numberOfLeadingZeros(count - 1);
     }
 
-    /** A fraction whose binary digits are given in reversed order, the first as the lowest: the middle of the interval of all that begin so. */
-    private static double unit(int reversed) {
-        return ((Integer.reverse(reversed) & UNSIGNED) + 0.5) * ULP;
+    /** A fraction whose first 32 binary digits are given: the middle of the interval of all that begin so. */
+    private static double unit(long digits) {
+        return (digits + 0.5) * ULP;
     }
 
     /** Of a number of the Sobol sequence, its second coordinate, in reversed order, as the number itself is its first: Pascal's triangle, modulo 2. */
