@@ -1,5 +1,7 @@
 package cz.paprsek.render.integrate;
 
+import cz.paprsek.math.Turn;
+
 /**
  * Rough surfaces as little facets that mirror: how their normals are spread about that of the surface, and how they stand in each other's way. Scratch
  * of one worker.
@@ -8,6 +10,7 @@ package cz.paprsek.render.integrate;
  *     JCGT 7(4), 2018
  */
 final class Ggx {
+    private final Turn turn = new Turn();
     /** The facet's normal that was chosen last, of length 1, world space. */
     double x;
     double y;
@@ -66,10 +69,10 @@ final class Ggx {
         double e = across > 0 ? -q / across : 1;
         double f = across > 0 ? p / across : 0;
         double radius = Math.sqrt(u);
-        double angle = 2 * Math.PI * v;
-        double first = radius * StrictMath.cos(angle);
+        turn.by(v);
+        double first = radius * turn.cosine;
         double half = (1 + w) / 2;
-        double second = (1 - half) * Math.sqrt(1 - first * first) + half * radius * StrictMath.sin(angle);
+        double second = (1 - half) * Math.sqrt(1 - first * first) + half * radius * turn.sine;
         double up = Math.sqrt(Math.max(0, 1 - first * first - second * second));
         // first·(e, f, 0) + second·(p, q, w)×(e, f, 0) + up·(p, q, w), and back to facets as they are.
         double mp = alpha * (first * e - second * w * f + up * p);

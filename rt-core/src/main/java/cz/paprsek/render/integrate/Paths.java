@@ -1,5 +1,6 @@
 package cz.paprsek.render.integrate;
 
+import cz.paprsek.math.Turn;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
@@ -27,8 +28,11 @@ public class Paths extends BlockTracer {
     private final Passes sampling;
     private final PassSums sums;
     private final float[] kept;
-    private final Scatter turn;
+    private final Scatter onward;
+    private final Turn turn = new Turn();
     private final Arrival way = new Arrival();
+    /** Whether the path goes on from the hit that was last lit: its next ray has been started. */
+    private boolean goesOn;
 
     /** @param maxDepth how often light is scattered at most */
     public Paths(World scene, int maxDepth, Passes sampling) {
@@ -37,7 +41,7 @@ public class Paths extends BlockTracer {
         this.sampling = sampling;
         sums = sampling.newSums();
         kept = new float[sampling.kept()];
-        turn = new Scatter(scene, sampler, this);
+        onward = new Scatter(scene, sampler, this);
     }
 
     /** All passes; of a film in passes, the next one. */
@@ -83,6 +87,32 @@ public class Paths extends BlockTracer {
         return other > 0 ? level.density / (level.density + other) : 1;
     }
 
+    /** Follows the path to its end, and brings its light back. */
+    @Override
+    void shade(Level first, int depth) {
+        Level level = first;
+        int end = depth;
+        while (arrive(level)) {
+            goesOn = false;
+            scatter(level, end, level.finish);
+            if (!goesOn) {
+                leave(level);
+                break;
+            }
+            end++;
+            level = levels[end];
+            if (!find(level)) {
+                break;
+            }
+        }
+        for (; end > depth; end--) {
+            Level before = end - 1 == depth ? first : levels[end - 1];
+            before.add(level.shareRed, level.shareGreen, level.shareBlue, level);
+            leave(before);
+            level = before;
+        }
+    }
+
     @Override
     final void scatter(Level level, int depth, Finish finish) {
         if (depth == last) {
@@ -90,20 +120,24 @@ public class Paths extends BlockTracer {
             return;
         }
         Choice choice = lighting.choice;
-        boolean goesOn = choice.at(level, finish);
+        boolean scatters = choice.at(level, finish);
         if (finish.isLit()) {
             lighting.illuminate(depth, level, finish);
         }
-        if (goesOn) {
+        if (scatters) {
             goOn(level, depth, finish, choice);
         }
     }
 
     private void goOn(Level level, int depth, Finish finish, Choice choice) {
-        sampler.choice(level.path);
-        sampler.next();
-        double which = sampler.u;
-        double end = sampler.v;
+        double which = 0;
+        double end = 0;
+        if (choice.diffuse < 1 || depth + 1 >= ROULETTE) {
+            sampler.choice(level.path);
+            sampler.next();
+            which = sampler.u;
+            end = sampler.v;
+        }
         if (which < choice.diffuse) {
             double k = finish.diffusion / choice.diffuse;
             diffuse(level);
@@ -134,13 +168,13 @@ public class Paths extends BlockTracer {
     }
 
     /** @source Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017 */
-    private void around(double x, double y, double z, double cosine, double sine, double turn) {
+    private void around(double x, double y, double z, double cosine, double sine, double share) {
         double sign = z < 0 ? -1 : 1;
         double a = -1 / (sign + z);
         double b = x * y * a;
-        double angle = 2 * Math.PI * turn;
-        double p = sine * StrictMath.cos(angle);
-        double q = sine * StrictMath.sin(angle);
+        turn.by(share);
+        double p = sine * turn.cosine;
+        double q = sine * turn.sine;
         way.along(cosine * x + p * (1 + sign * x * x * a) + q * b, cosine * y + p * sign * b + q * (sign + y * y * a), cosine * z - p * sign * x - q * y);
     }
 
@@ -173,16 +207,16 @@ public class Paths extends BlockTracer {
      */
     private void turn(Level level, int depth, Finish finish, double end, double k, double which) {
         Level next = levels[depth + 1];
-        turn.decide(level, next, finish);
+        onward.decide(level, next, finish);
         boolean isRough = finish.alpha > 0;
-        double chance = turn.chance();
-        boolean isMirrored = isRough ? turn.mirrored() > 0 : which < chance;
+        double chance = onward.chance();
+        boolean isMirrored = isRough ? onward.mirrored() > 0 : which < chance;
         double weight = isRough ? k : k / (isMirrored ? chance : 1 - chance);
         if (isMirrored) {
-            way.along(turn.x, turn.y, turn.z);
+            way.along(onward.x, onward.y, onward.z);
             offspring.back(level, next, way.x, way.y, way.z);
-        } else if (turn.through > 0) {
-            way.along(turn.throughX, turn.throughY, turn.throughZ);
+        } else if (onward.through > 0) {
+            way.along(onward.throughX, onward.throughY, onward.throughZ);
             offspring.on(level, next, finish, way.x, way.y, way.z);
         } else {
             return;
@@ -191,8 +225,8 @@ public class Paths extends BlockTracer {
             next.isLit = true;
             next.density = density(level, finish);
         }
-        follow(level, depth, !isMirrored, end, weight * (isMirrored ? turn.red : turn.through), weight * (isMirrored ? turn.green : turn.through),
-                weight * (isMirrored ? turn.blue : turn.through));
+        follow(level, depth, !isMirrored, end, weight * (isMirrored ? onward.red : onward.through), weight * (isMirrored ? onward.green : onward.through),
+                weight * (isMirrored ? onward.blue : onward.through));
     }
 
     private void follow(Level level, int depth, boolean refracted, double end, double red, double green, double blue) {
@@ -204,8 +238,10 @@ public class Paths extends BlockTracer {
         }
         double k = 1 / stays;
         next.weight = k * weight;
-        following(refracted, k * red, k * green, k * blue);
-        trace(depth + 1);
-        level.add(k * red, k * green, k * blue, next);
+        next.shareRed = k * red;
+        next.shareGreen = k * green;
+        next.shareBlue = k * blue;
+        following(refracted, next.shareRed, next.shareGreen, next.shareBlue);
+        goesOn = true;
     }
 }

@@ -106,29 +106,44 @@ abstract class Shading extends Witness implements Integrator {
 
     /** Traces the ray of a level that has been started. */
     final void trace(int depth) {
-        Level level = levels[depth];
+        if (find(levels[depth])) {
+            shade(levels[depth], depth);
+        }
+    }
+
+    /** Finds what the ray of a level hits that has been started; false if all is to stop, and there is no light. */
+    final boolean find(Level level) {
         if (cancelled || ((primary + offspring.reflected + offspring.refracted) % BATCH == 0 && isToStop())) {
             level.light(0, 0, 0);
-            return;
+            return false;
         }
         if (!level.ray.isBlind()) {
             intersector.find(level, whole);
         }
-        shade(level, depth);
+        return true;
     }
 
     /** Finds the light that a ray brings of which is known what it hits. */
-    final void shade(Level level, int depth) {
+    void shade(Level level, int depth) {
+        if (arrive(level)) {
+            scatter(level, depth, level.finish);
+            leave(level);
+        }
+    }
+
+    /** Finds the light that the ray's end gives off; whether that is a surface, which may send on other light: then it is known what that is like. */
+    final boolean arrive(Level level) {
         int part = level.ray.part;
         if (part < 0) {
             miss(level);
-            return;
+            return false;
         }
         if (glows.has(part)) {
             glow(level);
-            return;
+            return false;
         }
         Finish finish = color(level, parts.finish(part));
+        level.finish = finish;
         face(level);
         level.light(ambientRed * level.colorRed, ambientGreen * level.colorGreen, ambientBlue * level.colorBlue);
         met(level);
@@ -136,7 +151,11 @@ abstract class Shading extends Witness implements Integrator {
             level.add(finish.red, finish.green, finish.blue);
             emitted(finish.red, finish.green, finish.blue);
         }
-        scatter(level, depth, finish);
+        return true;
+    }
+
+    /** Brings the light of a surface back along the ray. */
+    final void leave(Level level) {
         if (dims) {
             dim(level);
         }

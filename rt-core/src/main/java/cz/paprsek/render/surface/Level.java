@@ -18,6 +18,8 @@ public final class Level {
     final Chart chart = new Chart();
     /** How much a height grows along x, y and z of the world. */
     final double[] slope = new double[3];
+    /** What the surface is at the hit. */
+    public Finish finish;
     /** What the surface is there, if that depends on the point. */
     final Finish own = new Finish();
     /** What the ray stands for; kept only if a paint asks for it. */
@@ -31,6 +33,10 @@ public final class Level {
     public double density;
     /** What the path's light is worth to its pixel so far: the largest channel. */
     public double weight = 1;
+    /** How much of the light that a path's ray brings counts where it starts, by channel. */
+    public double shareRed;
+    public double shareGreen;
+    public double shareBlue;
     /** How the ray came about, in the sampler's terms: what is random at its end depends on that, too. */
     public int path;
     /** Of a ray from the eye, whether the pixel's filter takes away what it brings. */
@@ -56,6 +62,7 @@ public final class Level {
 
     public Level(Spans spans) {
         ray = new Ray(spans);
+        finish = own;
     }
 
     public void light(double r, double g, double b) {
