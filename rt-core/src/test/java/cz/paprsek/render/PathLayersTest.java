@@ -31,7 +31,7 @@ class PathLayersTest {
     private static final List<Layer> ALL = List.of(Layer.values());
     private static final RenderSettings SETTINGS = new RenderSettings(24, 20, 4, 1).withIntegrator(Integrator.PATH).withSamples(80);
     /** Matt, mirroring, glass that absorbs, a body that glows, a light that is seen and one that is not. */
-    private static final Scene SCENE = Scene.EMPTY.withCamera(Camera.lookingAt(new Vec3(0, 1.5, 5), new Vec3(0, 0.5, 0))).withBackground(new Rgb(30, 50, 80))
+    static final Scene SCENE = Scene.EMPTY.withCamera(Camera.lookingAt(new Vec3(0, 1.5, 5), new Vec3(0, 0.5, 0))).withBackground(new Rgb(30, 50, 80))
             .withLights(List.of(SphereLight.of(new Vec3(1, 3, 1), 0.5).withIntensity(2), new PointLight("left", new Vec3(-3, 2, 2), Rgb.WHITE, 0.6, 0)))
             .plus(SceneObject.of(new Rectangle(-4, -4, 4, 4)).rotated(-90, 0, 0).madeOf(Material.color(200, 120, 80)))
             .plus(SceneObject.of(new Sphere(0.6)).at(-1, 0.6, 0).madeOf(Material.color(250, 250, 250).withDiffusion(0.2).withReflection(0.7)))

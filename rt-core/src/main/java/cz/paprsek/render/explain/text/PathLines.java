@@ -1,5 +1,7 @@
 package cz.paprsek.render.explain.text;
 
+import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.PathPixel;
 import cz.paprsek.render.explain.PathPixel.Example;
 import cz.paprsek.render.explain.PathPixel.Way;
@@ -7,7 +9,6 @@ import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.words.Words;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 
 /** A pixel of paths as lines of text: by which ways its light came, from what, and a few paths point by point. */
 public final class PathLines {
@@ -59,21 +60,34 @@ public final class PathLines {
         lines.add(words.of("path.example", example.sample() + 1, pixel.samples().size(), names.of(pixel.ways().get(example.way())), Figures.of(example.brought())));
         TracedRay ray = example.ray();
         lines.add("  " + words.of("path.eye") + " " + Figures.of(ray.origin()));
-        Stream.iterate(ray, one -> !one.children().isEmpty(), one -> one.children().get(0)).forEach(this::point);
-        point(last(ray));
+        point(ray, LinearRgb.WHITE);
         lines.add("");
     }
 
-    private static TracedRay last(TracedRay ray) {
-        return ray.children().isEmpty() ? ray : last(ray.children().get(0));
+    /**
+     * What a ray of a path meets, and what comes straight from the lights there; then the ray that goes on from there.
+     *
+     * @param before how much of the light of the ray before reaches the eye
+     */
+    private void point(TracedRay ray, LinearRgb before) {
+        LinearRgb reaching = before.times(ray.weight());
+        if (ray.encounter().isEmpty()) {
+            String what = ray.seen().map(light -> words.of("light", light.label())).orElse(words.of("path.sky"));
+            lines.add("  " + decoration.headline(ray.kind(), what) + brings(ray.light().times(reaching)));
+            return;
+        }
+        Encounter met = ray.encounter().get();
+        lines.add("  " + decoration.headline(ray.kind(), names.name(met.place().surface()) + " " + Figures.of(met.place().point())));
+        LinearRgb through = ray.absorbed().map(by -> reaching.times(by.left())).orElse(reaching);
+        if (met.emitted().most() > 0) {
+            lines.add("    " + words.of("name.emission") + brings(met.emitted().times(through)));
+        }
+        met.lights().stream().filter(light -> light.added().most() > 0)
+                .forEach(light -> lines.add("    " + words.of("light", light.label()) + brings(light.added().times(through))));
+        ray.children().forEach(child -> point(child, through));
     }
 
-    /** What a ray of a path meets, and what comes straight from the lights there. */
-    private void point(TracedRay ray) {
-        ray.encounter().ifPresentOrElse(met -> {
-            lines.add("  " + decoration.headline(ray.kind(), names.name(met.place().surface()) + " " + Figures.of(met.place().point())));
-            met.lights().stream().filter(light -> light.added().most() > 0)
-                    .forEach(light -> lines.add("    " + words.of("path.adds", light.label(), Figures.of(light.added()), Figures.share(ray.weight()))));
-        }, () -> lines.add("  " + decoration.headline(ray.kind(), ray.seen().map(light -> words.of("light", light.label())).orElse(words.of("path.sky"))) + " " + Figures.of(ray.light())));
+    private String brings(LinearRgb light) {
+        return light.most() > 0 ? words.of("path.brings", Figures.of(light)) : "";
     }
 }
