@@ -31,7 +31,7 @@ public final class PathExplainer {
     private static final int MOST_PATHS = 1 << 17;
     /** So many surfaces of a way are told apart: those nearest to the eye. */
     private static final int MOST_SURFACES = 4;
-    private static final int MOST_EXAMPLES = 5;
+    private static final int MOST_EXAMPLES = 12;
 
     private final World scene;
     private final RenderSettings settings;

@@ -12,6 +12,9 @@ import java.util.List;
 
 /** A pixel of paths as lines of text: by which ways its light came, from what, and a few paths point by point. */
 public final class PathLines {
+    /** Of the paths that are typical, so many are told unless all is. */
+    private static final int MOST_EXAMPLES = 4;
+
     private final PathPixel pixel;
     private final Words words;
     private final PathWords names;
@@ -34,7 +37,7 @@ public final class PathLines {
         PathLines text = new PathLines(pixel, decoration, words);
         text.table(words.of("path.ways"), pixel.ways(), smallestShare, true);
         text.table(words.of("path.sources"), pixel.sources(), smallestShare, false);
-        pixel.examples().forEach(text::example);
+        pixel.examples().stream().limit(smallestShare == 0 ? Long.MAX_VALUE : MOST_EXAMPLES).forEach(text::example);
         String patch = decoration.patch(pixel.developed());
         text.lines.add(words.of("pixel", pixel.column(), pixel.row()) + ": " + text.names.sum(pixel) + (patch.isEmpty() ? "" : "  " + patch));
         return text.lines;

@@ -60,10 +60,10 @@ public final class ExplainPane extends BorderPane {
     /** All rays of the tree, in the order of the rows. */
     private List<TreeItem<Outline>> rays = List.of();
     private Optional<PicturePoint> explained = Optional.empty();
-    private Optional<Pixel> pixel = Optional.empty();
+    private Optional<Explained> told = Optional.empty();
     /** The pixel that is to be explained: for some of many rays that takes a while. */
     private Optional<PicturePoint> asked = Optional.empty();
-    private Optional<Task<Pixel>> running = Optional.empty();
+    private Optional<Task<Explained>> running = Optional.empty();
     /** Whether whoever follows what is chosen is to be told as soon as the pixel is explained. */
     private boolean tells;
     /** Whether it stays at a pixel that was clicked, wherever the mouse goes. */
@@ -167,10 +167,8 @@ public final class ExplainPane extends BorderPane {
         asked = Optional.of(point);
         running.ifPresent(Task::cancel);
         running = Optional.empty();
-        if (point.settings().isPath()) {
-            message.setText(texts.of("explain.paths"));
-        } else if (point.settings().mostRays() == 1 && point.settings().maxDepth() <= SHALLOW) {
-            show(point, point.scene().explain(point.settings(), point.column(), point.row()));
+        if (point.settings().mostRays() == 1 && point.settings().maxDepth() <= SHALLOW) {
+            show(point, Explained.of(point));
         } else {
             explain(point);
         }
@@ -178,10 +176,10 @@ public final class ExplainPane extends BorderPane {
 
     /** In the background, as the rays of a pixel may be thousands, until something else is asked for. */
     private void explain(PicturePoint point) {
-        Task<Pixel> task = new Task<>() {
+        Task<Explained> task = new Task<>() {
             @Override
-            protected Pixel call() {
-                return point.scene().explain(point.settings(), point.column(), point.row());
+            protected Explained call() {
+                return Explained.of(point);
             }
         };
         running = Optional.of(task);
@@ -192,30 +190,33 @@ public final class ExplainPane extends BorderPane {
         thread.start();
     }
 
-    private void end(Task<Pixel> task, Runnable then) {
+    private void end(Task<Explained> task, Runnable then) {
         if (running.equals(Optional.of(task))) {
             running = Optional.empty();
             then.run();
         }
     }
 
-    private void show(PicturePoint point, Pixel fresh) {
+    private void show(PicturePoint point, Explained fresh) {
         explained = Optional.of(point);
-        pixel = Optional.of(fresh);
-        message.setText("");
+        told = Optional.of(fresh);
+        message.setText(fresh.size() == 0 ? texts.of("explain.dark") : "");
         title.setText(texts.of("explain.pixel", point.column(), point.row()));
-        boolean isMany = fresh.rays().size() > 1;
+        boolean isMany = fresh.size() > 1 || point.settings().isPath();
         if (isMany && !parts.getItems().contains(samples)) {
             parts.getItems().add(0, samples);
             divide();
         } else if (!isMany && parts.getItems().remove(samples)) {
             divide();
         }
-        int chosen = SampleList.mostTypical(fresh);
         if (isMany) {
-            samples.show(fresh, chosen);
+            samples.show(fresh, fresh.typical());
         }
-        choose(chosen);
+        if (fresh.size() > 0) {
+            choose(fresh.typical());
+        } else {
+            forgetRays();
+        }
         if (tells) {
             tells = false;
             tellChosen();
@@ -225,7 +226,8 @@ public final class ExplainPane extends BorderPane {
     /** Shows the tree of one of the pixel's rays. */
     private void choose(int sample) {
         ray = sample;
-        Outline root = Outline.of(pixel.orElseThrow().rays().get(sample)).pruned(SMALLEST_SHARE);
+        Explained pixel = told.orElseThrow();
+        Outline root = Outline.of(pixel.ray(sample)).pruned(pixel.smallestShare());
         rays = new ArrayList<>();
         filling = true;
         tree.setRoot(item(root));
@@ -239,15 +241,19 @@ public final class ExplainPane extends BorderPane {
     /** Forgets the pixel. */
     public void clear() {
         explained = Optional.empty();
-        pixel = Optional.empty();
+        told = Optional.empty();
         asked = Optional.empty();
         parts.getItems().remove(samples);
         divide();
         pinned = false;
+        title.setText(texts.of("explain.none"));
+        forgetRays();
+    }
+
+    private void forgetRays() {
         rays = List.of();
         tree.setRoot(null);
         steps.getItems().clear();
-        title.setText(texts.of("explain.none"));
         draw();
     }
 
@@ -269,9 +275,14 @@ public final class ExplainPane extends BorderPane {
         event.consume();
     }
 
-    /** What is explained: all rays of the pixel. */
+    /** What is told of the pixel. */
+    Optional<Explained> told() {
+        return told;
+    }
+
+    /** What is explained, if it is a pixel of rays: all of them. */
     Optional<Pixel> pixel() {
-        return pixel;
+        return told.filter(Explained.OfRays.class::isInstance).map(pixel -> ((Explained.OfRays) pixel).pixel());
     }
 
     /** Which of the pixel's rays is chosen, counted from 0. */
@@ -327,7 +338,7 @@ public final class ExplainPane extends BorderPane {
         if (filling) {
             return;
         }
-        drawn.set(explained.map(point -> {
+        drawn.set(explained.filter(point -> !rays.isEmpty()).map(point -> {
             Outline root = rays.get(0).getValue();
             Optional<DrawnRays> before = drawn.get();
             DrawingFrame frame = DrawingFrame.of(point.scene().scene(), root);

@@ -2,8 +2,6 @@ package cz.paprsek.fx.view.explain;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.render.explain.LinearRgb;
-import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.render.explain.text.TreeText;
 import cz.paprsek.words.Words;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
@@ -15,7 +13,7 @@ import javafx.scene.layout.VBox;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.Rectangle;
 
-/** The rays of a pixel that has many: what each brings, and what they make together. One of them is chosen, whose tree is shown. */
+/** The rays of a pixel that has many, or paths that are typical of it: what each brings, and what they make together. One of them is chosen, whose tree is shown. */
 final class SampleList extends VBox {
     private final Words words;
     private final Rectangle patch = new Rectangle(14, 14);
@@ -44,29 +42,15 @@ final class SampleList extends VBox {
     }
 
     /** Lists the rays of a pixel, of which one is chosen. */
-    void show(Pixel pixel, int chosen) {
+    void show(Explained pixel, int chosen) {
         filling = true;
         patch.setFill(color(pixel.light()));
-        sum.setText(TreeText.sum(pixel, words));
+        sum.setText(pixel.sum(words));
         list.setCellFactory(view -> new SampleCell(pixel));
-        list.getItems().setAll(IntStream.range(0, pixel.rays().size()).boxed().toList());
+        list.getItems().setAll(IntStream.range(0, pixel.size()).boxed().toList());
         list.getSelectionModel().select(chosen);
         list.scrollTo(Math.max(0, chosen - 1));
         filling = false;
-    }
-
-    /** The ray that brings light most like the pixel's own: the best to begin with. */
-    static int mostTypical(Pixel pixel) {
-        LinearRgb all = pixel.light();
-        int best = 0;
-        for (int i = 1; i < pixel.rays().size(); i++) {
-            best = distance(pixel.rays().get(i).light(), all) < distance(pixel.rays().get(best).light(), all) ? i : best;
-        }
-        return best;
-    }
-
-    private static double distance(LinearRgb a, LinearRgb b) {
-        return Math.abs(a.red() - b.red()) + Math.abs(a.green() - b.green()) + Math.abs(a.blue() - b.blue());
     }
 
     static Color color(LinearRgb light) {
@@ -75,21 +59,21 @@ final class SampleList extends VBox {
     }
 
     private final class SampleCell extends ListCell<Integer> {
-        private final Pixel pixel;
+        private final Explained pixel;
         private final Rectangle patch = new Rectangle(14, 14);
 
-        SampleCell(Pixel pixel) {
+        SampleCell(Explained pixel) {
             this.pixel = pixel;
         }
 
         @Override
         protected void updateItem(Integer sample, boolean empty) {
             super.updateItem(sample, empty);
-            boolean isShown = !empty && sample != null && sample < pixel.rays().size();
+            boolean isShown = !empty && sample != null && sample < pixel.size();
             setGraphic(isShown ? patch : null);
-            setText(isShown ? TreeText.sample(pixel, sample, words) : "");
+            setText(isShown ? pixel.line(sample, words) : "");
             if (isShown) {
-                patch.setFill(color(pixel.rays().get(sample).light()));
+                patch.setFill(color(pixel.ray(sample).light()));
             }
         }
     }

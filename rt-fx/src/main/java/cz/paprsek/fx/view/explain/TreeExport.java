@@ -3,7 +3,6 @@ package cz.paprsek.fx.view.explain;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.Failures;
-import cz.paprsek.render.explain.Pixel;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
@@ -39,12 +38,12 @@ final class TreeExport extends MenuButton {
     private void save(TreeFiles kind, PicturePoint point) {
         String name = point.scene().scene().name().replaceAll("[\\\\/:*?\"<>|]", "-");
         String suggestion = (name.isBlank() ? "" : name + "-") + point.column() + "-" + point.row() + kind.extension();
-        chooser.choose(getScene().getWindow(), suggestion).ifPresent(file -> pane.pixel().ifPresent(pixel -> write(kind, point, pixel, file)));
+        chooser.choose(getScene().getWindow(), suggestion).ifPresent(file -> pane.told().ifPresent(pixel -> write(kind, point, pixel, file)));
     }
 
-    private void write(TreeFiles kind, PicturePoint point, Pixel pixel, Path file) {
+    private void write(TreeFiles kind, PicturePoint point, Explained pixel, Path file) {
         try {
-            kind.write(point, pixel, pane.ray(), ExplainPane.SMALLEST_SHARE, texts.words(), file);
+            kind.write(point, pixel, pane.ray(), texts.words(), file);
             message.accept(texts.of("render.saved", file.getFileName()));
         } catch (IOException e) {
             message.accept(texts.of("render.not-saved", file.getFileName(), Failures.sentence(e)));

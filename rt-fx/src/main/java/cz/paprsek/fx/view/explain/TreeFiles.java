@@ -3,10 +3,6 @@ package cz.paprsek.fx.view.explain;
 import cz.paprsek.drawing.TreeDrawing;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.io.AtomicFile;
-import cz.paprsek.render.explain.Pixel;
-import cz.paprsek.render.explain.text.Decoration;
-import cz.paprsek.render.explain.text.TreeJson;
-import cz.paprsek.render.explain.text.TreeText;
 import cz.paprsek.words.Words;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -27,13 +23,12 @@ enum TreeFiles {
 
     /**
      * @param ray which of the pixel's rays is drawn, counted from 0
-     * @param smallestShare rays of a smaller share in the pixel are left out of text and drawing
      */
-    void write(PicturePoint point, Pixel pixel, int ray, double smallestShare, Words words, Path file) throws IOException {
+    void write(PicturePoint point, Explained pixel, int ray, Words words, Path file) throws IOException {
         String content = switch (this) {
-            case TXT -> String.join("\n", TreeText.lines(pixel, smallestShare, Decoration.NONE, words)) + "\n";
-            case JSON -> TreeJson.of(pixel) + "\n";
-            case SVG -> TreeDrawing.svg(point.scene().scene(), pixel.rays().get(ray), smallestShare, words);
+            case TXT -> pixel.text(words) + "\n";
+            case JSON -> pixel.json() + "\n";
+            case SVG -> TreeDrawing.svg(point.scene().scene(), pixel.ray(ray), pixel.smallestShare(), words);
         };
         AtomicFile.write(file, out -> out.write(content.getBytes(StandardCharsets.UTF_8)));
     }

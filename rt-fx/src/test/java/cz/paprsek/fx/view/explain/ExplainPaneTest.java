@@ -12,6 +12,7 @@ import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.text.Outline;
 import cz.paprsek.render.explain.text.Step;
+import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -71,6 +72,21 @@ class ExplainPaneTest {
         gui.act(() -> tree.getSelectionModel().select(2));
         assertThat(steps().getItems()).extracting(Step::name).contains("light of ET");
         assertThat(Screenshots.save(gui, "explain")).isNotEmptyFile();
+    }
+
+    @Test
+    void aPixelOfPathsListsTheWaysThatItsLightCame() {
+        PicturePoint paths = new PicturePoint(point.scene(), point.settings().withIntegrator(Integrator.PATH).withSamples(64), point.x(), point.y());
+        gui.act(() -> pane.show(paths));
+        gui.until("it is explained", () -> pane.told().isPresent());
+        ListView<?> ways = (ListView<?>) gui.node("#explain-samples");
+        assertThat(ways.getItems()).hasSizeGreaterThan(1);
+        assertThat(Gui.on(((Labeled) gui.node("#explain-sum"))::getText)).startsWith("the average of 64 paths = ");
+        gui.act(() -> ways.getSelectionModel().select(1));
+        assertThat(tree().getRoot().getValue().ray()).isEqualTo(pane.told().orElseThrow().ray(1));
+        assertThat(pane.drawnProperty().get()).as("its rays are drawn").isPresent();
+        assertThat(pane.told().orElseThrow().line(0, Texts.in(Locale.ENGLISH).words())).contains(" > eye");
+        assertThat(Screenshots.save(gui, "explain-paths")).isNotEmptyFile();
     }
 
     @Test
