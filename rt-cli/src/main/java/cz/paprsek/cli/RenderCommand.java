@@ -204,11 +204,11 @@ final class RenderCommand implements Callable<Integer> {
             });
         }
         Optional<Filter<Scene>> filter = where.map(text -> DbAction.filter("--where", Optional.of(text), SceneTables.SCENE));
-        List<SceneSource> sources = SceneSource.all(SceneArguments.files(scenes), filter);
+        List<SceneSource> sources = SceneSource.all(SceneArguments.files(scenes), filter, !noFloor);
         if (sources.isEmpty()) {
             throw new WrongUsage("no scene " + where.map(text -> "matches " + text).orElse("is in " + String.join(", ", scenes)));
         }
-        return noFloor ? sources.stream().map(SceneSource::withoutFloor).toList() : sources;
+        return sources;
     }
 
     private static boolean isMeantAsPicture(String word) {

@@ -59,6 +59,9 @@ class ModelsTest {
         Image without = ImageFiles.read(folder.resolve("n.ppm"));
         assertThat(with.red(16, 23)).as("the floor is seen below").isNotEqualTo(without.red(16, 23));
         assertThat(with.red(16, 12)).as("the body stays").isEqualTo(without.red(16, 12));
+        assertThat(Run.cli("render", obj, "--where", "objects = 1", "-o", folder.resolve("w.ppm"), "--size", "32x24", "--samples", "1", "--mode", "objects", "--no-floor").code()).isZero();
+        assertThat(folder.resolve("w.ppm")).as("a filter sees what is rendered").hasSameBinaryContentAs(folder.resolve("n.ppm"));
+        assertThat(Run.cli("render", obj, "--where", "objects = 1", "-o", folder.resolve("x.ppm"), "--size", "32x24").code()).as("with the floor there are two").isEqualTo(2);
         assertThat(Run.cli("convert", obj, folder.resolve("bare.xml"), "--no-floor").code()).isZero();
         assertThat(folder.resolve("bare.xml")).content().contains("<mesh").doesNotContain("<plane");
     }

@@ -34,22 +34,19 @@ public record SceneSource(Path file, String label, String name, Reading reading)
     }
 
     /** A file that is read when its turn comes. */
-    public static SceneSource of(Path file) {
+    private static SceneSource of(Path file, boolean hasFloor) {
         Optional<ForeignFormat> format = Models.format(file);
         return new SceneSource(file, file.toString(), Incoming.nameOf(file),
-                format.isPresent() ? new ModelReading(file, format.get(), true) : () -> Incoming.scene(file));
+                format.isPresent() ? new ModelReading(file, format.get(), hasFloor) : () -> Incoming.scene(file));
     }
 
-    /** The same without the floor that a file of another program is given. */
-    public SceneSource withoutFloor() {
-        return reading instanceof ModelReading model ? new SceneSource(file, label, name, new ModelReading(file, model.format, false)) : this;
-    }
-
-    /** A file of another program. */
+    /** A file of another program, read once. */
     private static final class ModelReading implements Reading {
         private final Path file;
         private final ForeignFormat format;
         private final boolean hasFloor;
+        /** What has been read ahead, until it is asked for. */
+        private Optional<ForeignScene> ahead = Optional.empty();
         private List<String> notes = List.of();
 
         ModelReading(Path file, ForeignFormat format, boolean hasFloor) {
@@ -58,11 +55,22 @@ public record SceneSource(Path file, String label, String name, Reading reading)
             this.hasFloor = hasFloor;
         }
 
+        private ForeignScene model() throws IOException {
+            ForeignScene model = Models.read(file, format);
+            return hasFloor ? model : model.withoutFloor();
+        }
+
+        Scene readAhead() throws IOException {
+            ahead = Optional.of(model());
+            return ahead.get().scene();
+        }
+
         @Override
         public Scene read() throws IOException {
-            ForeignScene read = Models.read(file, format);
-            notes = read.notes();
-            return (hasFloor ? read : read.withoutFloor()).scene();
+            ForeignScene model = ahead.isPresent() ? ahead.get() : model();
+            ahead = Optional.empty();
+            notes = model.notes();
+            return model.scene();
         }
 
         @Override
@@ -74,17 +82,33 @@ public record SceneSource(Path file, String label, String name, Reading reading)
     /**
      * The scenes of files and databases that match a filter. Only databases are read at once, what can be read once, and all files if there is a
      * filter; what cannot be read stays in the list, to be complained of when its turn comes.
+     *
+     * @param haveFloors whether files of other programs get the floor that they have not themselves
      */
-    public static List<SceneSource> all(List<Path> files, Optional<Filter<Scene>> filter) {
+    public static List<SceneSource> all(List<Path> files, Optional<Filter<Scene>> filter, boolean haveFloors) {
         List<SceneSource> sources = new ArrayList<>();
         for (Path file : files) {
-            if (filter.isPresent() || Incoming.isOnce(file) || isDatabase(file)) {
+            SceneSource source = of(file, haveFloors);
+            if (source.reading instanceof ModelReading model) {
+                if (filter.isEmpty() || isWanted(model, filter.get())) {
+                    sources.add(source);
+                }
+            } else if (filter.isPresent() || Incoming.isOnce(file) || isDatabase(file)) {
                 sources.addAll(read(file, filter));
             } else {
-                sources.add(of(file));
+                sources.add(source);
             }
         }
         return sources;
+    }
+
+    private static boolean isWanted(ModelReading model, Filter<Scene> filter) {
+        try {
+            return filter.test(model.readAhead());
+        } catch (IOException unreadable) {
+            // Whoever reads it will say why.
+            return true;
+        }
     }
 
     private static List<SceneSource> read(Path file, Optional<Filter<Scene>> filter) {
