@@ -22,6 +22,7 @@ import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
 import cz.paprsek.pov.PovFiles;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.mesh.Triangles;
 import cz.paprsek.text.Similar;
 import cz.paprsek.xml.SceneFiles;
@@ -149,7 +150,7 @@ final class ConvertCommand implements Callable<Integer> {
     }
 
     private void mesh(SceneReading reading, boolean isObj) throws IOException {
-        Triangles mesh = reading.foreign().flatMap(ForeignScene::triangles)
+        Triangles mesh = reading.foreign().flatMap(ForeignScene::triangles).map(raw -> raw.sewn(Mesh.USUAL_WELD))
                 .orElseThrow(() -> new WrongUsage("only what holds triangles and nothing else can become OBJ or STL: files such as STL, OBJ, PLY and glTF"));
         AtomicFile.write(target, out -> {
             if (isObj) {

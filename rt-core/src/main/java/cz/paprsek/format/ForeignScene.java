@@ -76,7 +76,7 @@ public record ForeignScene(Scene scene, Convention convention, Optional<Triangle
         Model model = MeshFiles.model(file, assets);
         Mesh mesh = Mesh.of(file).read(MeshFiles.whole(file, assets));
         SceneObject object = SceneObject.of(mesh).named(name).placed(model.convention().isZUp() ? Z_UP : Placement.NONE)
-                .madeOf(model.materialOf().isEmpty() ? PLAIN : Inherited.INHERITED);
+                .madeOf(model.materialOf().isEmpty() && !model.triangles().hasColors() ? PLAIN : Inherited.INHERITED);
         return new ForeignScene(Stage.of(name, List.of(object), model.cameras(), model.lights()), model.convention(), Optional.of(model.triangles()), model.notes());
     }
 

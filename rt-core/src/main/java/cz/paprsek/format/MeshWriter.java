@@ -1,5 +1,7 @@
 package cz.paprsek.format;
 
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.mesh.Triangles;
 import cz.paprsek.text.Numbers;
 import java.io.BufferedOutputStream;
@@ -17,13 +19,13 @@ public final class MeshWriter {
 
     private MeshWriter() {}
 
-    /** As OBJ, with normals, places in pictures and a group for each part; numbers read back as the very same. The stream is flushed, and not closed. */
+    /** As OBJ, with normals, places in pictures, colours and a group for each part; numbers read back as the very same. The stream is flushed, and not closed. */
     public static void obj(Triangles mesh, OutputStream stream) throws IOException {
         Objects.requireNonNull(mesh, "mesh");
         BufferedOutputStream out = new BufferedOutputStream(Objects.requireNonNull(stream, "stream"), 1 << 16);
         StringBuilder line = new StringBuilder("# written by Paprsek\n");
         for (int v = 0; v < mesh.vertexCount(); v++) {
-            line.append("v ").append(Numbers.text(mesh.place(v))).append('\n');
+            line.append("v ").append(Numbers.text(mesh.place(v))).append(mesh.hasColors() ? color(mesh.color(v)) : "").append('\n');
             if (mesh.hasMap()) {
                 line.append("vt ").append(Numbers.text(mesh.u(v))).append(' ').append(Numbers.text(mesh.v(v))).append('\n');
             }
@@ -55,6 +57,15 @@ public final class MeshWriter {
             flush(line, out);
         }
         out.flush();
+    }
+
+    /** sRGB, 0–1, as other programs expect it; white at most. */
+    private static String color(Vec3 light) {
+        StringBuilder text = new StringBuilder();
+        for (double channel : new double[] {light.x(), light.y(), light.z()}) {
+            text.append(' ').append(Numbers.text((float) (Rgb.encoded(Math.min(1, channel)) / 255)));
+        }
+        return text.toString();
     }
 
     private static void flush(StringBuilder text, OutputStream out) throws IOException {

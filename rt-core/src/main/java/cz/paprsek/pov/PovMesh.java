@@ -3,12 +3,19 @@ package cz.paprsek.pov;
 import static cz.paprsek.pov.PovText.vector;
 import static cz.paprsek.text.Numbers.text;
 
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.mesh.Triangles;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
 import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 
 /** A mesh in POV-Ray's words, with its normals and what its parts are made of; one that is closed has an inside there too. */
 final class PovMesh {
@@ -19,10 +26,46 @@ final class PovMesh {
     /** @param textures for each part; empty if all are of one that the mesh is given */
     static String of(Mesh mesh, List<String> textures) {
         Require.that(mesh.isRead(), "a scene for POV-Ray needs the triangles of a mesh, but \"" + mesh.file() + "\" has not been read");
-        return new PovMesh().write(mesh.triangles(), textures);
+        return new PovMesh().write(mesh.triangles(), textures, new int[0]);
     }
 
-    private String write(Triangles mesh, List<String> textures) {
+    /**
+     * With what the file has its parts made of, and the colours of its corners: a texture for each of these on each part, which POV-Ray mixes in between as we do.
+     *
+     * @param textures what a material looks like
+     */
+    static String ofFile(Mesh mesh, Function<Material, String> textures) {
+        Triangles triangles = mesh.triangles();
+        List<Material> materials = triangles.parts().stream().map(part -> mesh.materialOf(part).orElse(Material.DEFAULT)).toList();
+        return triangles.hasColors() ? new PovMesh().write(triangles, materials, textures) : of(mesh, materials.stream().map(textures).toList());
+    }
+
+    /** Whether all that the colours of the corners do can be told: not where they lie over a pattern, or make a surface brighter than white. */
+    static boolean isTold(Mesh mesh) {
+        Triangles triangles = mesh.triangles();
+        return !triangles.hasColors() || (triangles.parts().stream().allMatch(part -> mesh.materialOf(part).orElse(Material.DEFAULT).pattern() instanceof Pattern.Plain)
+                && IntStream.range(0, triangles.vertexCount()).mapToObj(triangles::color).allMatch(color -> Math.max(color.x(), Math.max(color.y(), color.z())) <= 1));
+    }
+
+    private record Tint(Material material, Vec3 color) {}
+
+    private String write(Triangles mesh, List<Material> materials, Function<Material, String> textures) {
+        Map<Tint, Integer> numbers = new LinkedHashMap<>();
+        int[] ofCorner = new int[3 * mesh.count()];
+        for (int i = 0; i < ofCorner.length; i++) {
+            Tint tint = new Tint(materials.get(mesh.part(i / 3)), mesh.color(mesh.corner(i / 3, i % 3)));
+            ofCorner[i] = numbers.computeIfAbsent(tint, fresh -> numbers.size());
+        }
+        return write(mesh, numbers.keySet().stream().map(tint -> textures.apply(tinted(tint))).toList(), ofCorner);
+    }
+
+    private static Material tinted(Tint tint) {
+        return tint.material.pattern() instanceof Pattern.Plain plain ? tint.material.withPattern(new Pattern.Plain(Rgb.ofLinear(Math.min(1, plain.color().linearRed() * tint.color.x()),
+                Math.min(1, plain.color().linearGreen() * tint.color.y()), Math.min(1, plain.color().linearBlue() * tint.color.z())))) : tint.material;
+    }
+
+    /** @param ofCorner for each corner of each triangle its texture; empty if those go by the parts */
+    private String write(Triangles mesh, List<String> textures, int[] ofCorner) {
         block("vertex_vectors", mesh.vertexCount(), v -> out.append(vector(mesh.place(v))));
         if (isSmooth(mesh)) {
             block("normal_vectors", mesh.vertexCount(), v -> out.append(vector(mesh.normal(v).normalized())));
@@ -35,7 +78,9 @@ final class PovMesh {
         }
         block("face_indices", mesh.count(), t -> {
             out.append('<').append(mesh.corner(t, 0)).append(", ").append(mesh.corner(t, 1)).append(", ").append(mesh.corner(t, 2)).append('>');
-            if (!textures.isEmpty()) {
+            if (ofCorner.length > 0) {
+                out.append(", ").append(ofCorner[3 * t]).append(", ").append(ofCorner[3 * t + 1]).append(", ").append(ofCorner[3 * t + 2]);
+            } else if (!textures.isEmpty()) {
                 out.append(", ").append(mesh.part(t));
             }
         });

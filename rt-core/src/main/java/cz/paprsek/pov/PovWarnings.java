@@ -185,7 +185,17 @@ final class PovWarnings {
         }
     }
 
+    /** Of meshes whose materials are those of their files. */
+    private void checkTints(String name, Shape shape, MaterialSource given) {
+        if (shape instanceof Csg csg) {
+            csg.operands().forEach(operand -> checkTints(name, operand.solid(), operand.material() == Inherited.INHERITED ? given : operand.material()));
+        } else if (given == Inherited.INHERITED && shape instanceof Mesh mesh && mesh.isRead() && !PovMesh.isTold(mesh)) {
+            sentences.add(name + ": POV-Ray is told the colours of corners only over one colour, and up to white");
+        }
+    }
+
     private void checkMaterials(String name, SceneObject object) {
+        checkTints(name, object.shape(), object.material());
         checkPictures(name, object.shape(), own(scene, object.material(), Material.DEFAULT));
         for (Material material : materials(scene, object)) {
             if (material.fresnel() == Fresnel.METAL && material.reflection() > 0 && !(material.pattern() instanceof Pattern.Plain)) {

@@ -111,9 +111,8 @@ final class PovWriter {
 
     /** Writes a shape and what modifies it, first things first: a texture is carried along by the placements after it. What parts of meshes are made of counts where nothing is given. */
     private void solid(Shape shape, MaterialSource given, List<String> modifiers) throws IOException {
-        if (given == Inherited.INHERITED && shape instanceof Mesh mesh && !mesh.materials().isEmpty()) {
-            List<String> textures = mesh.triangles().parts().stream().map(part -> PovMaterials.texture(mesh.materialOf(part).orElse(Material.DEFAULT), mesh)).toList();
-            text.line(PovMesh.of(mesh, textures) + " " + PovText.joined(modifiers.subList(1, modifiers.size())) + " }");
+        if (given == Inherited.INHERITED && shape instanceof Mesh mesh && (!mesh.materials().isEmpty() || mesh.triangles().hasColors())) {
+            text.line(PovMesh.ofFile(mesh, material -> PovMaterials.texture(material, mesh)) + " " + PovText.joined(modifiers.subList(1, modifiers.size())) + " }");
             return;
         }
         if (!(shape instanceof Csg csg)) {

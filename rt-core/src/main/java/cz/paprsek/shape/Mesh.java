@@ -28,6 +28,7 @@ import org.jspecify.annotations.Nullable;
  * @param file where they come from, relative to the scene's folder; empty if they were made in code
  * @param part of the file's parts only the one of this name; empty for all
  * @param smoothAngle neighbours bent by no more than this many degrees look smooth; 0 for the normals that come with the triangles, or flat ones
+ * @param weld how far corners at open edges may be apart to be one, as a share of the diagonal of the triangles' box, 0–1: those of a seam that another program reckoned twice
  * @param content the triangles
  */
 @Element("Triangles from a file beside the scene's: a solid if they are closed, else a surface without an inside.")
@@ -35,36 +36,46 @@ public record Mesh(
         @Attribute(value = Kind.FILE, means = "STL, OBJ, PLY or glTF, beside the scene's file; its axes stay as they are") String file,
         @Attribute(value = Kind.NAME, means = "Of the file's parts only the one of this name", otherwise = Attribute.NOTHING) String part,
         @Attribute(value = Kind.DISC_ANGLE, means = "Neighbours bent by no more than this look smooth; 0 for the normals that the file has, or flat ones", otherwise = "0")
-        double smoothAngle, Content content) implements Solid {
+        double smoothAngle,
+        @Attribute(value = Kind.SHARE, means = "Corners at open edges that are no further apart become one; a share of the diagonal of its box", otherwise = "1e-5") double weld,
+        Content content) implements Solid {
+    /** As far as numbers of six digits are apart that should be the same. */
+    public static final double USUAL_WELD = 1e-5;
+
     public Mesh {
         Objects.requireNonNull(file, "file");
         Objects.requireNonNull(part, "part");
         Require.within("mesh smooth-angle", smoothAngle, 0, 180);
         Require.that(content.isMadeInCode() || !file.isBlank(), "mesh file must not be blank");
-        content = content.of(file, part, smoothAngle);
+        Require.within("mesh weld", weld, 0, 1);
+        content = content.of(file, part, smoothAngle, weld);
     }
 
     /** Triangles made in code, with their own normals or flat; such a mesh can be rendered, but no scene file can hold it. */
     public static Mesh of(Triangles triangles) {
-        return new Mesh("", "", 0, new Content(new Whole("", true, triangles, Map.of(), Map.of(), Set.of()), "", 0));
+        return new Mesh("", "", 0, USUAL_WELD, new Content(new Whole("", true, triangles, Map.of(), Map.of(), Set.of()), "", 0, USUAL_WELD));
     }
 
     /** All of a file's triangles, which have not been read yet. */
     public static Mesh of(String file) {
-        return new Mesh(file, "", 0, Content.UNREAD);
+        return new Mesh(file, "", 0, USUAL_WELD, Content.UNREAD);
     }
 
     public Mesh withPart(String value) {
-        return new Mesh(file, value, smoothAngle, content);
+        return new Mesh(file, value, smoothAngle, weld, content);
     }
 
     public Mesh withSmoothAngle(double degrees) {
-        return new Mesh(file, part, degrees, content);
+        return new Mesh(file, part, degrees, weld, content);
+    }
+
+    public Mesh withWeld(double share) {
+        return new Mesh(file, part, smoothAngle, share, content);
     }
 
     /** With the content of its file. */
     public Mesh read(Whole whole) {
-        return new Mesh(file, part, smoothAngle, new Content(Objects.requireNonNull(whole, "whole"), "", 0));
+        return new Mesh(file, part, smoothAngle, weld, new Content(Objects.requireNonNull(whole, "whole"), "", 0, 0));
     }
 
     /** Whether its triangles are there. */
@@ -73,7 +84,7 @@ public record Mesh(
     }
 
     /**
-     * Its triangles: only those of its part, turned so that they fit, with its normals.
+     * Its triangles: only those of its part, with seams closed, turned so that they fit, with its normals.
      *
      * @throws IllegalStateException if they have not been {@linkplain #isRead read}
      * @throws IllegalArgumentException if the file has no part of that name
@@ -129,7 +140,7 @@ public record Mesh(
         Triangles triangles = triangles();
         return triangles.place(toWorld, number -> {
             Optional<Material> own = materialOf(triangles.parts().get(number));
-            return own.isEmpty() ? parts : parts.unlessGiven(own.get(), toWorld);
+            return own.isEmpty() && !triangles.hasColors() ? parts : parts.unlessGiven(own.orElse(Material.DEFAULT), toWorld, triangles.hasColors());
         });
     }
 
@@ -173,13 +184,13 @@ public record Mesh(
             this.companions = Set.copyOf(companions);
         }
 
-        private synchronized Triangles made(String part, double smoothAngle) {
-            String key = part + '\n' + smoothAngle;
+        private synchronized Triangles made(String part, double smoothAngle, double weld) {
+            String key = part + '\n' + smoothAngle + ' ' + weld;
             WeakReference<Triangles> known = made.get(key);
             Triangles ready = known == null ? null : known.get();
             if (ready == null) {
                 Triangles cut = part.isEmpty() ? triangles : triangles.onlyPart(number(part));
-                Triangles fitting = cut.oriented();
+                Triangles fitting = cut.sewn(weld).oriented();
                 ready = smoothAngle > 0 ? fitting.smoothed(smoothAngle) : fitting;
                 made.put(key, new WeakReference<>(ready));
             }
@@ -197,26 +208,28 @@ public record Mesh(
     /** The triangles of one mesh, worked out when they are first asked for. Contents of files are told apart by the names of these alone. */
     public static final class Content {
         /** Nothing has been read yet. */
-        public static final Content UNREAD = new Content(null, "", 0);
+        public static final Content UNREAD = new Content(null, "", 0, 0);
 
         private final @Nullable Whole whole;
         private final String part;
         private final double smoothAngle;
+        private final double weld;
         private volatile @Nullable Triangles triangles;
 
-        private Content(@Nullable Whole whole, String part, double smoothAngle) {
+        private Content(@Nullable Whole whole, String part, double smoothAngle, double weld) {
             this.whole = whole;
             this.part = part;
             this.smoothAngle = smoothAngle;
+            this.weld = weld;
         }
 
         private boolean isMadeInCode() {
             return whole != null && whole.madeInCode;
         }
 
-        private Content of(String itsFile, String itsPart, double itsAngle) {
+        private Content of(String itsFile, String itsPart, double itsAngle, double itsWeld) {
             return whole == null || !whole.file.equals(itsFile) ? UNREAD
-                    : part.equals(itsPart) && smoothAngle == itsAngle ? this : new Content(whole, itsPart, itsAngle);
+                    : part.equals(itsPart) && smoothAngle == itsAngle && weld == itsWeld ? this : new Content(whole, itsPart, itsAngle, itsWeld);
         }
 
         private Triangles triangles() {
@@ -225,7 +238,7 @@ public record Mesh(
                 if (whole == null) {
                     throw new IllegalStateException("the file of a mesh has not been read");
                 }
-                known = whole.made(part, smoothAngle);
+                known = whole.made(part, smoothAngle, weld);
                 triangles = known;
             }
             return known;

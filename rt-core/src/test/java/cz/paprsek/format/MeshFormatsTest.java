@@ -147,7 +147,7 @@ class MeshFormatsTest {
     }
 
     @Test
-    void coloursOfPlyBecomeMaterials() throws IOException {
+    void facesOfPlyHaveTheirColoursOnVerticesOfTheirOwn() throws IOException {
         Model model = Read.text(ForeignFormat.PLY, """
                 ply
                 format ascii 1.0
@@ -168,8 +168,13 @@ class MeshFormatsTest {
                 3 0 1 2 255 0 0
                 3 0 2 3 0 0 255
                 """);
-        assertThat(model.triangles().parts()).containsExactly("#ff0000", "#0000ff");
-        assertThat(model.materials().keySet()).containsExactly("#ff0000", "#0000ff");
+        Triangles mesh = model.triangles();
+        assertThat(mesh.vertexCount()).isEqualTo(6);
+        assertThat(mesh.openEdges()).as("two are joined").isEqualTo(4);
+        for (int k = 0; k < 3; k++) {
+            assertThat(mesh.color(mesh.corner(0, k))).isEqualTo(new Vec3(1, 0, 0));
+            assertThat(mesh.color(mesh.corner(1, k))).isEqualTo(new Vec3(0, 0, 1));
+        }
     }
 
     @ParameterizedTest

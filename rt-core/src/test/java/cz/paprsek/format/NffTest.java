@@ -59,7 +59,8 @@ class NffTest {
         double[] within = {-0.19, 0.19, 0.3, 0.7};
         double[][] corners = new double[4 * TEETH][];
         for (int i = 0; i < corners.length; i++) {
-            double angle = offset + turn * 2 * Math.PI / TEETH * (i / 4 + within[i % 4]);
+            int tooth = i / 4;
+            double angle = offset + turn * 2 * Math.PI / TEETH * (tooth + within[i % 4]);
             double radius = (i % 4 < 2 ? 0.995 : 0.9) * outer;
             corners[i] = new double[] {x + radius * Math.cos(angle), y + radius * Math.sin(angle), z};
         }

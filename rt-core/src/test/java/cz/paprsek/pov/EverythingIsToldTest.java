@@ -7,6 +7,7 @@ import cz.paprsek.format.MeshFiles;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
 import cz.paprsek.xml.mistake.Grammar;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -73,6 +74,7 @@ class EverythingIsToldTest {
             Map.entry("superellipsoid", "semi-axes='1 1 1'"),
             Map.entry("torus", "major-radius='1' minor-radius='0.25'"),
             Map.entry("mesh", "file='two.obj'"),
+            Map.entry("mesh@weld", "file='loose.obj'"),
             Map.entry("rectangle", "min='-1 -1' max='1 1'"),
             Map.entry("disc", "radius='1'"));
 
@@ -94,6 +96,7 @@ class EverythingIsToldTest {
             Map.entry("mesh@file", List.of("one.obj")),
             Map.entry("mesh@part", List.of("one")),
             Map.entry("mesh@smooth-angle", List.of("150")),
+            Map.entry("mesh@weld", List.of("0")),
             Map.entry("number", List.of("0.75")),
             Map.entry("positive", List.of("0.75")),
             Map.entry("notNegative", List.of("0.75")),
@@ -129,7 +132,10 @@ class EverythingIsToldTest {
             Map.entry("tags", List.of("another")),
             Map.entry("flag", List.of("true", "false")));
 
-    private static final Assets FILES = Assets.of(Map.of("two.obj", tetrahedra("one", "two"), "one.obj", tetrahedra("one")));
+    /** Closed only if two corners that nearly meet are welded. */
+    private static final String LOOSE = "v 0 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 0\nv 1.0000001 0 0\nf 1 3 2\nf 1 4 3\nf 1 2 4\nf 2 3 5\n";
+
+    private static final Assets FILES = Assets.of(Map.of("two.obj", tetrahedra("one", "two"), "one.obj", tetrahedra("one"), "loose.obj", LOOSE.getBytes(StandardCharsets.US_ASCII)));
 
     /** What a file of so many parts holds, each beside the last. */
     private static byte[] tetrahedra(String... names) {
@@ -151,7 +157,7 @@ class EverythingIsToldTest {
                 StringBuilder text = new StringBuilder();
                 List<String> sentences = PovFiles.write(MeshFiles.read(scene, FILES), text);
                 return new Export(text.toString(), sentences);
-            } catch (IllegalArgumentException refused) {
+            } catch (IllegalArgumentException | IOException refused) {
                 return new Export("", List.of(String.valueOf(refused.getMessage())));
             }
         }

@@ -15,12 +15,14 @@ public final class ModelSummary {
 
     private ModelSummary() {}
 
-    public static List<String> lines(ForeignScene model, Triangles mesh) {
+    /** @param raw the triangles as the file has them */
+    public static List<String> lines(ForeignScene model, Triangles raw) {
+        Triangles mesh = raw.sewn(Mesh.USUAL_WELD);
         Bounds bounds = mesh.bounds();
         String unit = model.convention().unit();
         List<String> lines = new ArrayList<>();
         lines.add("  triangles   " + mesh.count() + ", vertices " + mesh.vertexCount());
-        lines.add("  closed      " + (mesh.isClosed() ? "yes" : "no, " + mesh.openEdges() + (mesh.openEdges() == 1 ? " edge is open" : " edges are open")));
+        lines.add("  closed      " + (mesh.isClosed() ? "yes" : "no, " + mesh.openEdges() + (mesh.openEdges() == 1 ? " edge is open" : " edges are open")) + welded(raw));
         if (mesh.isClosed()) {
             lines.add("  volume      " + Numbers.text(mesh.volume()) + (unit.isEmpty() ? "" : " " + unit + "³"));
         }
@@ -35,9 +37,17 @@ public final class ModelSummary {
         return lines;
     }
 
-    public static Json json(String file, ForeignScene model, Triangles mesh) {
-        return measured(new Json().with("file", file), mesh)
-                .with("unit", model.convention().unit()).with("up", model.convention().isZUp() ? "z" : "y").withTexts("parts", mesh.parts()).withTexts("notes", model.notes());
+    private static String welded(Triangles raw) {
+        int welded = raw.placesSewn(Mesh.USUAL_WELD);
+        int kept = raw.shortSides(Mesh.USUAL_WELD);
+        return (welded == 0 ? "" : ", with " + welded + (welded == 1 ? " corner" : " corners") + " welded to the next")
+                + (kept == 0 ? "" : "; " + kept + (kept == 1 ? " side" : " sides") + " no longer than what is welded left alone");
+    }
+
+    /** @param raw the triangles as the file has them */
+    public static Json json(String file, ForeignScene model, Triangles raw) {
+        return measured(new Json().with("file", file), raw.sewn(Mesh.USUAL_WELD)).with("welded", raw.placesSewn(Mesh.USUAL_WELD))
+                .with("unit", model.convention().unit()).with("up", model.convention().isZUp() ? "z" : "y").withTexts("parts", raw.parts()).withTexts("notes", model.notes());
     }
 
     /** What a scene's mesh is like, in its own space. */

@@ -33,8 +33,8 @@ public record SceneSource(Path file, String label, String name, Reading reading)
         }
     }
 
-    /** A file that is read when its turn comes. */
-    private static SceneSource of(Path file, boolean hasFloor) {
+    /** A file that is read when its turn comes; one of another program with a floor, or without. */
+    public static SceneSource of(Path file, boolean hasFloor) {
         Optional<ForeignFormat> format = Models.format(file);
         return new SceneSource(file, file.toString(), Incoming.nameOf(file),
                 format.isPresent() ? new ModelReading(file, format.get(), hasFloor) : () -> Incoming.scene(file));

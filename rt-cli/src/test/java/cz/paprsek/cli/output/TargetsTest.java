@@ -22,7 +22,7 @@ class TargetsTest {
     Path folder;
 
     private static List<String> shown(Optional<String> output, String... scenes) {
-        return new Targets(output, Optional.empty(), false).of(Arrays.stream(scenes).map(Path::of).map(SceneSource::of).toList())
+        return new Targets(output, Optional.empty(), false).of(Arrays.stream(scenes).map(Path::of).map(file -> SceneSource.of(file, true)).toList())
                 .stream().map(target -> target.shown().replace('\\', '/')).toList();
     }
 

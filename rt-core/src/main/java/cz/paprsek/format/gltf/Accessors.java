@@ -9,7 +9,7 @@ import java.util.Map;
 final class Accessors {
     /** How many numbers may be without bytes: they would cost nothing in a file, and much in memory. */
     private static final long MOST_ZEROS = 50_000_000;
-    private static final Map<String, Integer> WIDTHS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4);
+    private static final Map<String, Integer> WIDTHS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4, "MAT4", 16);
 
     private final Tree document;
     private final Buffers buffers;

@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Reads glTF 2.0: the scene's nodes, each mesh where its node puts it, materials, cameras and lights. Skins and animations stay as they are in the file at rest.
+ * Reads glTF 2.0: the scene's nodes, each mesh where its node puts it, materials, cameras and lights. Skins and morph targets are shown as the file has them at first, without its animations.
  *
  * @source Khronos Group, glTF 2.0 Specification, 2021
  */
@@ -25,7 +25,6 @@ public final class GltfReader {
     private static final int BIN = 0x004E4942;
     private static final Set<String> UNDERSTOOD = Set.of("KHR_lights_punctual", "KHR_materials_ior", "KHR_materials_transmission", "KHR_materials_volume",
             "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_texture_transform", "KHR_mesh_quantization", "KHR_node_visibility");
-    private static final List<String> UNREAD = List.of("animations", "skins");
 
     private GltfReader() {}
 
@@ -40,7 +39,8 @@ public final class GltfReader {
         Buffers buffers = new Buffers(document, chunks.bytes, companions);
         Images images = new Images(document, buffers, prefix, notes);
         Materials materials = new Materials(document, images, notes);
-        Nodes nodes = new Nodes(document, new Meshes(document, new Accessors(document, buffers), materials, notes), notes);
+        Accessors accessors = new Accessors(document, buffers);
+        Nodes nodes = new Nodes(document, accessors, new Meshes(document, accessors, materials, notes), notes);
         nodes.scene(Affine.IDENTITY);
         return nodes.model(materials, images, CONVENTION);
     }
@@ -94,10 +94,8 @@ public final class GltfReader {
                 notes.add("extensionsUsed", FormatFault.quoted(String.valueOf(used)) + " is not understood");
             }
         }
-        for (String name : UNREAD) {
-            if (document.count(name) > 0) {
-                notes.add(name, "these are not read; everything stands at rest");
-            }
+        if (document.count("animations") > 0) {
+            notes.add("animations", "these are not read; everything stands as it does at first");
         }
     }
 

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
@@ -46,20 +47,42 @@ final class Meshes {
         return materialOf;
     }
 
-    /** @param name of the node */
-    void show(int index, String name, Affine toWorld) throws IOException {
+    /**
+     * How a node shows a mesh.
+     *
+     * @param skin takes the place of the node's own placement
+     */
+    record Pose(Affine toWorld, Optional<Skin> skin) {
+        /** Where a vertex goes. */
+        Affine of(Affine[] bones, int vertex) {
+            return bones.length > 0 ? bones[vertex] : toWorld;
+        }
+
+        boolean isMirrored() {
+            return determinant(skin.map(Skin::first).orElse(toWorld)) < 0;
+        }
+    }
+
+    /**
+     * Shows a mesh.
+     *
+     * @param name of the node
+     * @param own weights of the morph targets; empty for those that the mesh has
+     */
+    void show(int index, String name, Pose pose, double[] own) throws IOException {
         Tree mesh = document.item("meshes", index);
-        String own = name.isEmpty() ? mesh.text("name", "").strip() : name;
+        double[] weights = own.length > 0 ? own : mesh.anyNumbers("weights");
+        String called = name.isEmpty() ? mesh.text("name", "").strip() : name;
         int count = mesh.count("primitives");
         if (count == 0) {
             throw mesh.fault("primitives", "a mesh must have at least one");
         }
         for (int i = 0; i < count; i++) {
-            primitive(mesh.item("primitives", i), own, toWorld);
+            primitive(mesh.item("primitives", i), called, pose, weights);
         }
     }
 
-    private void primitive(Tree primitive, String name, Affine toWorld) throws IOException {
+    private void primitive(Tree primitive, String name, Pose pose, double[] weights) throws IOException {
         int mode = primitive.whole("mode", TRIANGLES);
         if (mode < TRIANGLES) {
             notes.add(primitive.path(), "points and lines are not read");
@@ -74,12 +97,9 @@ final class Meshes {
             return;
         }
         if (primitive.has("targets")) {
-            notes.add(primitive.path(), "morph targets are not read");
+            notes.add(primitive.path(), "morph targets have the weights that they have at first");
         }
-        if (attributes.has("COLOR_0")) {
-            notes.add(primitive.path(), "colours of vertices are not read");
-        }
-        float[] places = accessors.floats(attributes.needed("POSITION"), "VEC3");
+        float[] places = morphed(primitive, "POSITION", accessors.floats(attributes.needed("POSITION"), "VEC3"), weights);
         int vertices = places.length / 3;
         int[] indices = primitive.has("indices") ? accessors.indices(primitive.needed("indices"), vertices) : null;
         int corners = indices == null ? vertices : indices.length;
@@ -88,9 +108,10 @@ final class Meshes {
         }
         int material = primitive.index("material");
         String part = part(name, material);
-        int first = vertices(attributes, places, material, toWorld);
+        float[] normals = attributes.has("NORMAL") ? morphed(primitive, "NORMAL", accessors.floats(attributes.needed("NORMAL"), "VEC3"), weights) : new float[0];
+        int first = vertices(attributes, places, normals, material, pose);
         builder.part(part);
-        corners(mode, corners, indices, first, toWorld);
+        corners(mode, corners, indices, first, pose.isMirrored());
     }
 
     private String part(String name, int material) throws IOException {
@@ -106,30 +127,80 @@ final class Meshes {
         return part;
     }
 
-    private int vertices(Tree attributes, float[] places, int material, Affine toWorld) throws IOException {
+    /** Numbers of vertices, to each of which targets add theirs times a weight. */
+    private float[] morphed(Tree primitive, String attribute, float[] numbers, double[] weights) throws IOException {
+        for (int i = 0; i < Math.min(weights.length, primitive.count("targets")); i++) {
+            Tree target = primitive.item("targets", i);
+            if (weights[i] != 0 && target.has(attribute)) {
+                float[] more = accessors.floats(target.needed(attribute), "VEC3");
+                if (more.length != numbers.length) {
+                    throw target.fault(attribute, "there must be as many as vertices");
+                }
+                for (int k = 0; k < numbers.length; k++) {
+                    numbers[k] = (float) (numbers[k] + weights[i] * more[k]);
+                }
+            }
+        }
+        return numbers;
+    }
+
+    private int vertices(Tree attributes, float[] places, float[] normals, int material, Pose pose) throws IOException {
         int count = places.length / 3;
-        float[] normals = attributes.has("NORMAL") ? accessors.floats(attributes.needed("NORMAL"), "VEC3") : new float[0];
         Mapping mapping = material < 0 ? Mapping.PLAIN : materials.mapping(material);
         String set = "TEXCOORD_" + mapping.set();
         float[] map = attributes.has(set) ? accessors.floats(attributes.needed(set), "VEC2") : new float[0];
         if ((normals.length > 0 && normals.length != places.length) || (map.length > 0 && map.length != 2 * count)) {
             throw attributes.fault("there must be as many normals and places in pictures as vertices");
         }
-        Affine back = toWorld.inverse();
+        float[] colors = colors(attributes, count);
+        Affine[] bones = pose.skin.isPresent() ? pose.skin.get().placements(attributes, accessors, count) : new Affine[0];
+        Affine usual = pose.toWorld.inverse();
         int first = builder.vertexCount();
         for (int i = 0; i < count; i++) {
             double x = places[3 * i];
             double y = places[3 * i + 1];
             double z = places[3 * i + 2];
+            Affine toWorld = pose.of(bones, i);
             int vertex = builder.vertex(toWorld.pointX(x, y, z), toWorld.pointY(x, y, z), toWorld.pointZ(x, y, z));
             if (normals.length > 0) {
-                normal(vertex, normals[3 * i], normals[3 * i + 1], normals[3 * i + 2], back);
+                normal(vertex, normals[3 * i], normals[3 * i + 1], normals[3 * i + 2], bones.length > 0 ? toWorld.inverse() : usual);
             }
             if (map.length > 0) {
                 builder.map(vertex, mapping.u(map[2 * i], map[2 * i + 1]), mapping.v(map[2 * i], map[2 * i + 1]));
             }
+            if (colors.length > 0) {
+                builder.color(vertex, light(colors[3 * i]), light(colors[3 * i + 1]), light(colors[3 * i + 2]));
+            }
         }
         return first;
+    }
+
+    /** Three channels for each vertex, linear light; their opacity is said to be left away. */
+    private float[] colors(Tree attributes, int count) throws IOException {
+        if (!attributes.has("COLOR_0")) {
+            return new float[0];
+        }
+        int accessor = attributes.needed("COLOR_0");
+        boolean isFour = document.item("accessors", accessor).text("type", "").equals("VEC4");
+        float[] all = accessors.floats(accessor, isFour ? "VEC4" : "VEC3");
+        int width = isFour ? 4 : 3;
+        if (all.length != width * count) {
+            throw attributes.fault("COLOR_0", "there must be as many colours as vertices");
+        }
+        float[] colors = new float[3 * count];
+        boolean isOpaque = true;
+        for (int i = 0; i < count; i++) {
+            System.arraycopy(all, width * i, colors, 3 * i, 3);
+            isOpaque &= !isFour || all[4 * i + 3] == 1;
+        }
+        if (!isOpaque) {
+            notes.add(attributes.path(), "the opacity of vertices is not read");
+        }
+        return colors;
+    }
+
+    private static double light(float channel) {
+        return Math.max(0, Math.min(1, channel));
     }
 
     /** Normals go by the transpose of the way back. */
@@ -143,8 +214,7 @@ final class Meshes {
         }
     }
 
-    private void corners(int mode, int corners, int @Nullable [] indices, int first, Affine toWorld) throws FormatFault {
-        boolean isMirrored = determinant(toWorld) < 0;
+    private void corners(int mode, int corners, int @Nullable [] indices, int first, boolean isMirrored) {
         int step = mode == TRIANGLES ? 3 : 1;
         for (int i = 0; i + 2 < corners; i += step) {
             boolean isTurned = mode == STRIP && i % 2 == 1;

@@ -16,6 +16,7 @@ import cz.paprsek.scene.SunLight;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Deque;
 import java.util.HashSet;
@@ -26,6 +27,7 @@ import java.util.Set;
 /** Goes through the nodes of a scene, each of which has one parent at most, and puts what they hold into the world. */
 final class Nodes {
     private final Tree document;
+    private final Accessors accessors;
     private final Meshes meshes;
     private final Notes notes;
     private final List<Camera> cameras = new ArrayList<>();
@@ -33,8 +35,9 @@ final class Nodes {
     private final Set<String> cameraNames = new HashSet<>();
     private final Set<String> lightNames = new HashSet<>();
 
-    Nodes(Tree document, Meshes meshes, Notes notes) {
+    Nodes(Tree document, Accessors accessors, Meshes meshes, Notes notes) {
         this.document = document;
+        this.accessors = accessors;
         this.meshes = meshes;
         this.notes = notes;
     }
@@ -47,6 +50,9 @@ final class Nodes {
         int[] roots = roots(count);
         BitSet seen = new BitSet();
         Deque<Step> steps = new ArrayDeque<>();
+        List<Step> shown = new ArrayList<>();
+        Affine[] worlds = new Affine[count];
+        Arrays.fill(worlds, Affine.IDENTITY);
         for (int i = roots.length - 1; i >= 0; i--) {
             steps.push(new Step(roots[i], toWorld));
         }
@@ -62,11 +68,16 @@ final class Nodes {
                 continue;
             }
             Affine here = step.toWorld.after(placement(node));
-            show(node, here);
+            worlds[step.node] = here;
+            shown.add(new Step(step.node, here));
             int[] children = node.indexes("children", count);
             for (int i = children.length - 1; i >= 0; i--) {
                 steps.push(new Step(children[i], here));
             }
+        }
+        // Bones may come after what hangs on them.
+        for (Step step : shown) {
+            show(document.item("nodes", step.node), step.toWorld, worlds);
         }
     }
 
@@ -112,18 +123,23 @@ final class Nodes {
                 k * (x * z - y * w) * s[0], k * (y * z + x * w) * s[1], (1 - k * (x * x + y * y)) * s[2], t[2]);
     }
 
-    private void show(Tree node, Affine here) throws IOException {
+    private void show(Tree node, Affine here, Affine[] worlds) throws IOException {
         boolean isShown = node.has("mesh") || node.has("camera") || node.extension("KHR_lights_punctual").isPresent();
         if (!isShown) {
             return;
         }
-        if (!here.isSane()) {
+        boolean isSkinned = node.has("mesh") && node.has("skin");
+        if (!here.isSane() && !isSkinned) {
             notes.add(node.path(), "this is flattened by its node, and not shown");
             return;
         }
         String name = node.text("name", "").strip();
         if (node.has("mesh")) {
-            meshes.show(node.needed("mesh"), name, here);
+            Optional<Skin> skin = isSkinned ? Optional.of(Skin.of(document.item("skins", node.needed("skin")), accessors, worlds)) : Optional.empty();
+            if (isSkinned) {
+                notes.add(node.path(), "a skin is shown as its bones are at first");
+            }
+            meshes.show(node.needed("mesh"), name, new Meshes.Pose(here, skin), node.anyNumbers("weights"));
         }
         if (node.has("camera")) {
             cameras.add(camera(document.item("cameras", node.needed("camera")), unique(name, cameraNames), here));

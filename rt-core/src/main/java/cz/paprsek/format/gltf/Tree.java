@@ -163,6 +163,11 @@ record Tree(String path, Map<String, Object> members) {
         return numbers;
     }
 
+    /** A list of numbers, of any length. */
+    double[] anyNumbers(String name) throws FormatFault {
+        return numbers(name, new double[list(name).size()]);
+    }
+
     /** A list of whole numbers, each below a limit. */
     int[] indexes(String name, int limit) throws FormatFault {
         List<?> list = list(name);

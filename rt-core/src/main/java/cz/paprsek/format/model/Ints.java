@@ -15,7 +15,7 @@ public final class Ints {
     }
 
     /** Twice as much, as far as an array can have it. */
-    static int larger(int size) {
+    public static int larger(int size) {
         if (size >= Integer.MAX_VALUE - 8) {
             throw new OutOfMemoryError("more than " + size + " numbers");
         }

@@ -1,14 +1,16 @@
 package cz.paprsek.format.obj;
 
+import java.io.InterruptedIOException;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * Some whole lines of a file, of which those in plain words (vertices, normals, places in pictures, faces) are read without anything being made of them but numbers. All others
- * are left to be read word by word, and so is whatever may be wrong. Several threads may read a block: the first does, and the others wait for it.
+ * are left to be read word by word, and so is whatever may be wrong. Several threads may want to read a block: the first does.
  */
 final class Block {
     /** What stands in the order of the lines: a code and what belongs to it, or a face: four times its number of corners and a form, and the numbers of its corners. */
@@ -19,6 +21,8 @@ final class Block {
     static final int FACES = -4;
     /** A line to be read word by word: which it is, where it begins and where it ends. */
     static final int OTHER = -5;
+    /** Vertices with colours: six numbers each. */
+    static final int COLORED = -6;
 
     /** The forms of corners: {@code 7}, {@code 7/3}, {@code 7//2} and {@code 7/3/2}. */
     static final int HAS_MAP = 1;
@@ -28,12 +32,9 @@ final class Block {
     static final int PADDING = 8;
 
     private static final long EXACT = 1L << 53;
-    private static final int LONGEST_INDEX = 9;
     private static final int EIGHT = 8;
-    /** Of a fraction, that fit into a long with one more before it. */
-    private static final int MOST_DIGITS = 17;
-    private static final long TOO_MANY = Long.MAX_VALUE;
-    private static final int HUGE = 100_000;
+    /** In place of where something ends: it is to be read word by word. */
+    private static final int NONE = -1;
     private static final VarHandle WORDS = MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
     private static final long ZEROS = 0x3030303030303030L;
     private static final long SIXES = 0x0606060606060606L;
@@ -41,23 +42,32 @@ final class Block {
     private static final long[] TENS = {1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000};
     private static final double[] POWERS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-    /** Ends with a line end and as many zeros as are behind it as {@link #PADDING} says. */
-    private final byte[] bytes;
-    private final int length;
-    private boolean isRead;
+    /** Up to the length whole lines, behind which there are as many zeros as {@link #PADDING} says. */
+    private byte[] bytes;
+    private int length;
+    private final AtomicBoolean isClaimed = new AtomicBoolean();
+    private volatile boolean isRead;
+    private boolean isWhole;
     private int lines;
     private int[] codes = new int[1 << 10];
     private int codeCount;
     private double[] numbers = new double[1 << 10];
     private int numberCount;
-    private int at;
-    /** What the digits say that were read last. */
-    private long found;
 
-    /** @param length without the zeros */
-    Block(byte[] bytes, int length) {
+    Block(byte[] bytes) {
         this.bytes = bytes;
-        this.length = length;
+    }
+
+    /** Takes other lines, which nobody has read yet. */
+    void fill(byte[] with, int whole) {
+        bytes = with;
+        length = whole;
+        isRead = false;
+        isClaimed.set(false);
+    }
+
+    boolean isRead() {
+        return isRead;
     }
 
     byte[] bytes() {
@@ -102,34 +112,70 @@ final class Block {
         return bytes[end] == '\r' && bytes[end + 1] == '\n' ? end + 2 : end + 1;
     }
 
-    synchronized void read() {
-        if (isRead) {
-            return;
+    /** Reads it, unless another thread does, or has done so; false then. */
+    boolean readUnlessClaimed() {
+        if (!isClaimed.compareAndSet(false, true)) {
+            return false;
         }
+        isWhole = false;
+        try {
+            readLines();
+            isWhole = true;
+        } finally {
+            synchronized (this) {
+                isRead = true;
+                notifyAll();
+            }
+        }
+        return true;
+    }
+
+    /** Until another thread has read it; what that failed at, this one is to fail at. */
+    void await() throws InterruptedIOException {
+        synchronized (this) {
+            while (!isRead) {
+                try {
+                    wait();
+                } catch (InterruptedException interrupted) {
+                    Thread.currentThread().interrupt();
+                    throw new InterruptedIOException("interrupted");
+                }
+            }
+        }
+        if (!isWhole) {
+            readLines();
+        }
+    }
+
+    private void readLines() {
         codeCount = 0;
         numberCount = 0;
         int line = 0;
         int nextFace = -1;
         int run = 0;
         int runAt = 0;
-        for (int begin = 0; begin < length; begin = at) {
-            at = begin;
-            int code = codeAt(begin);
-            if (code == FACES) {
-                int first = codeCount;
+        int next;
+        for (int begin = 0; begin < length; begin = next) {
+            byte first = bytes[begin];
+            byte second = bytes[begin + 1];
+            if (first == 'f' && isBlank(second)) {
+                int before = codeCount;
                 if (line != nextFace) {
                     code(FACES);
                     code(line);
                 }
                 run = 0;
-                if (face()) {
+                next = face(begin + 2);
+                if (next > 0) {
                     nextFace = ++line;
                     continue;
                 }
-                codeCount = first;
-            } else if (code < 0) {
+                codeCount = before;
+            } else if (first == 'v') {
                 int kept = numberCount;
-                if (numbers(code)) {
+                next = isBlank(second) ? vertex(begin + 2) : !isBlank(bytes[begin + 2]) ? NONE : second == 'n' ? three(begin + 3) : second == 't' ? two(begin + 3) : NONE;
+                if (next > 0) {
+                    int code = second == 'n' ? NORMALS : second == 't' ? MAP : numberCount - kept > 3 ? COLORED : VERTICES;
                     if (code != run) {
                         code(code);
                         runAt = codeCount;
@@ -142,8 +188,8 @@ final class Block {
                 }
                 numberCount = kept;
             }
-            int next = afterJoined(begin);
-            if (bytes[begin] != '#' && bytes[begin] != '\n' && bytes[begin] != '\r') {
+            next = afterJoined(begin);
+            if (first != '#' && first != '\n' && first != '\r') {
                 code(OTHER);
                 code(line);
                 code(begin);
@@ -152,25 +198,8 @@ final class Block {
             }
             line += ends(begin, next);
             nextFace = -1;
-            at = next;
         }
         lines = line;
-        isRead = true;
-    }
-
-    /** What a line says it is; 0 for none of the plain ones. */
-    private int codeAt(int begin) {
-        byte first = bytes[begin];
-        byte second = bytes[begin + 1];
-        if (first == 'f' && isBlank(second)) {
-            at = begin + 1;
-            return FACES;
-        }
-        if (first != 'v') {
-            return 0;
-        }
-        at = begin + (isBlank(second) ? 1 : 2);
-        return isBlank(second) ? VERTICES : !isBlank(bytes[at]) ? 0 : second == 'n' ? NORMALS : second == 't' ? MAP : 0;
     }
 
     private static boolean isBlank(byte b) {
@@ -201,151 +230,211 @@ final class Block {
         codes[codeCount++] = code;
     }
 
-    private boolean numbers(int code) {
-        if (numberCount + 3 > numbers.length) {
-            numbers = Arrays.copyOf(numbers, 2 * numbers.length);
+    /** Where the line after one of three numbers or six begins; none if it is to be read word by word, as in all that follows. */
+    private int vertex(int from) {
+        int at = number(number(number(from)));
+        if (at == NONE || isEnd(at)) {
+            return at == NONE ? NONE : afterEnd(blanks(at));
         }
-        if (!number() || !secondOf(code) || (code != MAP && !number())) {
-            return false;
-        }
-        byte[] b = bytes;
-        int i = at;
-        while (b[i] != '\n' && b[i] != '\r') {
-            if (b[i++] == '\\') {
-                return false;
-            }
-        }
-        at = afterEnd(i);
-        return true;
+        at = number(number(number(at)));
+        return at != NONE && isEnd(at) ? afterEnd(blanks(at)) : NONE;
+    }
+
+    private int three(int from) {
+        return afterRest(number(number(number(from))));
     }
 
     /** Places in pictures may have one number only. */
-    private boolean secondOf(int code) {
-        return (code == MAP && isAtEnd()) ? zero() : number();
+    private int two(int from) {
+        int at = number(from);
+        if (at != NONE && isEnd(at)) {
+            put(0);
+            return afterEnd(blanks(at));
+        }
+        return afterRest(number(at));
     }
 
-    private boolean isAtEnd() {
+    private int blanks(int from) {
+        int at = from;
         while (isBlank(bytes[at])) {
             at++;
         }
-        return bytes[at] == '\n' || bytes[at] == '\r';
+        return at;
     }
 
-    private boolean zero() {
-        numbers[numberCount++] = 0;
-        return true;
+    private boolean isEnd(int from) {
+        byte b = bytes[blanks(from)];
+        return b == '\n' || b == '\r';
     }
 
-    /** Reads digits, eight at once, and counts them. */
-    private int digits() {
-        int first = at;
-        long value = 0;
-        int count = EIGHT;
-        while (count == EIGHT) {
-            long word = (long) WORDS.get(bytes, at) ^ ZEROS;
-            long others = (word | (word + SIXES)) & HIGH_HALVES;
-            count = Long.numberOfTrailingZeros(others) >> 3;
-            if (count > 0) {
-                // The first digit is in the lowest byte, and so the highest of what is added up in pairs, in pairs of pairs, and in halves.
-                long aligned = word << (64 - (count << 3));
-                aligned = (aligned * 10 + (aligned >>> 8)) & 0x00FF00FF00FF00FFL;
-                aligned = (aligned * 100 + (aligned >>> 16)) & 0x0000FFFF0000FFFFL;
-                value = value * TENS[count] + ((aligned * 10000 + (aligned >>> 32)) & 0xFFFFFFFFL);
-                at += count;
-            }
+    /** Passes over what else is in the line; none if that goes on in the next. */
+    private int afterRest(int from) {
+        if (from == NONE) {
+            return NONE;
         }
-        found = value;
-        return at - first;
-    }
-
-    private boolean number() {
         byte[] b = bytes;
-        while (b[at] == ' ' || b[at] == '\t') {
-            at++;
-        }
-        boolean isNegative = b[at] == '-';
-        if (isNegative || b[at] == '+') {
-            at++;
-        }
-        int first = at;
-        int count = digits();
-        long digits = found;
-        int power = 0;
-        if (b[at] == '.') {
-            at++;
-            int places = digits();
-            digits = places <= EIGHT ? digits * TENS[places] + found : places <= MOST_DIGITS && count <= 1 ? digits * (long) POWERS[places] + found : TOO_MANY;
-            power = -places;
-            count += places;
-        }
-        if ((b[at] | 32) == 'e') {
-            at++;
-            boolean isSmall = b[at] == '-';
-            if (isSmall || b[at] == '+') {
-                at++;
+        int i = from;
+        while (b[i] != '\n' && b[i] != '\r') {
+            if (b[i++] == '\\') {
+                return NONE;
             }
-            int places = digits();
-            count = places == 0 ? 0 : count;
-            power = places > 4 ? HUGE : power + (int) (isSmall ? -found : found);
         }
-        if (count == 0 || (b[at] != ' ' && b[at] != '\n' && b[at] != '\r' && b[at] != '\t')) {
-            return false;
-        }
-        // Fifteen digits, and powers of ten up to 22, are exact, so that one division or product is rounded once.
-        double value = count > MOST_DIGITS + 1 || digits > EXACT || power > 22 || power < -22 ? Double.parseDouble(new String(b, first, at - first, StandardCharsets.ISO_8859_1))
-                : power < 0 ? digits / POWERS[-power] : digits * POWERS[power];
-        numbers[numberCount++] = isNegative ? -value : value;
-        return value <= Float.MAX_VALUE;
+        return afterEnd(i);
     }
 
-    private boolean face() {
+    private void put(double value) {
+        if (numberCount == numbers.length) {
+            numbers = Arrays.copyOf(numbers, 2 * numbers.length);
+        }
+        numbers[numberCount++] = value;
+    }
+
+    /** How many digits begin a word of eight bytes, of which the lowest comes first. */
+    private static int digits(long word) {
+        return Long.numberOfTrailingZeros((word | (word + SIXES)) & HIGH_HALVES) >> 3;
+    }
+
+    /** The number that the first digits of a word are, of 1 to 8. */
+    private static long value(long word, int digits) {
+        // The first digit is in the lowest byte, and so the highest of what is added up in pairs, in pairs of pairs, and in halves.
+        long aligned = word << (64 - (digits << 3));
+        aligned = (aligned * 10 + (aligned >>> 8)) & 0x00FF00FF00FF00FFL;
+        aligned = (aligned * 100 + (aligned >>> 16)) & 0x0000FFFF0000FFFFL;
+        return (aligned * 10000 + (aligned >>> 32)) & 0xFFFFFFFFL;
+    }
+
+    private static long word(byte[] b, int at) {
+        return (long) WORDS.get(b, at) ^ ZEROS;
+    }
+
+    /** Reads a number such as most are: some digits, a point, up to eight more. Where it ends; all others go another way. */
+    private int number(int from) {
+        if (from == NONE) {
+            return NONE;
+        }
+        byte[] b = bytes;
+        int first = from;
+        while (b[first] == ' ' || b[first] == '\t') {
+            first++;
+        }
+        int i = b[first] == '-' ? first + 1 : first;
+        int whole = 0;
+        int begin = i;
+        for (int digit = b[i] - '0'; digit >= 0 && digit <= 9; digit = b[i] - '0') {
+            whole = whole * 10 + digit;
+            i++;
+        }
+        if (b[i] != '.' || i - begin > EIGHT || i == begin) {
+            return unusual(first);
+        }
+        long word = word(b, i + 1);
+        int places = digits(word);
+        i += 1 + places;
+        byte after = b[i];
+        if (places == 0 || (after != ' ' && after != '\n' && after != '\r' && after != '\t')) {
+            return unusual(first);
+        }
+        // Fifteen digits are exact, and so are powers of ten up to 22: the quotient is rounded once.
+        long all = whole * TENS[places] + value(word, places);
+        if (all > EXACT) {
+            return unusual(first);
+        }
+        double size = all / POWERS[places];
+        put(b[first] == '-' ? -size : size);
+        return i;
+    }
+
+    /** Any number at all. */
+    private int unusual(int first) {
+        byte[] b = bytes;
+        int i = b[first] == '-' || b[first] == '+' ? first + 1 : first;
+        int begin = i;
+        long digits = 0;
+        int count = 0;
+        int power = 0;
+        boolean isFraction = false;
+        for (; (b[i] >= '0' && b[i] <= '9') || (b[i] == '.' && !isFraction); i++) {
+            if (b[i] == '.') {
+                isFraction = true;
+            } else {
+                digits = digits * 10 + b[i] - '0';
+                count++;
+                power -= isFraction ? 1 : 0;
+            }
+        }
+        if (count > 0 && (b[i] | 32) == 'e') {
+            i++;
+            boolean isSmall = b[i] == '-';
+            i += isSmall || b[i] == '+' ? 1 : 0;
+            int places = digits(word(b, i));
+            if (places == 0 || places == EIGHT) {
+                return NONE;
+            }
+            int exponent = (int) value(word(b, i), places);
+            power += isSmall ? -exponent : exponent;
+            i += places;
+        }
+        if (count == 0 || (b[i] != ' ' && b[i] != '\n' && b[i] != '\r' && b[i] != '\t')) {
+            return NONE;
+        }
+        // Eighteen digits fit into a long.
+        double size = count > 18 || digits > EXACT || power > 22 || power < -22 ? Double.parseDouble(new String(b, begin, i - begin, StandardCharsets.ISO_8859_1))
+                : power < 0 ? digits / POWERS[-power] : digits * POWERS[power];
+        put(b[first] == '-' ? -size : size);
+        return size <= Float.MAX_VALUE ? i : NONE;
+    }
+
+    private int face(int from) {
         byte[] b = bytes;
         int head = codeCount;
         code(0);
         int corners = 0;
         int form = 0;
-        while (!isAtEnd()) {
-            if (!index()) {
-                return false;
-            }
+        int at = blanks(from);
+        while (b[at] != '\n' && b[at] != '\r') {
+            at = index(at);
             int own = 0;
-            if (b[at] == '/') {
+            if (at != NONE && b[at] == '/') {
                 at++;
                 if (b[at] != '/') {
                     own = HAS_MAP;
-                    if (!index()) {
-                        return false;
-                    }
+                    at = index(at);
                 }
-                if (b[at] == '/') {
-                    at++;
+                if (at != NONE && b[at] == '/') {
                     own |= HAS_NORMAL;
-                    if (!index()) {
-                        return false;
-                    }
+                    at = index(at + 1);
                 }
             }
-            if (corners++ > 0 && own != form) {
-                return false;
+            if (at == NONE || (corners++ > 0 && own != form)) {
+                return NONE;
             }
             form = own;
-            if (b[at] != ' ' && b[at] != '\n' && b[at] != '\r' && b[at] != '\t') {
-                return false;
+            if (b[at] == ' ' || b[at] == '\t') {
+                at = blanks(at);
+            } else if (b[at] != '\n' && b[at] != '\r') {
+                return NONE;
             }
         }
-        at = afterEnd(at);
         codes[head] = 4 * corners + form;
-        return corners >= 3;
+        return corners < 3 ? NONE : afterEnd(at);
     }
 
     /** The number of a corner, which may be counted back from here. */
-    private boolean index() {
-        boolean isBack = bytes[at] == '-';
-        if (isBack) {
-            at++;
+    private int index(int from) {
+        byte[] b = bytes;
+        boolean isBack = b[from] == '-';
+        int first = isBack ? from + 1 : from;
+        long word = word(b, first);
+        int count = digits(word);
+        if (count == 0) {
+            return NONE;
         }
-        int count = digits();
+        long found = value(word, count);
+        int i = first + count;
+        if (count == EIGHT && b[i] >= '0' && b[i] <= '9') {
+            found = found * 10 + b[i++] - '0';
+        }
         code((int) (isBack ? -found : found));
-        return count > 0 && count <= LONGEST_INDEX;
+        return count == EIGHT && b[i] >= '0' && b[i] <= '9' ? NONE : i;
     }
 }

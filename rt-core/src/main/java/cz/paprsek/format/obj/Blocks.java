@@ -7,6 +7,7 @@ import java.io.InputStream;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
+import java.util.Iterator;
 import java.util.Optional;
 import java.util.concurrent.ForkJoinPool;
 
@@ -20,6 +21,8 @@ final class Blocks {
 
     private final InputStream input;
     private final Deque<Block> ahead = new ArrayDeque<>();
+    /** Those that have been made use of, to be filled again. */
+    private final Deque<Block> spare = new ArrayDeque<>();
     /** What has been read of the block that comes next. */
     private byte[] rest = {};
     private boolean isEnded;
@@ -28,23 +31,43 @@ final class Blocks {
         this.input = Transcoded.utf8(input);
     }
 
-    /** The next block, which has been read; nothing at the end. */
+    /** The next block, which has been read; nothing at the end. The one before is no longer to be used. */
     Optional<Block> next() throws IOException {
         while (!isEnded && ahead.size() < AHEAD) {
             cut().ifPresent(block -> {
                 if (!ahead.isEmpty()) {
-                    ForkJoinPool.commonPool().execute(block::read);
+                    ForkJoinPool.commonPool().execute(block::readUnlessClaimed);
                 }
                 ahead.add(block);
             });
         }
-        Optional<Block> head = Optional.ofNullable(ahead.poll());
-        head.ifPresent(Block::read);
-        return head;
+        Block head = ahead.peek();
+        if (head == null) {
+            return Optional.empty();
+        }
+        if (!head.readUnlessClaimed()) {
+            // While another thread reads the first, this one reads the next that nobody does.
+            for (Iterator<Block> others = ahead.iterator(); others.hasNext() && !head.isRead();) {
+                others.next().readUnlessClaimed();
+            }
+            head.await();
+        }
+        spare.add(ahead.remove());
+        return Optional.of(head);
+    }
+
+    /** A block to be filled: the one that was handed out last is in use. */
+    private Block empty() {
+        return spare.size() > 1 ? spare.remove() : new Block(new byte[SIZE]);
     }
 
     private Optional<Block> cut() throws IOException {
-        byte[] bytes = Arrays.copyOf(rest, Math.max(SIZE, 2 * rest.length));
+        Block block = empty();
+        byte[] bytes = block.bytes();
+        if (bytes.length < 2 * rest.length) {
+            bytes = new byte[2 * rest.length];
+        }
+        System.arraycopy(rest, 0, bytes, 0, rest.length);
         int filled = rest.length;
         while (true) {
             int more = input.readNBytes(bytes, filled, bytes.length - filled - ROOM);
@@ -52,12 +75,12 @@ final class Blocks {
             if (filled < bytes.length - ROOM) {
                 isEnded = true;
                 rest = new byte[0];
-                return filled == 0 ? Optional.empty() : Optional.of(last(bytes, filled));
+                return filled == 0 ? Optional.empty() : Optional.of(last(block, bytes, filled));
             }
             int end = lastEnd(bytes, filled);
             if (end > 0) {
                 rest = Arrays.copyOfRange(bytes, end, filled);
-                return Optional.of(block(bytes, end));
+                return Optional.of(filled(block, bytes, end));
             }
             if (filled > LARGEST) {
                 throw FormatFault.in("a line", "is longer than " + LARGEST + " bytes");
@@ -66,15 +89,16 @@ final class Blocks {
         }
     }
 
-    private static Block last(byte[] bytes, int filled) {
+    private static Block last(Block block, byte[] bytes, int filled) {
         boolean isWhole = bytes[filled - 1] == '\n' || bytes[filled - 1] == '\r';
         bytes[filled] = '\n';
-        return block(bytes, isWhole ? filled : filled + 1);
+        return filled(block, bytes, isWhole ? filled : filled + 1);
     }
 
-    private static Block block(byte[] bytes, int length) {
+    private static Block filled(Block block, byte[] bytes, int length) {
         Arrays.fill(bytes, length, length + Block.PADDING, (byte) 0);
-        return new Block(bytes, length);
+        block.fill(bytes, length);
+        return block;
     }
 
     /** Behind the last line that is whole for sure, and not joined with the next; 0 if there is none. */

@@ -1,7 +1,9 @@
 package cz.paprsek.format.obj;
 
 import cz.paprsek.format.model.Doubles;
+import cz.paprsek.format.model.Floats;
 import cz.paprsek.format.model.Ints;
+import cz.paprsek.format.model.Pairs;
 import cz.paprsek.shape.mesh.Triangles;
 import java.util.Arrays;
 
@@ -15,23 +17,29 @@ final class Corners {
     static final int NONE = -1;
     /** Of so many vertices in one place, others are not looked for any more: some come twice then. */
     private static final int MOST_TRIED = 64;
+    private static final int FACTS = 4;
+    private static final int BEFORE = 0;
+    private static final int PLACE = 1;
+    private static final int MAP = 2;
+    private static final int NORMAL = 3;
 
     private final Triangles.Builder builder = Triangles.builder();
     private final Doubles places;
     private final Doubles normals;
     private final Doubles map;
-    /** For each place the vertex that was made last there; for each vertex the one that was made before, its place, point of a picture and normal, or −2 less its group. */
+    /** Of the first vertices; others are white. */
+    private final Floats colors;
+    /** For each place the vertex that was made last there. */
     private int[] last = new int[64];
-    private final Ints before = new Ints();
-    private final Ints placeOf = new Ints();
-    private final Ints mapOf = new Ints();
-    private final Ints normalOf = new Ints();
+    /** For each vertex, side by side: the one that was made before in its place, that, its point of a picture, and its normal, or −2 less its group. */
+    private int[] facts = new int[FACTS * 64];
     private boolean hasGroups;
 
-    Corners(Doubles places, Doubles normals, Doubles map) {
+    Corners(Doubles places, Doubles normals, Doubles map, Floats colors) {
         this.places = places;
         this.normals = normals;
         this.map = map;
+        this.colors = colors;
         Arrays.fill(last, NONE);
     }
 
@@ -40,7 +48,7 @@ final class Corners {
     }
 
     int placeOf(int vertex) {
-        return placeOf.get(vertex);
+        return facts[FACTS * vertex + PLACE];
     }
 
     void part(String name) {
@@ -57,17 +65,22 @@ final class Corners {
         }
         int known = last[place];
         for (int tried = 0; known != NONE && tried < MOST_TRIED; tried++) {
-            if (mapOf.get(known) == uv && normalOf.get(known) == wanted) {
+            int at = FACTS * known;
+            if (facts[at + MAP] == uv && facts[at + NORMAL] == wanted) {
                 return known;
             }
-            known = before.get(known);
+            known = facts[at + BEFORE];
         }
         int fresh = builder.vertex(places.get(3 * place), places.get(3 * place + 1), places.get(3 * place + 2));
-        before.add(last[place]);
+        int at = FACTS * fresh;
+        if (at + FACTS > facts.length) {
+            facts = Arrays.copyOf(facts, Ints.larger(at));
+        }
+        facts[at + BEFORE] = last[place];
+        facts[at + PLACE] = place;
+        facts[at + MAP] = uv;
+        facts[at + NORMAL] = wanted;
         last[place] = fresh;
-        placeOf.add(place);
-        mapOf.add(uv);
-        normalOf.add(wanted);
         hasGroups |= wanted < NONE;
         if (normal != NONE) {
             builder.normal(fresh, normals.get(3 * normal), normals.get(3 * normal + 1), normals.get(3 * normal + 2));
@@ -75,13 +88,16 @@ final class Corners {
         if (uv != NONE) {
             builder.map(fresh, map.get(2 * uv), map.get(2 * uv + 1));
         }
+        if (3 * place < colors.size()) {
+            builder.color(fresh, colors.get(3 * place), colors.get(3 * place + 1), colors.get(3 * place + 2));
+        }
         return fresh;
     }
 
     void triangle(int a, int b, int c) {
-        int placeA = placeOf.get(a);
-        int placeB = placeOf.get(b);
-        int placeC = placeOf.get(c);
+        int placeA = placeOf(a);
+        int placeB = placeOf(b);
+        int placeC = placeOf(c);
         if (placeA != placeB && placeB != placeC && placeA != placeC) {
             builder.triangle(a, b, c);
         }
@@ -97,7 +113,7 @@ final class Corners {
         Doubles sums = new Doubles();
         int[] numbers = new int[mesh.vertexCount()];
         for (int v = 0; v < numbers.length; v++) {
-            numbers[v] = normalOf.get(v) < NONE ? pairs.number(placeOf.get(v), normalOf.get(v)) : NONE;
+            numbers[v] = facts[FACTS * v + NORMAL] < NONE ? pairs.number(placeOf(v), facts[FACTS * v + NORMAL]) : NONE;
             while (sums.size() < 3 * pairs.size()) {
                 sums.add(0);
             }

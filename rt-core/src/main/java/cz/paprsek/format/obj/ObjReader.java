@@ -3,12 +3,14 @@ package cz.paprsek.format.obj;
 import cz.paprsek.format.model.Companions;
 import cz.paprsek.format.model.Convention;
 import cz.paprsek.format.model.Doubles;
+import cz.paprsek.format.model.Floats;
 import cz.paprsek.format.model.FormatFault;
 import cz.paprsek.format.model.Model;
 import cz.paprsek.format.model.Notes;
 import cz.paprsek.format.model.Polygon;
 import cz.paprsek.format.model.TextLines;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Rgb;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.Arrays;
@@ -35,7 +37,8 @@ public final class ObjReader {
     private final Doubles places = new Doubles();
     private final Doubles normals = new Doubles();
     private final Doubles map = new Doubles();
-    private final Corners corners = new Corners(places, normals, map);
+    private final Floats colors = new Floats();
+    private final Corners corners = new Corners(places, normals, map, colors);
     private final Polygon polygon = new Polygon();
     private final Parts parts = new Parts();
     private final Map<String, Material> materials = new LinkedHashMap<>();
@@ -87,6 +90,13 @@ public final class ObjReader {
             } else if (code == Block.OTHER) {
                 other(block, before + codes[at], codes[at + 1], codes[at + 2]);
                 at += 3;
+            } else if (code == Block.COLORED) {
+                for (int i = 0; i < codes[at]; i++, number += 6) {
+                    double[] numbers = block.numbers();
+                    colored(numbers[number + 3], numbers[number + 4], numbers[number + 5]);
+                    places.add(numbers, number, 3);
+                }
+                at++;
             } else {
                 int size = (code == Block.MAP ? 2 : 3) * codes[at++];
                 (code == Block.VERTICES ? places : code == Block.NORMALS ? normals : map).add(block.numbers(), number, size);
@@ -166,11 +176,33 @@ public final class ObjReader {
         }
     }
 
+    /** The colour of the vertex that comes next, sRGB, 0–1. */
+    private void colored(double red, double green, double blue) {
+        while (colors.size() < places.size()) {
+            colors.add(1);
+        }
+        colors.add(light(red));
+        colors.add(light(green));
+        colors.add(light(blue));
+    }
+
+    private static float light(double channel) {
+        return (float) Rgb.linear(255 * Math.max(0, Math.min(1, channel)));
+    }
+
     private void vertex() throws IOException {
         if (lines.length() == 1) {
-            places.add(coordinate("x of a vertex"));
-            places.add(coordinate("y of a vertex"));
-            places.add(coordinate("z of a vertex"));
+            double x = coordinate("x of a vertex");
+            double y = coordinate("y of a vertex");
+            double z = coordinate("z of a vertex");
+            // One more number is a weight, which makes no difference to what is flat; three are a colour.
+            double red = isNumberNext() ? lines.number("red of a vertex") : 1;
+            if (isNumberNext()) {
+                colored(red, lines.number("green of a vertex"), lines.nextNumber("blue of a vertex"));
+            }
+            places.add(x);
+            places.add(y);
+            places.add(z);
         } else if (lines.is("vn")) {
             normals.add(coordinate("x of a normal"));
             normals.add(coordinate("y of a normal"));
@@ -181,6 +213,14 @@ public final class ObjReader {
         } else {
             unknown();
         }
+    }
+
+    private boolean isNumberNext() {
+        if (!lines.word()) {
+            return false;
+        }
+        int letter = lines.letter(0);
+        return (letter >= '0' && letter <= '9') || letter == '-' || letter == '+' || letter == '.';
     }
 
     private double coordinate(String what) throws IOException {

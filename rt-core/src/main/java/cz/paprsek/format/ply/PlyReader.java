@@ -2,17 +2,21 @@ package cz.paprsek.format.ply;
 
 import cz.paprsek.format.model.Convention;
 import cz.paprsek.format.model.Doubles;
+import cz.paprsek.format.model.Floats;
 import cz.paprsek.format.model.FormatFault;
 import cz.paprsek.format.model.Ints;
 import cz.paprsek.format.model.Model;
 import cz.paprsek.format.model.Notes;
+import cz.paprsek.format.model.Pairs;
 import cz.paprsek.format.model.Polygon;
 import cz.paprsek.format.model.TextLines;
+import cz.paprsek.material.Rgb;
 import cz.paprsek.shape.mesh.Triangles;
 import java.io.BufferedInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.stream.IntStream;
 
 /**
  * Reads PLY: vertices with normals, places in pictures and colours, faces of any number of corners, strips of triangles. Properties may come in any order; those that are not
@@ -23,6 +27,8 @@ import java.io.InputStream;
 public final class PlyReader {
     private static final Convention CONVENTION = new Convention("", false);
     private static final int MOST_CORNERS = 1_000_000;
+    private static final int WHITE = 0xFFFFFF;
+    private static final double[] LIGHT = IntStream.range(0, 256).mapToDouble(Rgb::linear).toArray();
 
     private final Notes notes = new Notes();
     private final Header header;
@@ -30,7 +36,9 @@ public final class PlyReader {
     private final Doubles places = new Doubles();
     private final Doubles normals = new Doubles();
     private final Doubles map = new Doubles();
-    private final Ints vertexColors = new Ints();
+    /** Linear light, three for each vertex. */
+    private final Floats vertexColors = new Floats();
+    /** sRGB, a byte for each of the three channels. */
     private final Ints faceColors = new Ints();
     /** How many corners each face has, and which. */
     private final Ints sizes = new Ints();
@@ -70,7 +78,7 @@ public final class PlyReader {
                 throw values.ended("the file ends before all of its " + element.count() + " times " + FormatFault.quoted(element.name()));
             }
         }
-        return Colors.model(build(), faceColors, vertexColors, CONVENTION, notes);
+        return Model.of(build(), CONVENTION, notes);
     }
 
     private void passOver(Element element) throws IOException {
@@ -126,7 +134,9 @@ public final class PlyReader {
             take(row, normal, normals);
             take(row, uv, map);
             if (isAll(color)) {
-                vertexColors.add(color(element, row, color));
+                for (int index : color) {
+                    vertexColors.add(light(channel(element, row, index)));
+                }
             }
         }
     }
@@ -152,15 +162,19 @@ public final class PlyReader {
         }
     }
 
-    /** Numbers with a fraction go up to 1, others to 255. */
-    private static int color(Element element, double[] row, int... indexes) {
-        int color = 0;
-        for (int index : indexes) {
-            boolean isFraction = element.properties().get(index).kind().isFraction();
-            double value = isFraction ? row[index] * 255 : element.properties().get(index).kind().bytes == 2 ? row[index] / 257 : row[index];
-            color = color << 8 | (int) Math.max(0, Math.min(255, Math.rint(value)));
-        }
-        return color;
+    /** An sRGB channel, 0–255. Numbers with a fraction go up to 1, others to 255 or 65535. */
+    private static double channel(Element element, double[] row, int index) {
+        Property.Kind kind = element.properties().get(index).kind();
+        double value = kind.isFraction() ? row[index] * 255 : kind.bytes == 2 ? row[index] / 257 : row[index];
+        return value > 0 ? Math.min(255, value) : 0;
+    }
+
+    private static int whole(Element element, double[] row, int index) {
+        return (int) Math.rint(channel(element, row, index));
+    }
+
+    private static float light(double channel) {
+        return (float) (channel == Math.rint(channel) ? LIGHT[(int) channel] : Rgb.linear(channel));
     }
 
     private void faces(Element element) throws IOException {
@@ -176,7 +190,7 @@ public final class PlyReader {
                 row[k] = k == list ? corners(property) : value(property);
             }
             if (isAll(color)) {
-                faceColors.add(color(element, row, color));
+                faceColors.add(whole(element, row, color[0]) << 16 | whole(element, row, color[1]) << 8 | whole(element, row, color[2]));
             }
         }
     }
@@ -247,17 +261,15 @@ public final class PlyReader {
             throw FormatFault.in("the end", "there is no face in this file" + (vertexCount > 0 ? ", only " + vertexCount + " vertices" : ""));
         }
         Triangles.Builder builder = Triangles.builder().expect(vertexCount, sizes.size());
-        for (int i = 0; i < vertexCount; i++) {
-            builder.vertex(places.get(3 * i), places.get(3 * i + 1), places.get(3 * i + 2));
-            if (normals.size() > 0) {
-                builder.normal(i, normals.get(3 * i), normals.get(3 * i + 1), normals.get(3 * i + 2));
-            }
-            if (map.size() > 0) {
-                builder.map(i, map.get(2 * i), map.get(2 * i + 1));
+        boolean areFacesColored = faceColors.size() > 0;
+        for (int i = 0; i < vertexCount && !areFacesColored; i++) {
+            int vertex = vertex(builder, i);
+            if (vertexColors.size() > 0) {
+                builder.color(vertex, vertexColors.get(3 * i), vertexColors.get(3 * i + 1), vertexColors.get(3 * i + 2));
             }
         }
         Polygon polygon = new Polygon();
-        Colors.Parting parting = new Colors.Parting(builder, faceColors, vertexColors);
+        Pairs colored = new Pairs();
         int at = 0;
         for (int f = 0; f < sizes.size(); f++) {
             polygon.clear();
@@ -266,12 +278,11 @@ public final class PlyReader {
                 if (vertex >= vertexCount) {
                     throw FormatFault.in("face " + f, "a corner is vertex " + vertex + ", but vertices have numbers from 0 to " + (vertexCount - 1));
                 }
-                polygon.add(vertex, places.get(3 * vertex), places.get(3 * vertex + 1), places.get(3 * vertex + 2));
+                polygon.add(areFacesColored ? colored(builder, colored, vertex, f) : vertex, places.get(3 * vertex), places.get(3 * vertex + 1), places.get(3 * vertex + 2));
             }
-            int face = f;
             polygon.cut((a, b, c) -> {
                 if (a != b && b != c && a != c) {
-                    parting.triangle(face, a, b, c);
+                    builder.triangle(a, b, c);
                 }
             });
         }
@@ -279,5 +290,27 @@ public final class PlyReader {
             throw FormatFault.in("the end", "no face of this file has three corners");
         }
         return builder.build();
+    }
+
+    /** The vertex that has a vertex's place and the colour of a face. */
+    private int colored(Triangles.Builder builder, Pairs known, int vertex, int face) {
+        int color = face < faceColors.size() ? faceColors.get(face) : WHITE;
+        int number = known.number(vertex, color);
+        if (number == builder.vertexCount()) {
+            vertex(builder, vertex);
+            builder.color(number, LIGHT[color >> 16], LIGHT[color >> 8 & 255], LIGHT[color & 255]);
+        }
+        return number;
+    }
+
+    private int vertex(Triangles.Builder builder, int number) {
+        int vertex = builder.vertex(places.get(3 * number), places.get(3 * number + 1), places.get(3 * number + 2));
+        if (normals.size() > 0) {
+            builder.normal(vertex, normals.get(3 * number), normals.get(3 * number + 1), normals.get(3 * number + 2));
+        }
+        if (map.size() > 0) {
+            builder.map(vertex, map.get(2 * number), map.get(2 * number + 1));
+        }
+        return vertex;
     }
 }

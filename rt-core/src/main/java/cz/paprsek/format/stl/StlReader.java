@@ -27,6 +27,7 @@ public final class StlReader {
 
     private final Weld weld = new Weld();
     private final Notes notes = new Notes();
+    private FacetColors colors = FacetColors.of(new byte[HEAD]);
 
     private StlReader() {}
 
@@ -73,6 +74,7 @@ public final class StlReader {
         if (head.length < HEAD) {
             throw FormatFault.at(head.length, "the file ends here, but an STL file in bytes has a head of 84; and a text begins with \"solid\"");
         }
+        colors = FacetColors.of(head);
         long count = count(head);
         if (size != Long.MAX_VALUE && count > (size - HEAD) / RECORD) {
             throw FormatFault.at(80, "the file says it has " + count + " triangles, but there is room for " + (size - HEAD) / RECORD);
@@ -96,6 +98,7 @@ public final class StlReader {
     }
 
     private void triangle(ByteBuffer numbers, int from, long offset) throws IOException {
+        weld.color(colors.of(numbers.getShort(from + 48) & 0xFFFF));
         for (int k = 0; k < 3; k++) {
             int at = from + 12 + 12 * k;
             float x = numbers.getFloat(at);
@@ -107,9 +110,6 @@ public final class StlReader {
             weld.corner(k, x, y, z);
         }
         weld.triangle();
-        if (numbers.getShort(from + 48) != 0) {
-            notes.add("byte " + (offset + 48), "colours of triangles are not read");
-        }
     }
 
     private void text(TextLines lines) throws IOException {

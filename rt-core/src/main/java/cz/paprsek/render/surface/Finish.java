@@ -51,8 +51,14 @@ public final class Finish {
 
     /** @param toDeclared from the world to the space of the object that declares the material */
     Finish(Material material, Affine toDeclared, Textures textures) {
+        this(material, toDeclared, textures, false);
+    }
+
+    /** @param isTinted whether colours of the surface itself lie over it */
+    Finish(Material material, Affine toDeclared, Textures textures, boolean isTinted) {
         this.material = material;
-        paint = Paint.of(material.pattern(), toDeclared, textures, true);
+        Paint own = Paint.of(material.pattern(), toDeclared, textures, true);
+        paint = isTinted ? new TintedPaint(material.pattern(), own) : own;
         variety = Variety.of(material, toDeclared, textures);
         isEven = variety.isNone();
         diffusion = material.diffusion();
@@ -125,7 +131,7 @@ public final class Finish {
         if (level.leaving) {
             level.hit.turn();
         }
-        if (!(material.pattern() instanceof Pattern.Plain)) {
+        if (!(material.pattern() instanceof Pattern.Plain) || paint.isTinted()) {
             told.add(paint.tell(level, "color", material.pattern().kind()));
         }
         variety.tell(level, material.shares(), told);

@@ -67,6 +67,11 @@ public abstract class Paint {
         return false;
     }
 
+    /** Whether colours of the surface itself lie over it. */
+    boolean isTinted() {
+        return false;
+    }
+
     /** As {@link #color}, where u and v of the hit may be those that another paint has left there. */
     final void ask(Level level) {
         if (mapped) {

@@ -149,6 +149,10 @@ final class Placing {
         return new Finish(material, toWorld.inverse(), textures);
     }
 
+    private Finish tinted(Material material, Affine toWorld) {
+        return new Finish(material, toWorld.inverse(), textures, true);
+    }
+
     /** Neighbours are mostly of one material: that saves hashing it. */
     private Finish shared(Material material) {
         if (!material.equals(lastMaterial)) {
@@ -208,8 +212,8 @@ final class Placing {
         }
 
         @Override
-        public Parts unlessGiven(Material material, Affine toWorld) {
-            return given ? this : new Scope(object, own(material, toWorld, finish), true);
+        public Parts unlessGiven(Material material, Affine toWorld, boolean isTinted) {
+            return given ? this : new Scope(object, isTinted ? tinted(material, toWorld) : own(material, toWorld, finish), true);
         }
 
         @Override

@@ -116,6 +116,27 @@ final class Edges {
         return open;
     }
 
+    /** The places that open edges lead between, if some triangles are turned round. */
+    BitSet rim(BitSet turned) {
+        BitSet rim = new BitSet();
+        for (int p = 0; p + 1 < start.length; p++) {
+            int i = start[p];
+            while (i < start[p + 1]) {
+                int end = end(i, start[p + 1]);
+                int balance = 0;
+                int other = higher[i];
+                for (; i < end; i++) {
+                    balance += isForward(i) == turned.get(triangle(i)) ? -1 : 1;
+                }
+                if (balance != 0) {
+                    rim.set(p);
+                    rim.set(other);
+                }
+            }
+        }
+        return rim;
+    }
+
     /** Where those of the edge end that begin at i. */
     private int end(int i, int most) {
         int end = i + 1;

@@ -7,6 +7,9 @@ import org.jspecify.annotations.Nullable;
 /** What has been found out about a mesh: each looked for when it is first asked for, and always the same. */
 final class Findings {
     private volatile @Nullable Shells shells;
+    /** What it was last sewn to, and with which share of its diagonal. */
+    private @Nullable Sewn sewn;
+    private double sewnWith;
     /** Made when the mesh is first placed. */
     private @Nullable Facets facets;
     /** Made when it is first drawn, and kept while there is memory. */
@@ -27,6 +30,16 @@ final class Findings {
         if (known == null) {
             known = Shells.of(mesh.places(), mesh.corners(), mesh.bounds());
             shells = known;
+        }
+        return known;
+    }
+
+    synchronized Sewn sewn(Triangles mesh, double share) {
+        Sewn known = sewn;
+        if (known == null || sewnWith != share) {
+            known = Seams.sewn(mesh, shells(mesh), share);
+            sewn = known;
+            sewnWith = share;
         }
         return known;
     }

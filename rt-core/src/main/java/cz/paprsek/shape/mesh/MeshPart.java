@@ -125,6 +125,14 @@ final class MeshPart implements Part {
     }
 
     @Override
+    public void tint(int face, Hit hit) {
+        Vec3 a = mesh.place(mesh.corner(face, 0));
+        Vec3 share = shares(face, mesh.place(mesh.corner(face, 1)).minus(a), mesh.place(mesh.corner(face, 2)).minus(a), hit);
+        Vec3 color = mesh.color(mesh.corner(face, 0)).times(share.x()).plus(mesh.color(mesh.corner(face, 1)).times(share.y())).plus(mesh.color(mesh.corner(face, 2)).times(share.z()));
+        hit.color(color.x(), color.y(), color.z());
+    }
+
+    @Override
     public void map(int face, Hit hit) {
         Vec3 a = mesh.place(mesh.corner(face, 0));
         Vec3 along = mesh.place(mesh.corner(face, 1)).minus(a);

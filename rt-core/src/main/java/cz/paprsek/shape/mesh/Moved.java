@@ -9,7 +9,7 @@ final class Moved {
 
     /** Places and normals moved, turned and stretched; corners turned round if the map mirrors. */
     static Triangles into(Affine toOther, Triangles from) {
-        Triangles moved = new Triangles(places(toOther, from.places()), from.corners(), normals(toOther.inverse(), from.normals()), from.map(), from.parts(), from.partNumbers());
+        Triangles moved = new Triangles(places(toOther, from.places()), from.corners(), normals(toOther.inverse(), from.normals()), from.map(), from.colors(), from.parts(), from.partNumbers());
         if (!toOther.mirrors()) {
             return moved;
         }
@@ -52,6 +52,6 @@ final class Moved {
             round[3 * t + 1] = corners[3 * t + 2];
             round[3 * t + 2] = corners[3 * t + 1];
         }
-        return new Triangles(mesh.places(), round, mesh.normals(), mesh.map(), mesh.parts(), mesh.partNumbers());
+        return new Triangles(mesh.places(), round, mesh.normals(), mesh.map(), mesh.colors(), mesh.parts(), mesh.partNumbers());
     }
 }

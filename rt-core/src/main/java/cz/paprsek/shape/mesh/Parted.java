@@ -25,6 +25,7 @@ final class Parted {
         double[] places = new double[all.places().length];
         float[] normals = new float[all.normals().length];
         float[] map = new float[all.map().length];
+        float[] colors = new float[all.colors().length];
         int kept = 0;
         for (int v = 0; v < numbers.length; v++) {
             if (numbers[v] == 1) {
@@ -34,6 +35,9 @@ final class Parted {
                 }
                 if (all.hasMap()) {
                     System.arraycopy(all.map(), 2 * v, map, 2 * kept, 2);
+                }
+                if (all.hasColors()) {
+                    System.arraycopy(all.colors(), 3 * v, colors, 3 * kept, 3);
                 }
                 numbers[v] = kept++;
             }
@@ -48,6 +52,6 @@ final class Parted {
             }
         }
         return new Triangles(Arrays.copyOf(places, 3 * kept), corners, all.hasNormals() ? Arrays.copyOf(normals, 3 * kept) : normals,
-                all.hasMap() ? Arrays.copyOf(map, 2 * kept) : map, List.of(all.parts().get(part)), new int[0]);
+                all.hasMap() ? Arrays.copyOf(map, 2 * kept) : map, all.hasColors() ? Arrays.copyOf(colors, 3 * kept) : colors, List.of(all.parts().get(part)), new int[0]);
     }
 }

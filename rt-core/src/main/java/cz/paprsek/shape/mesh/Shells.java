@@ -9,8 +9,9 @@ import java.util.BitSet;
  *
  * @param openEdges how many edges are not passed as often in one direction as in the other, with triangles turned
  * @param turned the triangles to be turned round so that neighbours fit and insides are inside
+ * @param rim the places, by their first vertices, that open edges lead between
  */
-record Shells(int openEdges, BitSet turned) {
+record Shells(int openEdges, BitSet turned, BitSet rim) {
     /** Above so many pairs of shells it is not asked which lies in which. */
     private static final long MOST_PAIRS = 20_000_000;
 
@@ -30,7 +31,7 @@ record Shells(int openEdges, BitSet turned) {
         if (open == 0) {
             turnInsidesIn(places, corners, bounds, first, turned);
         }
-        return new Shells(open, turned);
+        return new Shells(open, turned, open == 0 ? new BitSet() : edges.rim(turned));
     }
 
     /** Turns what is inside out: everything, if that is what the volume says; and single shells that lie within no other. */

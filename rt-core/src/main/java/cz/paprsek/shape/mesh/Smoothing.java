@@ -158,6 +158,7 @@ final class Smoothing {
         double[] places = new double[3 * count];
         float[] normals = new float[3 * count];
         float[] map = new float[mesh.hasMap() ? 2 * count : 0];
+        float[] colors = new float[mesh.hasColors() ? 3 * count : 0];
         for (int v = 0; v < count; v++) {
             int old = corners[sample[v]];
             System.arraycopy(at, 3 * old, places, 3 * v, 3);
@@ -165,8 +166,11 @@ final class Smoothing {
             if (mesh.hasMap()) {
                 System.arraycopy(mesh.map(), 2 * old, map, 2 * v, 2);
             }
+            if (mesh.hasColors()) {
+                System.arraycopy(mesh.colors(), 3 * old, colors, 3 * v, 3);
+            }
         }
-        return new Triangles(places, of, normals, map, mesh.parts(), mesh.partNumbers());
+        return new Triangles(places, of, normals, map, colors, mesh.parts(), mesh.partNumbers());
     }
 
     private static boolean same(float[] normals, int a, int b) {

@@ -7,6 +7,9 @@ import java.util.List;
 
 /** What the numbers of triangles must be. */
 final class TriangleCheck {
+    /** What a colour may be multiplied by. */
+    private static final int BRIGHTEST = 1000;
+
     private TriangleCheck() {}
 
     /**
@@ -15,7 +18,7 @@ final class TriangleCheck {
      * @return the box around the vertices that triangles have
      * @throws IllegalArgumentException with a sentence that says which vertex or triangle is wrong
      */
-    static Bounds check(double[] places, int[] corners, float[] normals, float[] map, List<String> partNames, int[] partNumbers) {
+    static Bounds check(double[] places, int[] corners, float[] normals, float[] map, float[] colors, List<String> partNames, int[] partNumbers) {
         int vertices = places.length / 3;
         int count = corners.length / 3;
         Require.that(corners.length > 0, "a mesh needs at least one triangle, but has none");
@@ -25,12 +28,15 @@ final class TriangleCheck {
                 "a mesh has a normal of three numbers for each of its " + vertices + " vertices, or none at all, but there are " + normals.length + " numbers");
         Require.that(map.length == 0 || map.length == vertices * 2,
                 "a mesh has u and v for each of its " + vertices + " vertices, or none at all, but there are " + map.length + " numbers");
+        Require.that(colors.length == 0 || colors.length == places.length,
+                "a mesh has a colour of three numbers for each of its " + vertices + " vertices, or none at all, but there are " + colors.length + " numbers");
         Require.that(partNumbers.length == 0 || partNumbers.length == count,
                 "a mesh has a part for each of its " + count + " triangles, or none at all, but there are " + partNumbers.length);
         Require.that(!partNames.isEmpty(), "a mesh has at least one part");
         Require.that(new HashSet<>(partNames).size() == partNames.size(), "the parts of a mesh have different names");
         checkPlaces(places);
         checkFloats(normals, map);
+        checkColors(colors);
         checkParts(partNumbers, partNames.size());
         return bounds(places, corners);
     }
@@ -52,6 +58,14 @@ final class TriangleCheck {
         for (int i = 0; i < map.length; i++) {
             if (!(Math.abs(map[i]) <= Float.MAX_VALUE)) {
                 Require.finite((i % 2 == 0 ? "u" : "v") + " of vertex " + i / 2, map[i]);
+            }
+        }
+    }
+
+    private static void checkColors(float[] colors) {
+        for (int i = 0; i < colors.length; i++) {
+            if (!(colors[i] >= 0 && colors[i] <= BRIGHTEST)) {
+                throw new IllegalArgumentException("the colour of vertex " + i / 3 + " must be of numbers from 0 to " + BRIGHTEST + ", but one is " + colors[i]);
             }
         }
     }

@@ -28,6 +28,8 @@ public final class Triangles {
     private final float[] normals;
     /** Two for each vertex, or none at all. */
     private final float[] map;
+    /** Three for each vertex, or none at all. */
+    private final float[] colors;
     private final List<String> partNames;
     /** For each triangle; or empty, and all belong to the first. */
     private final int[] partNumbers;
@@ -35,14 +37,15 @@ public final class Triangles {
     private final Findings found = new Findings();
 
     /** Takes over arrays that nobody else knows. */
-    Triangles(double[] places, int[] corners, float[] normals, float[] map, List<String> partNames, int[] partNumbers) {
+    Triangles(double[] places, int[] corners, float[] normals, float[] map, float[] colors, List<String> partNames, int[] partNumbers) {
         this.places = places;
         this.corners = corners;
         this.normals = normals;
         this.map = map;
+        this.colors = colors;
         this.partNames = List.copyOf(partNames);
         this.partNumbers = partNumbers;
-        this.bounds = TriangleCheck.check(places, corners, normals, map, this.partNames, partNumbers);
+        this.bounds = TriangleCheck.check(places, corners, normals, map, colors, this.partNames, partNumbers);
     }
 
     /**
@@ -53,7 +56,7 @@ public final class Triangles {
      * @throws IllegalArgumentException if there is no triangle, a place is no {@linkplain cz.paprsek.math.Require#coordinate coordinate}, or a corner is no vertex
      */
     public static Triangles of(double[] places, int[] corners) {
-        return new Triangles(places.clone(), corners.clone(), new float[0], new float[0], List.of(""), new int[0]);
+        return new Triangles(places.clone(), corners.clone(), new float[0], new float[0], new float[0], List.of(""), new int[0]);
     }
 
     /** To be made vertex by vertex, without copying what has been made: for readers of files. */
@@ -67,7 +70,7 @@ public final class Triangles {
      * @param perVertex x y z for each vertex, of any length; 0 0 0 where none is known, and that of the triangle stands for it. Empty for none at all. Copied
      */
     public Triangles withNormals(float[] perVertex) {
-        return new Triangles(places, corners, perVertex.clone(), map, partNames, partNumbers).knowing(found.shells());
+        return new Triangles(places, corners, perVertex.clone(), map, colors, partNames, partNumbers).knowing(found.shells());
     }
 
     /**
@@ -76,7 +79,16 @@ public final class Triangles {
      * @param perVertex u v for each vertex, 0 0 being the lower left corner of the picture; empty for none. Copied
      */
     public Triangles withMap(float[] perVertex) {
-        return new Triangles(places, corners, normals, perVertex.clone(), partNames, partNumbers).knowing(found.shells());
+        return new Triangles(places, corners, normals, perVertex.clone(), colors, partNames, partNumbers).knowing(found.shells());
+    }
+
+    /**
+     * The same with other colours.
+     *
+     * @param perVertex red, green and blue of each vertex, linear light, 0 or above: what the colour of the material there is multiplied by; empty for none. Copied
+     */
+    public Triangles withColors(float[] perVertex) {
+        return new Triangles(places, corners, normals, map, perVertex.clone(), partNames, partNumbers).knowing(found.shells());
     }
 
     /**
@@ -86,12 +98,12 @@ public final class Triangles {
      * @param perTriangle the number of its part for each triangle; empty if all belong to the first. Copied
      */
     public Triangles withParts(List<String> names, int[] perTriangle) {
-        return new Triangles(places, corners, normals, map, names, perTriangle.clone()).knowing(found.shells());
+        return new Triangles(places, corners, normals, map, colors, names, perTriangle.clone()).knowing(found.shells());
     }
 
-    /** The same without normals and map that nobody needs: of a mesh that is seen flat and in one colour. */
+    /** The same without normals, map and colours that nobody needs: of a mesh that is seen flat and in one colour. */
     public Triangles bare() {
-        return new Triangles(places, corners, new float[0], new float[0], partNames, partNumbers).knowing(found.shells());
+        return new Triangles(places, corners, new float[0], new float[0], new float[0], partNames, partNumbers).knowing(found.shells());
     }
 
     private Triangles knowing(@Nullable Shells known) {
@@ -154,6 +166,15 @@ public final class Triangles {
         return hasMap() ? map[2 * vertex + 1] : 0;
     }
 
+    public boolean hasColors() {
+        return colors.length > 0;
+    }
+
+    /** What the colour of the material is multiplied by at a vertex, linear light; 1 1 1 if there are no colours. */
+    public Vec3 color(int vertex) {
+        return hasColors() ? new Vec3(colors[3 * vertex], colors[3 * vertex + 1], colors[3 * vertex + 2]) : Vec3.ONE;
+    }
+
     /** The names of the parts, at least one; empty is the name of what has none. */
     public List<String> parts() {
         return partNames;
@@ -201,7 +222,27 @@ public final class Triangles {
      */
     public Triangles oriented() {
         Shells known = found.shells(this);
-        return known.isOriented() ? this : Moved.turned(this, known.turned()).knowing(new Shells(known.openEdges(), new BitSet()));
+        return known.isOriented() ? this : Moved.turned(this, known.turned()).knowing(new Shells(known.openEdges(), new BitSet(), known.rim()));
+    }
+
+    /**
+     * The same with its seams closed: on {@linkplain #openEdges open edges}, places become one that are no further apart than a share of the diagonal of its box, as those
+     * are that programs reckon twice and round. Vertices keep their normals and maps. Itself if no edge less is open then.
+     *
+     * @param share 0–1; 0 for places that are the very same
+     */
+    public Triangles sewn(double share) {
+        return found.sewn(this, Require.within("weld", share, 0, 1)).mesh();
+    }
+
+    /** How many places {@link #sewn} moves to others next to them. */
+    public int placesSewn(double share) {
+        return found.sewn(this, share).places();
+    }
+
+    /** How many sides of triangles at open edges are so short that {@link #sewn} could make one place of their ends, and does not. */
+    public int shortSides(double share) {
+        return found.sewn(this, share).kept();
     }
 
     /**
@@ -262,6 +303,10 @@ public final class Triangles {
         return map;
     }
 
+    float[] colors() {
+        return colors;
+    }
+
     int[] partNumbers() {
         return partNumbers;
     }
@@ -270,7 +315,7 @@ public final class Triangles {
     @Override
     public boolean equals(@Nullable Object other) {
         return this == other || (other instanceof Triangles o && Arrays.equals(corners, o.corners) && Arrays.equals(places, o.places)
-                && Arrays.equals(normals, o.normals) && Arrays.equals(map, o.map) && partNames.equals(o.partNames) && Arrays.equals(partNumbers, o.partNumbers));
+                && Arrays.equals(normals, o.normals) && Arrays.equals(map, o.map) && Arrays.equals(colors, o.colors) && partNames.equals(o.partNames) && Arrays.equals(partNumbers, o.partNumbers));
     }
 
     /** By counts and size alone: there may be millions of vertices. */
@@ -295,6 +340,7 @@ public final class Triangles {
         private int triangles;
         private float[] normals = {};
         private float[] map = {};
+        private float[] colors = {};
         private final GrowingParts parts = new GrowingParts();
 
         Builder() {}
@@ -338,6 +384,19 @@ public final class Triangles {
             return this;
         }
 
+        /** Sets what the material's colour is multiplied by at a vertex that has been added, linear light; 1 1 1 for those that are not told. */
+        public Builder color(int vertex, double red, double green, double blue) {
+            if (colors.length < 3 * vertices) {
+                int told = colors.length;
+                colors = Arrays.copyOf(colors, places.length);
+                Arrays.fill(colors, told, colors.length, 1);
+            }
+            colors[3 * vertex] = (float) red;
+            colors[3 * vertex + 1] = (float) green;
+            colors[3 * vertex + 2] = (float) blue;
+            return this;
+        }
+
         /** Says to which part the triangles belong that come from now on: a new one, or one that was named before. */
         public Builder part(String name) {
             parts.begin(name, triangles);
@@ -370,7 +429,12 @@ public final class Triangles {
          * @throws IllegalArgumentException if there is none, or a number cannot be; in a sentence that says of which vertex or triangle
          */
         public Triangles build() {
-            return new Triangles(Growing.cut(places, 3 * vertices), Growing.cut(corners, 3 * triangles), Growing.cut(normals, 3 * vertices), Growing.cut(map, 2 * vertices),
+            int told = colors.length;
+            float[] all = Growing.cut(colors, 3 * vertices);
+            if (told > 0 && told < all.length) {
+                Arrays.fill(all, told, all.length, 1);
+            }
+            return new Triangles(Growing.cut(places, 3 * vertices), Growing.cut(corners, 3 * triangles), Growing.cut(normals, 3 * vertices), Growing.cut(map, 2 * vertices), all,
                     parts.names(), parts.numbers(triangles));
         }
     }

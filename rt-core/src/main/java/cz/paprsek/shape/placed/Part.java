@@ -32,6 +32,11 @@ public interface Part {
      */
     record Corners(int triangle, String part, Vec3 shares) {}
 
+    /** Writes into a hit whose point is set what the colour of the material is multiplied by there, linear light. */
+    default void tint(int face, Hit hit) {
+        hit.color(1, 1, 1);
+    }
+
     /**
      * Writes u, v and the tangent of a hit whose point is set: only where somebody asks for it, for that takes long.
      *

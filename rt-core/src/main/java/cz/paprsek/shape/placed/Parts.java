@@ -26,8 +26,12 @@ public interface Parts {
     /** Where the parts of an operand of the given material are to be registered. */
     Parts within(MaterialSource material, Affine toWorld);
 
-    /** Where the parts are to be registered that have a material of their own unless the scene has given one. */
-    default Parts unlessGiven(Material material, Affine toWorld) {
+    /**
+     * Where the parts are to be registered that have a material of their own unless the scene has given one.
+     *
+     * @param isTinted whether the colour of the material depends on the {@linkplain Part#tint part}, too
+     */
+    default Parts unlessGiven(Material material, Affine toWorld, boolean isTinted) {
         return this;
     }
 

@@ -170,10 +170,11 @@ final class ShapeBeans {
         @XmlAttribute(required = true) String file = "";
         @XmlAttribute String part = "";
         @XmlAttribute(name = "smooth-angle") double smoothAngle;
+        @XmlAttribute double weld = Mesh.USUAL_WELD;
 
         @Override
         Shape toShape(Problems problems) {
-            return new Mesh(file, part, smoothAngle, Mesh.Content.UNREAD);
+            return new Mesh(file, part, smoothAngle, weld, Mesh.Content.UNREAD);
         }
     }
 

@@ -1,25 +1,24 @@
-package cz.paprsek.format.obj;
+package cz.paprsek.format.model;
 
-import cz.paprsek.format.model.Ints;
 import java.util.Arrays;
 
 /** Gives pairs of numbers a number each, from 0 on, in the order in which they first come. */
-final class Pairs {
+public final class Pairs {
     private static final int NONE = -1;
 
     private final Ints first = new Ints();
     private final Ints second = new Ints();
     private int[] buckets = new int[1 << 10];
 
-    Pairs() {
+    public Pairs() {
         Arrays.fill(buckets, NONE);
     }
 
-    int size() {
+    public int size() {
         return first.size();
     }
 
-    int number(int a, int b) {
+    public int number(int a, int b) {
         if (2L * first.size() > buckets.length && buckets.length < 1 << 30) {
             buckets = new int[2 * buckets.length];
             Arrays.fill(buckets, NONE);
