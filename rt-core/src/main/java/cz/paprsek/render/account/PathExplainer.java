@@ -84,6 +84,7 @@ public final class PathExplainer {
         tracker.traceAlone(eye, column, row, sample);
         ledger.close();
         boolean isNegative = tracker.alone().isNegative;
+        sums.meets |= tracker.alone().ray.part >= 0;
         sums.add(tracker.alone().red, tracker.alone().green, tracker.alone().blue, isNegative);
         samples.add(new LinearRgb(tracker.alone().red, tracker.alone().green, tracker.alone().blue));
         for (int i = 0; i < ledger.entries(); i++) {

@@ -107,6 +107,7 @@ abstract class BlockTracer extends Shading {
 
     private static void add(Level[] rays, int from, int count, PixelSums to) {
         for (int i = from; i < from + count; i++) {
+            to.meets |= rays[i].ray.part >= 0;
             to.add(rays[i].red, rays[i].green, rays[i].blue, rays[i].isNegative);
         }
     }

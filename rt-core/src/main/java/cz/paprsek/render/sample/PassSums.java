@@ -7,6 +7,10 @@ package cz.paprsek.render.sample;
 public final class PassSums extends PixelSums {
     /** How many samples are summed before their sum is added to the others'. */
     public static final int PASS = 64;
+    /** If so many paths meet something but bring no light, there is none. */
+    private static final int FEWEST_OF_BLACK = 512;
+    /** In place of the brightest, of black pixels where nothing is met. */
+    private static final double NOTHING = -1;
     private static final int CHANNELS = 3;
 
     private final boolean isSigned;
@@ -40,6 +44,7 @@ public final class PassSums extends PixelSums {
     @Override
     public void clear() {
         count = 0;
+        meets = false;
         pass.clear();
         all.clear();
         brightestRed = 0;
@@ -87,10 +92,11 @@ public final class PassSums extends PixelSums {
                 one.takeG = single(one.takeG);
                 one.takeB = single(one.takeB);
             }
-            brightestRed = single(brightestRed);
+            brightestRed = single(!meets && brightestRed == 0 && brightestGreen == 0 && brightestBlue == 0 ? NOTHING : brightestRed);
             brightestGreen = single(brightestGreen);
             brightestBlue = single(brightestBlue);
         }
+        meets = false;
     }
 
     /** The nearest float. */
@@ -141,17 +147,20 @@ public final class PassSums extends PixelSums {
             return Target.UNKNOWN;
         }
         double half = halfWidth();
-        return isTrusted() ? half : -half;
+        return isTrusted() ? half : half > 0 ? -half : Target.UNKNOWN;
     }
 
+    /** What many paths have not found is thought not to be there. */
     private boolean isTrusted() {
-        return target.isTrusted(brightestRed / count, brightestGreen / count, brightestBlue / count);
+        boolean isBlack = brightestRed == 0 && brightestGreen == 0 && brightestBlue == 0;
+        return isBlack ? count >= FEWEST_OF_BLACK : target.isTrusted(brightestRed / count, brightestGreen / count, brightestBlue / count);
     }
 
     private double halfWidth() {
         tellGroups();
-        // The groups may happen to agree: one more sample such as the brightest is always thought possible.
-        return target.halfWidth(brightestRed / count, brightestGreen / count, brightestBlue / count);
+        // The groups may happen to agree: what is as bright as the brightest, but so rare that it may well not have been met, is always thought possible.
+        double k = target.unmet() / count;
+        return target.halfWidth(k * brightestRed, k * brightestGreen, k * brightestBlue);
     }
 
     private void tellGroups() {
@@ -193,6 +202,7 @@ public final class PassSums extends PixelSums {
     /** Goes on with sums that were kept, from a place on; with none if there is nothing but zeros. Where what follows them begins. */
     public int load(float[] numbers, int from) {
         count = (int) numbers[from];
+        meets = false;
         pass.clear();
         int at = load(all, numbers, from + 1);
         all.addR += numbers[at++];

@@ -12,6 +12,8 @@ public abstract class PixelSums {
     public double red;
     public double green;
     public double blue;
+    /** Whether one of the samples of this pass has met anything: what is black then may be lit by what is rarely found. */
+    public boolean meets;
     /** The weight of each sample that the filter adds, and of each that it takes away, in what was found. */
     public double weight;
     public double negativeWeight;

@@ -18,12 +18,13 @@ final class Target {
     /** The interval of a value of which nothing is known. */
     static final double UNKNOWN = -1;
     /** Which share of the light a single sample may bring. */
-    private static final double MOST_OF_ONE = 0.25;
+    private static final double MOST_OF_ONE = 0.3;
     /** Of normal deviates it is 3, of eight of them about 2.3; of eight numbers of which one is not like the others, 6.1. */
     private static final double MOST_KURTOSIS = 5;
 
     private final double error;
     private final double t;
+    private final double unmet;
     private final double gain;
     private final Tone tone;
     private final int groups;
@@ -40,6 +41,7 @@ final class Target {
     Target(RenderSettings settings, int groups, int looks) {
         this.error = settings.error();
         this.t = quantile((1 - settings.confidence()) / Math.max(1, looks), groups - 1);
+        this.unmet = -StrictMath.log(1 - settings.confidence());
         this.gain = StrictMath.pow(2, settings.exposure());
         this.tone = settings.tone();
         this.groups = groups;
@@ -53,6 +55,11 @@ final class Target {
         reds[number] = mean.red;
         greens[number] = mean.green;
         blues[number] = mean.blue;
+    }
+
+    /** How many samples of a kind there should be at most, with the confidence that is asked for, if none has been met: the rule of three. */
+    double unmet() {
+        return unmet;
     }
 
     /** Whether a value that may be so far from the true one is known well enough. */

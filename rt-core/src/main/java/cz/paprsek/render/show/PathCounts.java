@@ -42,6 +42,7 @@ public final class PathCounts extends Paths {
         long before = counted();
         for (int i = 0; i < more; i++) {
             traceAlone(eye, x, y, sums.count());
+            sums.meets |= alone().ray.part >= 0;
             sums.add(alone().red, alone().green, alone().blue, alone().isNegative);
         }
         if (isCancelled()) {

@@ -90,6 +90,7 @@ public final class PathLayers extends Paths {
         ledger.close();
         Level level = alone();
         boolean isSeen = sums.hits.object() > 0 || !transparent;
+        sums.light.meets |= sums.hits.object() > 0;
         add(isSeen, sums.light, level.red, level.green, level.blue);
         add(sums.hits.object() > 0, sums.cover, 1, 1, 1);
         add(true, sums.albedo, albedoRed, albedoGreen, albedoBlue);

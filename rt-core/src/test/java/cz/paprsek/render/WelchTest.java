@@ -1,0 +1,156 @@
+package cz.paprsek.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.asset.Assets;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Paths;
+import cz.paprsek.render.sample.Passes;
+import cz.paprsek.render.sample.Sampler;
+import cz.paprsek.render.surface.World;
+import cz.paprsek.render.texture.Textures;
+import cz.paprsek.scene.AreaLight;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Rectangle;
+import cz.paprsek.shape.Sphere;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import java.util.stream.IntStream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * Points of a light alone (one that no ray sees), directions of surfaces alone (a body that glows in its place) and both together (a light that is seen) have the same
+ * mean in every pixel: then the p-values of Welch's test are spread evenly, by the test of Kolmogorov and Smirnov. What is random is fixed, and so is the answer.
+ *
+ * @see <a href="https://jcgt.org/published/0009/02/01/">Jung, Hanika, Dachsbacher, Detecting Bias in Monte Carlo Renderers using Welch's t-test, JCGT 9(2), 2020</a>
+ */
+class WelchTest {
+    private static final int SIDE = Integer.getInteger("paths.welch", 12);
+    private static final int PATHS = 512;
+    private static final int GROUPS = Sampler.SCRAMBLES / 2;
+    private static final double RADIANCE = 3;
+    private static final double AREA = 1.5;
+
+    @ParameterizedTest
+    @CsvSource({"POINTS, BOTH, 0", "DIRECTIONS, BOTH, 0", "POINTS, DIRECTIONS, 0", "POINTS, BOTH, 0.6", "DIRECTIONS, BOTH, 0.6"})
+    void allWaysToFindALightHaveTheSameMean(Estimator one, Estimator other, double roughness) {
+        assertThat(kolmogorov(pValues(one.means(roughness, 0), other.means(roughness, GROUPS), 1))).as("how probable even p-values are to be as uneven as these").isGreaterThan(0.001);
+    }
+
+    /** The same test finds a light that is a fiftieth too bright: it can fail. */
+    @ParameterizedTest
+    @CsvSource("0.02")
+    void anEstimateThatIsOffIsFound(double by) {
+        assertThat(kolmogorov(pValues(Estimator.POINTS.means(0, 0), Estimator.BOTH.means(0, GROUPS), 1 + by))).isLessThan(1e-6);
+    }
+
+    /** Of all pixels that see anything. */
+    private static double[] pValues(double[][] a, double[][] b, double factor) {
+        double[] p = IntStream.range(0, a.length).filter(i -> variance(a[i]) + variance(b[i]) > 0)
+                .mapToDouble(i -> welch(Arrays.stream(a[i]).map(x -> factor * x).toArray(), b[i])).toArray();
+        assertThat(p).hasSizeGreaterThan(a.length / 2);
+        return p;
+    }
+
+    enum Estimator {
+        POINTS, DIRECTIONS, BOTH;
+
+        private Scene scene(double roughness) {
+            Material floor = roughness == 0 ? Material.DEFAULT.withDiffusion(0.8) : Material.DEFAULT.withDiffusion(0.3).withReflection(0.6).withRoughness(roughness);
+            Scene dark = Scene.EMPTY.withCamera(Camera.lookingAt(new Vec3(0, 1.6, 3), Vec3.ZERO))
+                    .plus(SceneObject.of(new Rectangle(-4, -4, 4, 4)).rotated(-90, 0, 0).madeOf(floor))
+                    .plus(SceneObject.of(new Sphere(0.4)).at(0.3, 0.4, 0).madeOf(floor));
+            AreaLight lamp = AreaLight.rectangle(new Vec3(0, 3, 0), AREA, 1).withRotation(new Vec3(90, 0, 0)).withIntensity(RADIANCE * AREA / Math.PI);
+            return switch (this) {
+                case POINTS -> dark.withLights(List.of(lamp.withVisible(false)));
+                case BOTH -> dark.withLights(List.of(lamp.withVisible(true)));
+                case DIRECTIONS -> dark.plus(SceneObject.of(new Rectangle(-AREA / 2, -0.5, AREA / 2, 0.5)).rotated(90, 0, 0).at(0, 3, 0)
+                        .madeOf(Material.DEFAULT.withDiffusion(0).withHighlight(0, 1).withEmission(Rgb.WHITE, RADIANCE)));
+            };
+        }
+
+        /**
+         * Of each pixel the means of independent sequences: of the eight that the sampler has, one estimator takes the first four, the other the last.
+         *
+         * @param first number of the first
+         */
+        double[][] means(double roughness, int first) {
+            RenderSettings settings = new RenderSettings(SIDE, SIDE, 2, 1).withIntegrator(Integrator.PATH).withSamples(PATHS);
+            Scene scene = scene(roughness);
+            Paths paths = new Paths(new World(scene, new Textures(Assets.none()), () -> false), 2, new Passes(settings, false));
+            paths.begin(() -> false);
+            Eye eye = Eye.of(scene.camera(), SIDE, SIDE);
+            double[][] means = new double[SIDE * SIDE][GROUPS];
+            for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
+                for (int i = 0; i < PATHS; i++) {
+                    int group = Sampler.scramble(i) - first;
+                    if (group >= 0 && group < GROUPS) {
+                        paths.traceAlone(eye, pixel % SIDE, pixel / SIDE, i);
+                        means[pixel][group] += paths.alone().red * Sampler.SCRAMBLES / PATHS;
+                    }
+                }
+            }
+            return means;
+        }
+    }
+
+    /** The p-value of Welch's test: that two means as far apart, or farther, are of the same mean. */
+    private static double welch(double[] a, double[] b) {
+        double u = variance(a) / a.length;
+        double v = variance(b) / b.length;
+        double t = Math.abs(mean(a) - mean(b)) / Math.sqrt(u + v);
+        double freedom = (u + v) * (u + v) / (u * u / (a.length - 1) + v * v / (b.length - 1));
+        return 2 * tail(t, freedom);
+    }
+
+    private static double mean(double[] x) {
+        return Arrays.stream(x).average().orElseThrow();
+    }
+
+    private static double variance(double[] x) {
+        double mean = mean(x);
+        return Arrays.stream(x).map(one -> (one - mean) * (one - mean)).sum() / (x.length - 1);
+    }
+
+    /** The probability that a t is above a value, by Simpson's rule in s = t/√(freedom + t²). */
+    private static double tail(double t, double freedom) {
+        DoubleUnaryOperator density = s -> Math.pow(1 - s * s, freedom / 2 - 1);
+        double to = t / Math.sqrt(freedom + t * t);
+        return 0.5 - integral(density, to) / (2 * integral(density, 1 - 1e-9));
+    }
+
+    private static double integral(DoubleUnaryOperator f, double to) {
+        int n = 400;
+        double h = to / n;
+        double sum = f.applyAsDouble(0) + f.applyAsDouble(to);
+        for (int i = 1; i < n; i++) {
+            sum += (i % 2 == 1 ? 4 : 2) * f.applyAsDouble(i * h);
+        }
+        return sum * h / 3;
+    }
+
+    /** How probable numbers spread evenly from 0 to 1 are to be as uneven as these: Kolmogorov's distribution, with Stephens' correction. */
+    private static double kolmogorov(double[] values) {
+        double[] sorted = Arrays.stream(values).sorted().toArray();
+        double most = 0;
+        int n = sorted.length;
+        for (int i = 0; i < n; i++) {
+            most = Math.max(most, Math.max((i + 1.0) / n - sorted[i], sorted[i] - (double) i / n));
+        }
+        double x = (Math.sqrt(n) + 0.12 + 0.11 / Math.sqrt(n)) * most;
+        double sum = 0;
+        for (int k = 1; k <= 100; k++) {
+            sum += (k % 2 == 1 ? 2 : -2) * Math.exp(-2.0 * k * k * x * x);
+        }
+        return Math.min(1, Math.max(0, sum));
+    }
+}
