@@ -29,6 +29,7 @@ import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.BiConsumer;
 
 /** What POV-Ray will not show exactly as we do, in sentences. */
 final class PovWarnings {
@@ -52,14 +53,14 @@ final class PovWarnings {
     /** The different materials of an object, in the order of its parts. */
     static List<Material> materials(Scene scene, SceneObject object) {
         Set<Material> found = new LinkedHashSet<>();
-        collect(scene, object.shape(), object.material(), found);
+        each(scene, object, (shape, material) -> found.add(material));
         return List.copyOf(found);
     }
 
     /** All materials that anything in a scene is made of. */
     static Set<Material> materials(Scene scene) {
         Set<Material> found = new LinkedHashSet<>(scene.materials().values());
-        scene.objects().forEach(object -> collect(scene, object.shape(), object.material(), found));
+        scene.objects().forEach(object -> each(scene, object, (shape, material) -> found.add(material)));
         return found;
     }
 
@@ -68,23 +69,27 @@ final class PovWarnings {
         return materials(scene, object).stream().filter(material -> material.transparency() > 0).toList();
     }
 
-    private static void collect(Scene scene, Shape shape, MaterialSource given, Set<Material> found) {
-        if (shape instanceof Csg csg) {
-            for (Operand operand : csg.operands()) {
-                collect(scene, operand.solid(), operand.material() == Inherited.INHERITED ? given : operand.material(), found);
-            }
-        } else if (given == Inherited.INHERITED && shape instanceof Mesh mesh && mesh.isRead()) {
-            mesh.triangles().parts().forEach(part -> found.add(mesh.materialOf(part).orElse(Material.DEFAULT)));
-        } else {
-            found.add(own(scene, given, Material.DEFAULT));
-        }
+    /** Visits what an object's parts are made of, with the shape for which that is written. */
+    private static void each(Scene scene, SceneObject object, BiConsumer<Shape, Material> visitor) {
+        each(scene, object.shape(), object.shape(), object.material(), visitor);
     }
 
-    private static Material own(Scene scene, MaterialSource source, Material inherited) {
-        if (source == Inherited.INHERITED) {
-            return inherited;
+    /**
+     * The same of an operand.
+     *
+     * @param whole what is given the material: itself, or what it is part of
+     */
+    private static void each(Scene scene, Shape shape, Shape whole, MaterialSource given, BiConsumer<Shape, Material> visitor) {
+        if (shape instanceof Csg csg) {
+            for (Operand operand : csg.operands()) {
+                boolean inherits = operand.material() == Inherited.INHERITED;
+                each(scene, operand.solid(), inherits ? whole : operand.solid(), inherits ? given : operand.material(), visitor);
+            }
+        } else if (given == Inherited.INHERITED && shape instanceof Mesh mesh && mesh.isRead()) {
+            mesh.triangles().parts().forEach(part -> visitor.accept(mesh, mesh.materialOf(part).orElse(Material.DEFAULT)));
+        } else {
+            visitor.accept(whole, given == Inherited.INHERITED ? Material.DEFAULT : given instanceof MaterialName reference ? reference.in(scene.materials()) : (Material) given);
         }
-        return source instanceof MaterialName reference ? reference.in(scene.materials()) : (Material) source;
     }
 
     private void check() {
@@ -177,14 +182,6 @@ final class PovWarnings {
         return object.shape().bounds().transformed(object.placement().toParent());
     }
 
-    private void checkPictures(String name, Shape shape, Material material) {
-        if (shape instanceof Csg csg) {
-            csg.operands().forEach(operand -> checkPictures(name, operand.solid(), own(scene, operand.material(), material)));
-        } else if (material.pattern() instanceof Pattern.Picture picture) {
-            PovPictures.lost(picture, shape).forEach(lost -> sentences.add(name + ": " + lost));
-        }
-    }
-
     /** Of meshes whose materials are those of their files. */
     private void checkTints(String name, Shape shape, MaterialSource given) {
         if (shape instanceof Csg csg) {
@@ -196,7 +193,12 @@ final class PovWarnings {
 
     private void checkMaterials(String name, SceneObject object) {
         checkTints(name, object.shape(), object.material());
-        checkPictures(name, object.shape(), own(scene, object.material(), Material.DEFAULT));
+        each(scene, object, (shape, material) -> {
+            if (material.pattern() instanceof Pattern.Picture picture) {
+                PovPictures.lost(picture, shape).forEach(lost -> sentences.add(name + ": " + lost));
+            }
+            PovBumps.lost(material, shape).forEach(lost -> sentences.add(name + ": " + lost));
+        });
         for (Material material : materials(scene, object)) {
             if (material.fresnel() == Fresnel.METAL && material.reflection() > 0 && !(material.pattern() instanceof Pattern.Plain)) {
                 sentences.add(name + " is a metal of several colours; POV-Ray lets it mirror in one");
@@ -204,7 +206,6 @@ final class PovWarnings {
             if (!PovMaterials.emits(material)) {
                 sentences.add(name + ": POV-Ray multiplies the emission by the colour, and does not show it where that is black or there are several");
             }
-            PovBumps.lost(material, object.shape()).forEach(lost -> sentences.add(name + ": " + lost));
             checkShares(name, material);
             if (material.roughness() > 0 && (material.reflection() > 0 || material.transparency() > 0)) {
                 sentences.add(name + ": POV-Ray is not told the roughness of its material, and shows it smooth");

@@ -2,20 +2,28 @@ package cz.paprsek.pov;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Pattern.Lay;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Examples;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.mesh.Meshes;
+import cz.paprsek.shape.mesh.Triangles;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -103,5 +111,29 @@ class PovFilesTest {
                 + "'><bump><noise/></bump></material></" + shape.substring(0, shape.indexOf(' ')) + "></scene>";
         List<String> turned = PovFiles.write(SceneFiles.parse(xml), new StringBuilder()).stream().filter(one -> one.contains("turns its bumps round")).toList();
         assertThat(turned).isEqualTo(from.isEmpty() ? List.of() : List.of("object 1: POV-Ray turns its bumps round where they are met from " + from));
+    }
+
+    /** Also where the object is part of another, and where a body's picture is laid over what it is made of. */
+    @Test
+    void picturesOfAFilesPartsAreSaidToLieOtherwise() throws Exception {
+        Material lid = Material.color(200, 200, 200).withPattern(new Pattern.Picture("lid.png", Pattern.Filter.BILINEAR, Pattern.Mapping.BOX, Lay.NONE));
+        Triangles.Builder two = Triangles.builder().part("pot");
+        Triangles cube = Meshes.cube(1);
+        for (int v = 0; v < cube.vertexCount(); v++) {
+            two.vertex(cube.x(v), cube.y(v), cube.z(v));
+        }
+        for (int t = 0; t < cube.count(); t++) {
+            two.part(t < 6 ? "pot" : "lid").triangle(cube.corner(t, 0), cube.corner(t, 1), cube.corner(t, 2));
+        }
+        Mesh pot = Mesh.of("pot.obj").read(new Mesh.Whole("pot.obj", two.build(), Map.of("lid", lid)));
+        String lies = "POV-Ray does not know how lid.png lies on it, and is told that it lies on a plane";
+        assertThat(warnings(SceneObject.of(pot).named("pot"))).containsExactly("\"pot\": " + lies);
+        assertThat(warnings(SceneObject.of(Csg.difference(pot, new Sphere(1))).named("bowl"))).containsExactly("\"bowl\": " + lies);
+        assertThat(warnings(SceneObject.of(pot).named("red").madeOf(Material.color(255, 0, 0)))).isEmpty();
+        assertThat(warnings(SceneObject.of(Csg.union(new Sphere(1), new Sphere(2))).named("balls").madeOf(lid))).containsExactly("\"balls\": " + lies);
+    }
+
+    private static List<String> warnings(SceneObject object) throws IOException {
+        return PovFiles.write(Scene.EMPTY.plus(object), new StringBuilder());
     }
 }
