@@ -1,6 +1,7 @@
 package cz.paprsek.shape.mesh;
 
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
 
 /** How large meshes are: area and space within. */
 final class Measures {
@@ -10,23 +11,21 @@ final class Measures {
     static double area(double[] places, int[] corners) {
         double sum = 0;
         for (int i = 0; i < corners.length; i += 3) {
-            sum += Math.sqrt(squaredLengthOfProduct(places, 3 * corners[i], 3 * corners[i + 1], 3 * corners[i + 2]));
+            Vec3 product = product(places, 3 * corners[i], 3 * corners[i + 1], 3 * corners[i + 2]);
+            sum += Math.sqrt(product.dot(product));
         }
         return sum / 2;
     }
 
-    /** The square of twice the area of a triangle, of which the corners' places begin there. */
-    private static double squaredLengthOfProduct(double[] places, int a, int b, int c) {
+    /** The product (b − a) × (c − a) of two sides of a triangle, of which the corners' places begin there: its normal, twice as long as it is large. */
+    static Vec3 product(double[] places, int a, int b, int c) {
         double ux = places[b] - places[a];
         double uy = places[b + 1] - places[a + 1];
         double uz = places[b + 2] - places[a + 2];
         double vx = places[c] - places[a];
         double vy = places[c + 1] - places[a + 1];
         double vz = places[c + 2] - places[a + 2];
-        double x = uy * vz - uz * vy;
-        double y = uz * vx - ux * vz;
-        double z = ux * vy - uy * vx;
-        return x * x + y * y + z * z;
+        return new Vec3(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
     }
 
     /** Six times the space within. Told from the middle, so that far away no digits are lost. */

@@ -20,24 +20,15 @@ final class MeshPart implements Part {
 
     @Override
     public void describe(int face, Hit hit) {
-        double[] at = mesh.places();
         int a = 3 * mesh.corner(face, 0);
         int b = 3 * mesh.corner(face, 1);
         int c = 3 * mesh.corner(face, 2);
-        double ux = at[b] - at[a];
-        double uy = at[b + 1] - at[a + 1];
-        double uz = at[b + 2] - at[a + 2];
-        double vx = at[c] - at[a];
-        double vy = at[c + 1] - at[a + 1];
-        double vz = at[c + 2] - at[a + 2];
-        double x = uy * vz - uz * vy;
-        double y = uz * vx - ux * vz;
-        double z = ux * vy - uy * vx;
+        Vec3 product = Measures.product(mesh.places(), a, b, c);
         // Two sides of 1e-45 have a product whose square would be none.
-        double most = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-        x /= most;
-        y /= most;
-        z /= most;
+        double most = Math.max(Math.abs(product.x()), Math.max(Math.abs(product.y()), Math.abs(product.z())));
+        double x = product.x() / most;
+        double y = product.y() / most;
+        double z = product.z() / most;
         hit.normal(toLocal, x, y, z);
         if (mesh.hasNormals()) {
             smooth(a, b, c, x, y, z, hit);
@@ -112,22 +103,23 @@ final class MeshPart implements Part {
     }
 
     /** How much of each of its corners is in a point of a triangle. */
-    private Vec3 shares(int triangle, Vec3 along, Vec3 across, Hit hit) {
-        Vec3 n = along.cross(across);
+    private Vec3 shares(int triangle, Hit hit) {
+        Vec3 n = product(triangle);
         return shares(3 * mesh.corner(triangle, 0), 3 * mesh.corner(triangle, 1), 3 * mesh.corner(triangle, 2), n.x(), n.y(), n.z(), hit);
+    }
+
+    private Vec3 product(int triangle) {
+        return Measures.product(mesh.places(), 3 * mesh.corner(triangle, 0), 3 * mesh.corner(triangle, 1), 3 * mesh.corner(triangle, 2));
     }
 
     @Override
     public Optional<Corners> corners(int face, Hit hit) {
-        Vec3 a = mesh.place(mesh.corner(face, 0));
-        Vec3 share = shares(face, mesh.place(mesh.corner(face, 1)).minus(a), mesh.place(mesh.corner(face, 2)).minus(a), hit);
-        return Optional.of(new Corners(face, mesh.parts().get(mesh.part(face)), share));
+        return Optional.of(new Corners(face, mesh.parts().get(mesh.part(face)), shares(face, hit)));
     }
 
     @Override
     public void tint(int face, Hit hit) {
-        Vec3 a = mesh.place(mesh.corner(face, 0));
-        Vec3 share = shares(face, mesh.place(mesh.corner(face, 1)).minus(a), mesh.place(mesh.corner(face, 2)).minus(a), hit);
+        Vec3 share = shares(face, hit);
         Vec3 color = mesh.color(mesh.corner(face, 0)).times(share.x()).plus(mesh.color(mesh.corner(face, 1)).times(share.y())).plus(mesh.color(mesh.corner(face, 2)).times(share.z()));
         hit.color(color.x(), color.y(), color.z());
     }
@@ -136,17 +128,16 @@ final class MeshPart implements Part {
     public void map(int face, Hit hit) {
         Vec3 a = mesh.place(mesh.corner(face, 0));
         Vec3 along = mesh.place(mesh.corner(face, 1)).minus(a);
-        Vec3 across = mesh.place(mesh.corner(face, 2)).minus(a);
         if (mesh.hasMap()) {
-            mapAsGiven(face, along, across, hit);
+            mapAsGiven(face, along, mesh.place(mesh.corner(face, 2)).minus(a), hit);
         } else {
-            mapGlobe(along, across, hit);
+            mapGlobe(face, along, hit);
         }
         hit.tangentFrom(toLocal);
     }
 
     private void mapAsGiven(int face, Vec3 along, Vec3 across, Hit hit) {
-        Vec3 share = shares(face, along, across, hit);
+        Vec3 share = shares(face, hit);
         int a = mesh.corner(face, 0);
         int b = mesh.corner(face, 1);
         int c = mesh.corner(face, 2);
@@ -161,11 +152,11 @@ final class MeshPart implements Part {
     }
 
     /** As on a globe about the middle of the mesh. */
-    private void mapGlobe(Vec3 along, Vec3 across, Hit hit) {
+    private void mapGlobe(int face, Vec3 along, Hit hit) {
         Vec3 middle = middle();
         Vec3 p = new Vec3(toLocal.pointX(hit.px, hit.py, hit.pz), toLocal.pointY(hit.px, hit.py, hit.pz), toLocal.pointZ(hit.px, hit.py, hit.pz)).minus(middle);
         hit.mapGlobe(p.x(), p.y(), p.z());
-        Vec3 n = along.cross(across);
+        Vec3 n = product(face);
         Vec3 globe = new Vec3(hit.tx, hit.ty, hit.tz);
         double a = -globe.dot(n) / p.dot(n);
         set(hit, hit.u, hit.v, Math.abs(a) < Double.MAX_VALUE ? globe.plus(p.times(a)) : along, along);

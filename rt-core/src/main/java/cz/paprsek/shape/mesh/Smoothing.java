@@ -1,5 +1,6 @@
 package cz.paprsek.shape.mesh;
 
+import cz.paprsek.math.Vec3;
 import java.util.Arrays;
 
 /**
@@ -53,35 +54,26 @@ final class Smoothing {
     }
 
     private void putNormal(int t) {
-        double[] n = new double[3];
-        double length = product(3 * t, n);
-        for (int k = 0; k < 3 && length > 0; k++) {
-            flat[3 * t + k] = (float) (n[k] / length);
+        Vec3 n = product(3 * t);
+        double length = Math.sqrt(n.dot(n));
+        if (length > 0) {
+            flat[3 * t] = (float) (n.x() / length);
+            flat[3 * t + 1] = (float) (n.y() / length);
+            flat[3 * t + 2] = (float) (n.z() / length);
         }
     }
 
-    /** The product of the sides that leave a corner, and its length. */
-    private double product(int corner, double[] out) {
+    /** The product of the sides that leave a corner. */
+    private Vec3 product(int corner) {
         int t = corner / 3 * 3;
-        int a = 3 * corners[corner];
-        int b = 3 * corners[t + (corner + 1 - t) % 3];
-        int c = 3 * corners[t + (corner + 2 - t) % 3];
-        double ux = at[b] - at[a];
-        double uy = at[b + 1] - at[a + 1];
-        double uz = at[b + 2] - at[a + 2];
-        double vx = at[c] - at[a];
-        double vy = at[c + 1] - at[a + 1];
-        double vz = at[c + 2] - at[a + 2];
-        out[0] = uy * vz - uz * vy;
-        out[1] = uz * vx - ux * vz;
-        out[2] = ux * vy - uy * vx;
-        return Math.sqrt(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
+        return Measures.product(at, 3 * corners[corner], 3 * corners[t + (corner + 1 - t) % 3], 3 * corners[t + (corner + 2 - t) % 3]);
     }
 
     /** By how much a triangle counts at a corner, for its normal of length 1: |u × v| / (|u|² |v|²) with u and v the sides that leave it. */
-    private double weight(int corner, double[] scratch) {
+    private double weight(int corner) {
         int t = corner / 3 * 3;
-        double sine = product(corner, scratch);
+        Vec3 product = product(corner);
+        double sine = Math.sqrt(product.dot(product));
         double u = square(corners[corner], corners[t + (corner + 1 - t) % 3]);
         double v = square(corners[corner], corners[t + (corner + 2 - t) % 3]);
         return u > 0 && v > 0 ? sine / (u * v) : 0;
@@ -96,13 +88,12 @@ final class Smoothing {
 
     private Triangles result() {
         float[] perCorner = new float[3 * corners.length];
-        double[] scratch = new double[3];
         double[] weights = new double[16];
         for (int p = 0; p + 1 < start.length; p++) {
             int count = start[p + 1] - start[p];
             weights = weights.length < count ? new double[2 * count] : weights;
             for (int i = 0; i < count; i++) {
-                weights[i] = weight(around[start[p] + i], scratch);
+                weights[i] = weight(around[start[p] + i]);
             }
             for (int i = 0; i < count; i++) {
                 putNormal(start[p], count, i, weights, perCorner);
