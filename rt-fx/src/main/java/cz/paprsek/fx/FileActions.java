@@ -2,7 +2,6 @@ package cz.paprsek.fx;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.format.ForeignFormat;
-import cz.paprsek.format.ForeignScene;
 import cz.paprsek.format.MeshFiles;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.file.Document;
@@ -13,10 +12,7 @@ import cz.paprsek.fx.model.file.Settings;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.Failures;
-import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.ScenePath;
-import cz.paprsek.shape.Mesh;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -86,7 +82,7 @@ final class FileActions {
     private void bring(Path file, String name, ForeignFormat format) {
         notices.say(texts.get().of("file.opening", name));
         Assets assets = Assets.beside(file);
-        Background.run("paprsek-open", () -> ForeignScene.read(name, format, assets), read -> {
+        Background.run("paprsek-open", () -> SceneMeshes.brought(name, format, assets), read -> {
             forgetCopy();
             document.brought(read.scene(), assets);
             notices.quiet();
@@ -132,11 +128,9 @@ final class FileActions {
         return new Loaded(new SceneSource.Kept(source, first, KeptText.of(database)), recovery.left(Optional.of(source)), Optional.of(database));
     }
 
-    /** With the triangles of meshes, and ready to be drawn: large ones take seconds, in which the window is not to stand still. What is wrong with them is told by the picture. */
+    /** With the triangles of meshes. What is wrong with them is told by the picture. */
     private static Scene withMeshes(Scene scene, Path file) {
-        Scene read = MeshFiles.read(scene, Assets.beside(file), (place, problem) -> {});
-        ScenePath.bodies(read).map(place -> place.in(read).shape()).filter(Mesh.class::isInstance).forEach(mesh -> mesh.outline(Vec3.Z, 1));
-        return read;
+        return SceneMeshes.drawable(MeshFiles.read(scene, Assets.beside(file), (place, problem) -> {}));
     }
 
     private void opened(Loaded loaded) {

@@ -11,7 +11,10 @@ import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.Failures;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Mesh;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Objects;
@@ -31,6 +34,19 @@ record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts te
         return ForeignFormat.ofName(String.valueOf(file.getFileName())).filter(ForeignFormat::isMesh).isPresent();
     }
 
+    /** A file of another program, ready to be drawn. */
+    static ForeignScene brought(String name, ForeignFormat format, Assets assets) throws IOException {
+        ForeignScene read = ForeignScene.read(name, format, assets);
+        drawable(read.scene());
+        return read;
+    }
+
+    /** Finds the lines of meshes: large ones take a second, in which the window is not to stand still. */
+    static Scene drawable(Scene read) {
+        ScenePath.bodies(read).map(place -> place.in(read).shape()).filter(Mesh.class::isInstance).forEach(mesh -> mesh.outline(Vec3.Z, 1));
+        return read;
+    }
+
     /** Adds what a file holds, with its middle where the user looks. */
     void bring(Path file, Sight sight) {
         try {
@@ -42,7 +58,7 @@ record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts te
             }
             Assets assets = document.model().assets();
             notices.say(texts.of("file.opening", file.getFileName()));
-            Background.run("paprsek-mesh", () -> ForeignScene.read(name.get(), format.get(), assets).scene().objects().get(0), object -> {
+            Background.run("paprsek-mesh", () -> brought(name.get(), format.get(), assets).scene().objects().get(0), object -> {
                 notices.say("");
                 edits.add(seen(object, sight), sight);
             }, fault -> notices.say(fault instanceof Exception known ? Failures.sentence(known) : String.valueOf(fault)));

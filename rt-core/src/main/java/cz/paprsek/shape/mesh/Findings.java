@@ -56,7 +56,7 @@ final class Findings {
     synchronized Sketch sketch(Triangles mesh) {
         Sketch known = sketch.get();
         if (known == null) {
-            known = new Sketch(mesh);
+            known = Sketch.of(mesh);
             sketch = new SoftReference<>(known);
         }
         return known;

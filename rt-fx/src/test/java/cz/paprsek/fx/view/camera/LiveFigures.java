@@ -94,22 +94,30 @@ class LiveFigures {
         }, 1200, 330)) {
             gui.act(() -> model.select(ScenePath.body(dragged)));
             ProjectionPane pane = panes.get(0);
-            pulses(gui, model, pane, 0, 1);
+            pulses(gui, model, pane, (old, pulse) -> old, 1);
             System.out.printf(Locale.ROOT, "three projections of %s, 400 x 330 pixels each, %d processors:%n"
-                            + "  while one is dragged with the mouse: %s%n  while a view is zoomed: %s%n",
-                    what, Runtime.getRuntime().availableProcessors(), pulses(gui, model, pane, 1, 1), pulses(gui, model, pane, 0, 1.01));
+                            + "  while one is dragged with the mouse: %s%n  while it is turned: %s%n  while a view is zoomed: %s%n",
+                    what, Runtime.getRuntime().availableProcessors(),
+                    pulses(gui, model, pane, (old, pulse) -> Moves.translated(old, model.selection(), new Vec3(0.05 * pulse, 0, 0)), 1),
+                    pulses(gui, model, pane, (old, pulse) -> Moves.rotated(old, model.selection(), Vec3.ZERO, new Vec3(0.5 * pulse, 0, 0)), 1),
+                    pulses(gui, model, pane, (old, pulse) -> old, 1.01));
         }
     }
 
-    /** Frames a second while in every one of them the selection is moved, and a view zoomed; and what they cost. */
-    private static String pulses(Gui gui, EditorModel model, ProjectionPane pane, double by, double zoom) {
+    /** What a hand does to a scene until a pulse, of which there have been so many. */
+    private interface Hand {
+        Scene move(Scene scene, int pulse);
+    }
+
+    /** Frames a second while in every one of them the hand does something, and a view is zoomed; and what they cost. */
+    private static String pulses(Gui gui, EditorModel model, ProjectionPane pane, Hand doing, double zoom) {
         Gesture gesture = Gui.on(() -> model.begin(Label.of(Label.Edit.MOVE)));
         AtomicInteger pulses = new AtomicInteger();
         AnimationTimer hand = Gui.on(() -> new AnimationTimer() {
             @Override
             public void handle(long now) {
-                Vec3 moved = new Vec3(0.05 * by * pulses.incrementAndGet(), 0, 0);
-                gesture.preview(scene -> Moves.translated(scene, model.selection(), moved));
+                int pulse = pulses.incrementAndGet();
+                gesture.preview(scene -> doing.move(scene, pulse));
                 if (zoom != 1) {
                     pane.zoom(pulses.get() / 60 % 2 == 0 ? zoom : 1 / zoom);
                 }
