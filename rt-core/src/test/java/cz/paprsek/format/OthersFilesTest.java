@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.mesh.Triangles;
 import java.io.IOException;
@@ -17,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Files that eight other programs wrote, against what a program that did not write them reads. */
 class OthersFilesTest {
@@ -60,6 +63,32 @@ class OthersFilesTest {
         assertThat(mesh.openEdges()).isZero();
         assertThat(MeshFiles.model(expected.file, ASSETS).triangles().isClosed()).isNotEqualTo(expected.file.startsWith("three-ring"));
         assertThat(mesh.volume()).isCloseTo(expected.volume, within(1e-4 * expected.volume));
+    }
+
+    /** The pot's colours are as red, green and blue as its places are right, back and up in Blender; in glTF as light, else as sRGB, for so the programs wrote them. */
+    @ParameterizedTest
+    @ValueSource(strings = {"assimp-pot.glb", "assimp-pot.obj", "blender-pot.glb", "meshlab-pot.obj", "meshlab-pot.ply", "meshlab-pot.stl", "trimesh-pot.glb", "trimesh-pot.obj", "trimesh-pot.ply"})
+    void coloursAreWhereTheirProgramsPutThem(String file) throws IOException {
+        Triangles mesh = MeshFiles.model(file, ASSETS).triangles();
+        boolean isLight = file.endsWith("glb");
+        boolean isYUp = file.startsWith("blender");
+        for (int t = 0; t < mesh.count(); t++) {
+            double[] color = new double[3];
+            double[] place = new double[3];
+            for (int k = 0; k < 3; k++) {
+                Vec3 light = mesh.color(mesh.corner(t, k));
+                Vec3 at = mesh.place(mesh.corner(t, k));
+                double[] channels = {light.x(), light.y(), light.z()};
+                double[] upright = isYUp ? new double[] {at.x(), -at.z(), at.y()} : new double[] {at.x(), at.y(), at.z()};
+                for (int axis = 0; axis < 3; axis++) {
+                    color[axis] += (isLight ? channels[axis] : Rgb.encoded(channels[axis]) / 255) / 3;
+                    place[axis] += (0.5 + 0.5 * upright[axis]) / 3;
+                }
+            }
+            for (int axis = 0; axis < 3; axis++) {
+                assertThat(color[axis]).as("triangle %d", t).isCloseTo(place[axis], within(file.endsWith("stl") ? 0.04 : 0.012));
+            }
+        }
     }
 
     @Test

@@ -8,8 +8,10 @@ import cz.paprsek.format.model.Model;
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.pov.PovFiles;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderScene;
@@ -141,6 +143,19 @@ class VertexColorsTest {
         Scene scene = Scene.EMPTY.withSettings(new RenderSettings(8, 8, 1, 1)).withAmbient(Rgb.WHITE)
                 .withCamera(Camera.lookingAt(new Vec3(0.5, 0.5, 3), new Vec3(0.5, 0.5, 0)).withLens(new Lens.Orthographic(1))).withObjects(List.of(object));
         return Renderer.render(RenderScene.of(scene), RenderOptions.of(scene), RenderMonitor.NONE).image();
+    }
+
+    /** Of three corners three textures, which POV-Ray mixes as light; over a pattern they are not told, and that is. */
+    @Test
+    void povRayIsToldThemOrItIsSaid() throws IOException {
+        Triangles triangle = Triangles.of(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2}).withColors(new float[] {1, 0, 0, 0, 1, 0, 0, 0, 1});
+        Scene scene = Scene.EMPTY.withObjects(List.of(SceneObject.of(Mesh.of("t.obj").read(new Mesh.Whole("t.obj", triangle, Map.of()))).madeOf(Inherited.INHERITED)));
+        StringBuilder text = new StringBuilder();
+        assertThat(PovFiles.write(scene, text)).noneMatch(sentence -> sentence.contains("corners"));
+        assertThat(text).contains("texture_list { 3,", "pigment { rgb <0, 1, 0> }", "<0, 1, 2>, 0, 1, 2");
+        Material striped = Material.DEFAULT.withPattern(new Pattern.Stripes(1, Rgb.WHITE, Rgb.BLACK, Pattern.Lay.NONE));
+        Scene over = scene.withObjects(List.of(SceneObject.of(Mesh.of("t.obj").read(new Mesh.Whole("t.obj", triangle, Map.of("", striped)))).madeOf(Inherited.INHERITED)));
+        assertThat(PovFiles.write(over, new StringBuilder())).contains("object 1: POV-Ray is told the colours of corners only over one colour, and up to white");
     }
 
     @Test

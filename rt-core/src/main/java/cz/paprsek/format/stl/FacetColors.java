@@ -5,7 +5,8 @@ import java.nio.charset.StandardCharsets;
 /**
  * The colours that programs hide in the two bytes after each triangle: five bits for each channel and one more.
  *
- * @param isMagics whether red is in the lowest bits, and the highest one says that the triangle has the colour of all; else blue is, and that bit says that there is a colour
+ * @param isMagics whether red is in the lowest bits, and the highest one, with all others or alone, says that the triangle has the colour of all (MeshLab sets it always); else blue is,
+ *     and that bit says that there is a colour
  * @param common the colour of all, sRGB, a byte for each channel
  * @source Materialise Magics and VisCAM, as described in Wikipedia, STL (file format), Colour in binary STL
  */
@@ -14,6 +15,7 @@ record FacetColors(boolean isMagics, int common) {
     private static final String MARK = "COLOR=";
     private static final int HEAD = 80;
     private static final int CHOSEN = 0x8000;
+    private static final int ALL = 0xFFFF;
 
     /** By the head of a file. */
     static FacetColors of(byte[] head) {
@@ -23,7 +25,7 @@ record FacetColors(boolean isMagics, int common) {
     }
 
     int of(int bits) {
-        boolean isCommon = isMagics == ((bits & CHOSEN) != 0);
+        boolean isCommon = isMagics ? bits == CHOSEN || bits == ALL : (bits & CHOSEN) == 0;
         int low = channel(bits);
         int high = channel(bits >> 10);
         return isCommon ? common : isMagics ? low << 16 | channel(bits >> 5) << 8 | high : high << 16 | channel(bits >> 5) << 8 | low;
