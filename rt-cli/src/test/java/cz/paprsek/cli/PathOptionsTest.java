@@ -76,6 +76,18 @@ class PathOptionsTest {
     }
 
     @Test
+    void aPixelOfPathsIsExplained() throws Exception {
+        Path drawing = folder.resolve("a.svg");
+        Run text = Run.cli("explain", scene, "6,4", "--integrator", "path", "--samples", 64, "--svg", drawing);
+        assertThat(text.code()).as(text.err()).isEqualTo(ExitCode.DONE);
+        assertThat(text.out()).contains("By which ways light came:", " > eye", "the average of 64 paths = ");
+        assertThat(Files.readString(drawing)).startsWith("<svg");
+        Run json = Run.cli("explain", scene, "6,4", "--integrator", "path", "--samples", 64, "--json");
+        assertThat(json.out()).contains("\"ways\":[{\"way\":[", "\"sources\":[", "\"examples\":[");
+        assertThat(Run.cli("explain", scene, "99,4", "--integrator", "path").code()).isEqualTo(ExitCode.WRONG_USAGE);
+    }
+
+    @Test
     void theDepthAndTheSamplesOfAFileArePaths() throws Exception {
         Files.writeString(scene, Files.readString(scene).replace("height=\"8\"", "height=\"8\" integrator=\"path\""));
         Path picture = folder.resolve("a.png");

@@ -110,6 +110,23 @@ class PathPicturesTest {
         assertThat(light(ended.image())).isEqualTo(seen.get(2));
     }
 
+    /** Not of passes, of which there may be many more than it takes. */
+    @Test
+    void progressIsTheShareOfPixelsThatNeedNoMore() {
+        List<Integer> told = new ArrayList<>();
+        RenderMonitor watching = new RenderMonitor() {
+            @Override
+            public synchronized void finished(Tile tile, Image image, int done, int total) {
+                assertThat(total).isEqualTo(4);
+                told.add(done);
+            }
+        };
+        RenderSettings settings = SETTINGS.withSize(64, 64).withSamples(64, 1 << 14).withError(0.05);
+        Renderer.render(RenderScene.of(SCENE), RenderOptions.of(settings).withThreads(1), watching);
+        assertThat(told).isSorted().hasSizeGreaterThan(8).startsWith(0);
+        assertThat(told.get(told.size() - 1)).as("nearly all, in the last pass").isGreaterThanOrEqualTo(3);
+    }
+
     @Test
     void aMonitorThatThrowsBetweenPassesEndsThePicture() {
         RenderMonitor throwing = new RenderMonitor() {

@@ -30,6 +30,16 @@ class PaceTest {
     }
 
     @Test
+    void pixelsThatEndWhenTheyAreNearEnoughTellTheirShareAndNoTime() {
+        Pace pace = new Pace(1000);
+        pace.settled(0.25);
+        pace.settled(0.125);
+        assertThat(pace.share()).isEqualTo(0.25);
+        assertThat(pace.secondsLeft(100)).isNaN();
+        assertThat(ProgressBar.line(79, "a.xml", pace.share(), pace.pixelsPerSecond(100), pace.secondsLeft(100))).contains("25 %").doesNotContain("NaN").doesNotContain("left");
+    }
+
+    @Test
     void whatWasThereAlreadyIsNoSpeed() {
         Pace pace = new Pace(1000);
         pace.found(500);
