@@ -113,6 +113,7 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
 
     /** Which of them, counted from 0, is the first that is kept: of a picture in passes the number of the pixel's paths. */
     public int keptFrom(Scene scene) {
+        Objects.requireNonNull(scene, "scene");
         return (transparent ? 4 : 3) + planes(scene).size();
     }
 

@@ -2,10 +2,10 @@ package cz.paprsek.render.account;
 
 import cz.paprsek.math.Require;
 import cz.paprsek.render.explain.LinearRgb;
-import cz.paprsek.render.explain.PathPixel;
-import cz.paprsek.render.explain.PathPixel.Example;
-import cz.paprsek.render.explain.PathPixel.Source;
-import cz.paprsek.render.explain.PathPixel.Way;
+import cz.paprsek.render.explain.Pixel.PathPixel;
+import cz.paprsek.render.explain.Pixel.PathPixel.Example;
+import cz.paprsek.render.explain.Pixel.PathPixel.Source;
+import cz.paprsek.render.explain.Pixel.PathPixel.Way;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.sample.PassSums;
 import cz.paprsek.render.sample.Passes;

@@ -1,7 +1,7 @@
 package cz.paprsek.render.account;
 
 import cz.paprsek.render.explain.LinearRgb;
-import cz.paprsek.render.explain.PathPixel.Source;
+import cz.paprsek.render.explain.Pixel.PathPixel.Source;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

@@ -220,6 +220,7 @@ public final class Film {
          * @param lights of the scene
          */
         public List<String> planes(List<Light> lights) {
+            Objects.requireNonNull(lights, "lights");
             Stream<String> layers = this == LIGHT ? Stream.concat(IntStream.range(0, lights.size()).mapToObj(i -> this + "." + word(lights, i)), Stream.of(this + "." + REST)) : Stream.of(toString());
             return layers.flatMap(layer -> channels.stream().map(channel -> layer + "." + channel)).toList();
         }

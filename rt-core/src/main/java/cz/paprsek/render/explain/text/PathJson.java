@@ -1,9 +1,9 @@
 package cz.paprsek.render.explain.text;
 
 import cz.paprsek.io.Json;
-import cz.paprsek.render.explain.PathPixel;
-import cz.paprsek.render.explain.PathPixel.Example;
-import cz.paprsek.render.explain.PathPixel.Way;
+import cz.paprsek.render.explain.Pixel.PathPixel;
+import cz.paprsek.render.explain.Pixel.PathPixel.Example;
+import cz.paprsek.render.explain.Pixel.PathPixel.Way;
 import cz.paprsek.words.Words;
 
 /** A pixel of paths as a JSON object, every number in full; colours are linear. */

@@ -2,9 +2,9 @@ package cz.paprsek.render.explain.text;
 
 import cz.paprsek.render.explain.Encounter;
 import cz.paprsek.render.explain.LinearRgb;
-import cz.paprsek.render.explain.PathPixel;
-import cz.paprsek.render.explain.PathPixel.Example;
-import cz.paprsek.render.explain.PathPixel.Way;
+import cz.paprsek.render.explain.Pixel.PathPixel;
+import cz.paprsek.render.explain.Pixel.PathPixel.Example;
+import cz.paprsek.render.explain.Pixel.PathPixel.Way;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.words.Words;
 import java.util.ArrayList;

@@ -1,7 +1,7 @@
 package cz.paprsek.render.explain.text;
 
-import cz.paprsek.render.explain.PathPixel;
-import cz.paprsek.render.explain.PathPixel.Way;
+import cz.paprsek.render.explain.Pixel.PathPixel;
+import cz.paprsek.render.explain.Pixel.PathPixel.Way;
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.words.Words;
