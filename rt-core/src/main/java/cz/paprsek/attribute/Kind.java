@@ -20,6 +20,10 @@ public enum Kind {
     CONE_ANGLE(Form.NUMBER, "coneAngle", "a number of degrees from 0 to 90", Range.from(0).to(90)),
     /** Degrees from one side of a disc to the other. */
     DISC_ANGLE(Form.NUMBER, "discAngle", "a number of degrees from 0 to 180", Range.from(0).to(180)),
+    /** Degrees, to one side or the other. */
+    TWIST(Form.NUMBER, "twist", "a number of degrees from -36000 to 36000", Range.from(-36_000).to(36_000)),
+    /** Degrees around an axis. */
+    TURN(Form.NUMBER, "turn", "a number of degrees above 0, 360 at most", Range.above(0).to(360)),
     /** Three numbers. */
     VECTOR(Form.VECTOR, "vector", "three finite numbers, x y z", Range.ANY),
     POSITIVE_VECTOR(Form.VECTOR, "positiveVector", "three finite numbers above 0", Range.above(0)),
@@ -51,6 +55,10 @@ public enum Kind {
     /** Of a file, relative to the folder of the scene. */
     FILE(Form.TEXT, "file", "the name of a file beside the scene's, of 1 to 1000 characters", Range.from(1).to(1000)),
     NAME(Form.TEXT, "name", "a text of 1 to 200 characters", Range.from(1).to(200)),
+    /** Commands of SVG. */
+    PATH(Form.TEXT, "path", "path data of SVG, at most 100000 characters", Range.from(0).to(100_000)),
+    /** Corners in the plane. */
+    POINTS(Form.TEXT, "points", "numbers, x and y of each corner, at most 100000 characters", Range.from(0).to(100_000)),
     FREE_TEXT(Form.TEXT, "text", "a text of at most 100000 characters", Range.from(0).to(100_000)),
     /** A list of them. */
     WORDS(Form.WORDS, "tags", "words separated by blanks", Range.ANY),

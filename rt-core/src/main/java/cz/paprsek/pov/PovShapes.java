@@ -12,6 +12,8 @@ import cz.paprsek.shape.CustomSolid;
 import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Ellipsoid;
+import cz.paprsek.shape.Extrude;
+import cz.paprsek.shape.Lathe;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Prism;
@@ -66,6 +68,12 @@ final class PovShapes {
                     + vector(r.minX(), r.maxY(), 0) + ", " + first;
         } else if (shape instanceof Disc d) {
             return "disc { " + ORIGIN + ", z, " + text(d.radius());
+        }
+        if (shape instanceof Extrude e) {
+            return PovOutlines.extrude(e);
+        }
+        if (shape instanceof Lathe l) {
+            return PovOutlines.lathe(l);
         }
         if (shape instanceof Mesh mesh) {
             return PovMesh.of(mesh, List.of());

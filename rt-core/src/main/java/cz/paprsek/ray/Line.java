@@ -66,4 +66,24 @@ public final class Line {
     public void clear() {
         crossings = 0;
     }
+
+    /** Forgets all crossings but the first ones. */
+    public void keep(int count) {
+        crossings = count;
+    }
+
+    /** Puts the crossings into rising order; those in one place keep theirs. */
+    public void sort() {
+        for (int i = 1; i < crossings; i++) {
+            double place = places[i];
+            int face = faces[i];
+            int at = i;
+            for (; at > 0 && places[at - 1] > place; at--) {
+                places[at] = places[at - 1];
+                faces[at] = faces[at - 1];
+            }
+            places[at] = place;
+            faces[at] = face;
+        }
+    }
 }

@@ -72,6 +72,8 @@ class EverythingIsToldTest {
             Map.entry("capsule", "radius='1' height='1'"),
             Map.entry("prism", "sides='7' radius='1' height='1'"),
             Map.entry("superellipsoid", "semi-axes='1 1 1'"),
+            Map.entry("extrude", "height='1' points='0 0 1 0 0 1'"),
+            Map.entry("lathe", "points='0 0 1 0 0 1'"),
             Map.entry("torus", "major-radius='1' minor-radius='0.25'"),
             Map.entry("mesh", "file='two.obj'"),
             Map.entry("mesh@weld", "file='loose.obj'"),
@@ -83,7 +85,7 @@ class EverythingIsToldTest {
     private static final String SCHEMA = SceneFiles.schema();
 
     /** Instead of which attributes others are given. */
-    private static final Map<String, String> INSTEAD = Map.of("direction", "target", "radius", "size");
+    private static final Map<String, String> INSTEAD = Map.of("direction", "target", "radius", "size", "path", "points");
 
     /** What stands in an element if nothing else does. */
     private static final Map<String, String> INSIDE = Map.of("union", TWO_BALLS, "difference", TWO_BALLS, "intersection", TWO_BALLS,
@@ -104,6 +106,10 @@ class EverythingIsToldTest {
             Map.entry("sides", List.of("5")),
             Map.entry("sidesOrNone", List.of("5")),
             Map.entry("roundness", List.of("0.75")),
+            Map.entry("twist", List.of("15")),
+            Map.entry("turn", List.of("90")),
+            Map.entry("path", List.of("M0 0L1 0L0 3Z")),
+            Map.entry("points", List.of("0 0 1 0 0 2")),
             Map.entry("exponent", List.of("7")),
             Map.entry("refractiveIndex", List.of("1.75")),
             Map.entry("fovy", List.of("33")),

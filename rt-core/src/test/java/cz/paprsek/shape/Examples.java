@@ -2,6 +2,7 @@ package cz.paprsek.shape;
 
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.mesh.Meshes;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,6 +10,10 @@ import java.util.Map;
 
 /** An example of every shape, and by a formula of its own whether a point lies inside, independent of the code that meets rays. */
 public final class Examples {
+    /** A line that crosses itself: the solid lies to its left, and then to its right. */
+    private static final String CROSSED = "-1 -0.9 1 -0.9 1 0.9 -0.5 0.9 -0.5 -1.2 -1 -1.2";
+    private static final String VASE = "0.3 -0.5 0.9 -0.5 0.5 0.2 0.9 0.9 0.3 0.9";
+
     private Examples() {}
 
     public static final Map<Class<? extends Shape>, Shape> ALL = inOrder(
@@ -22,6 +27,8 @@ public final class Examples {
             Map.entry(Capsule.class, new Capsule(0.5, 0.9)),
             Map.entry(Prism.class, new Prism(6, 0.9, 1.2)),
             Map.entry(Superellipsoid.class, new Superellipsoid(new Vec3(1, 0.8, 1.2), 0.5, 1.4)),
+            Map.entry(Extrude.class, new Extrude("", CROSSED, 0.8, 0, 0.5)),
+            Map.entry(Lathe.class, new Lathe("", VASE, 360)),
             Map.entry(Mesh.class, Mesh.of("cube.stl").read(new Mesh.Whole("cube.stl", Meshes.cube(0.9), Map.of()))),
             Map.entry(Rectangle.class, new Rectangle(-1, -0.5, 1.2, 0.9)),
             Map.entry(Disc.class, new Disc(1.1)),
@@ -36,6 +43,9 @@ public final class Examples {
             new Cone(1.1, 0.3, 1.4, 4),
             new Cone(0, 0.9, 1.2, 7),
             new Torus(0.5, 0.8),
+            new Extrude("", CROSSED, 0.8, 0, 1),
+            new Extrude("", "-0.8 -0.6 0.9 -0.6 0.9 0.6 -0.8 0.6", 1, 0, 0),
+            new Lathe("", "0 0 0.8 0 0.4 1", 360),
             new Superellipsoid(new Vec3(1, 1, 1), 2, 2),
             new Superellipsoid(new Vec3(1, 0.7, 1), 0.05, 0.2));
 
@@ -82,6 +92,11 @@ public final class Examples {
         } else if (solid instanceof Superellipsoid s) {
             double east = norm(p.x() / s.semiAxes().x(), p.z() / s.semiAxes().z(), 2 / s.east());
             return norm(east, p.y() / s.semiAxes().y(), 2 / s.north()) - 1;
+        } else if (solid instanceof Extrude e) {
+            double size = Math.max(1e-300, 1 + (e.taper() - 1) * p.z() / e.height());
+            return largest(size * beyond(e.points(), p.x() / size, p.y() / size), -p.z(), p.z() - e.height());
+        } else if (solid instanceof Lathe l) {
+            return beyond(l.points(), rho, p.y());
         } else if (solid instanceof Mesh) {
             return largest(Math.abs(p.x()), Math.abs(p.y()), Math.abs(p.z())) - 0.9;
         }
@@ -105,6 +120,26 @@ public final class Examples {
         double fromMiddle = angle - (Math.floor(angle / each) + 0.5) * each;
         double radius = (bottom + (top - bottom) * p.y() / height) * Math.cos(Math.PI / sides);
         return largest(Math.hypot(p.x(), p.z()) * Math.cos(fromMiddle) - radius, -p.y(), p.y() - height);
+    }
+
+    /** How far a point lies from a polygon, below 0 if it is inside by the number of times that the polygon goes around it: it must be odd. */
+    private static double beyond(String points, double x, double y) {
+        double[] p = Arrays.stream(points.split(" ")).mapToDouble(Double::parseDouble).toArray();
+        double nearest = Double.POSITIVE_INFINITY;
+        double turned = 0;
+        for (int i = 0; i < p.length; i += 2) {
+            double ax = p[i] - x;
+            double ay = p[i + 1] - y;
+            double bx = p[(i + 2) % p.length] - x;
+            double by = p[(i + 3) % p.length] - y;
+            turned += Math.atan2(ax * by - ay * bx, ax * bx + ay * by);
+            double along = Math.max(0, Math.min(1, -(ax * (bx - ax) + ay * (by - ay)) / ((bx - ax) * (bx - ax) + (by - ay) * (by - ay))));
+            // A lathe's axis is no surface.
+            if (!(p[i] == 0 && p[(i + 2) % p.length] == 0)) {
+                nearest = Math.min(nearest, Math.hypot(ax + along * (bx - ax), ay + along * (by - ay)));
+            }
+        }
+        return Math.round(turned / (2 * Math.PI)) % 2 != 0 ? -nearest : nearest;
     }
 
     private static double norm(double a, double b, double p) {

@@ -7,6 +7,8 @@ import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Ellipsoid;
+import cz.paprsek.shape.Extrude;
+import cz.paprsek.shape.Lathe;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Prism;
@@ -161,6 +163,34 @@ final class ShapeBeans {
         @Override
         Shape toShape(Problems problems) {
             return new Superellipsoid(semiAxes, east, north);
+        }
+    }
+
+    @XmlRootElement(name = "extrude")
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class ExtrudeBean extends ShapeBean {
+        @XmlAttribute String path = "";
+        @XmlAttribute String points = "";
+        @XmlAttribute(required = true) double height;
+        @XmlAttribute double twist;
+        @XmlAttribute double taper = 1;
+
+        @Override
+        Shape toShape(Problems problems) {
+            return new Extrude(path, points, height, twist, taper);
+        }
+    }
+
+    @XmlRootElement(name = "lathe")
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class LatheBean extends ShapeBean {
+        @XmlAttribute String path = "";
+        @XmlAttribute String points = "";
+        @XmlAttribute double angle = 360;
+
+        @Override
+        Shape toShape(Problems problems) {
+            return new Lathe(path, points, angle);
         }
     }
 

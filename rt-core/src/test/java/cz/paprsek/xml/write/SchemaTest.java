@@ -148,6 +148,8 @@ class SchemaTest {
                     : component == boolean.class ? (Object) true
                     : component == AreaLight.Form.class ? new AreaLight.Radius(1)
                     : component == Vec3.class ? components[i].getName().equals("min") ? new Vec3(-1, -1, -1) : new Vec3(1, 1, 1)
+                    : components[i].getName().equals("points") ? "0 0 1 0 0 1"
+                    : components[i].getName().equals("path") ? ""
                     : component == String.class ? "name"
                     : component.isEnum() ? component.getEnumConstants()[0]
                     : component == Pattern.Lay.class ? Pattern.Lay.NONE

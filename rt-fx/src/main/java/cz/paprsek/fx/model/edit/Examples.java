@@ -7,11 +7,13 @@ import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.text.Numbers;
 import java.lang.reflect.RecordComponent;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** One shape of each primitive kind, to begin with: as the attributes of its record say. */
@@ -45,11 +47,19 @@ public final class Examples {
         Attribute says = one.says();
         String text = !says.example().isEmpty() ? says.example() : one.isRequired() ? HALF : says.otherwise();
         Kind.Form form = says.value().form();
+        if (form == Kind.Form.TEXT) {
+            return Stream.of(says.value() == Kind.POINTS ? points(text, size) : "");
+        }
         if (form == Kind.Form.WHOLE) {
             return Stream.of(Integer.valueOf(text));
         }
         double[] numbers = Arrays.stream(text.split(" ")).mapToDouble(share -> part(size, Double.parseDouble(share))).toArray();
         return form == Kind.Form.VECTOR ? Stream.of(new Vec3(numbers[0], numbers[1], numbers[2])) : Arrays.stream(numbers).mapToObj(Double::valueOf);
+    }
+
+    /** Corners of about the given size. */
+    private static String points(String shares, double size) {
+        return Arrays.stream(shares.split(" ")).map(share -> Numbers.text(part(size, Double.parseDouble(share)))).collect(Collectors.joining(" "));
     }
 
     /** A share of a size, without the noise of binary fractions. */

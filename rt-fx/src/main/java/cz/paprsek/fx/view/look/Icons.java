@@ -24,6 +24,8 @@ public final class Icons {
             Map.entry("capsule", "mdi2p-pill"),
             Map.entry("prism", "mdi2h-hexagon-outline"),
             Map.entry("superellipsoid", "mdi2s-square-rounded-outline"),
+            Map.entry("extrude", "mdi2v-vector-polygon"),
+            Map.entry("lathe", "mdi2c-chess-pawn"),
             Map.entry("torus", "mdi2c-circle-double"),
             Map.entry("mesh", "mdi2v-vector-triangle"),
             Map.entry("rectangle", "mdi2r-rectangle-outline"),

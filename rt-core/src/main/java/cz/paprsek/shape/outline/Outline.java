@@ -1,0 +1,210 @@
+package cz.paprsek.shape.outline;
+
+import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.ray.Line;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+
+/**
+ * Closed contours of straight pieces, arcs of ellipses and Bézier curves in the plane. A point is inside if a line from there to far away crosses
+ * them an odd number of times.
+ */
+public final class Outline {
+    /** The largest coordinate. */
+    static final double LARGEST = 1e9;
+    private static final int MOST_PIECES = 20_000;
+    private static final int FINE = 64;
+
+    private final List<List<Piece>> contours;
+    private final Piece[] pieces;
+    /** Of each piece, how far around its contour it begins, what share of that it is, and whether it runs the other way. */
+    private final double[] starts;
+    private final double[] shares;
+    private final boolean[] isReversed;
+    private final double minX;
+    private final double minY;
+    private final double maxX;
+    private final double maxY;
+
+    /**
+     * Reads one.
+     *
+     * @param what has it, for messages: {@code extrude}
+     * @param path as SVG has it, or empty
+     * @param points corners, or empty
+     * @throws IllegalArgumentException with one sentence if it is none
+     */
+    public static Outline of(String what, String path, String points) {
+        Require.that(path.isBlank() != points.isBlank(), path.isBlank() ? what + " needs a path, or points" : what + " has either a path or points, not both; remove one of them");
+        Outline outline = new Outline(path.isBlank() ? new PathReader(what, points).points() : new PathReader(what, path).path());
+        Require.that(outline.pieces.length > 1 && outline.maxX > outline.minX && outline.maxY > outline.minY,
+                what + (path.isBlank() ? " points" : " path") + " must enclose something, but is empty, a point or a line");
+        Require.that(outline.pieces.length <= MOST_PIECES, what + " must have at most " + MOST_PIECES + " pieces, but has " + outline.pieces.length);
+        return outline;
+    }
+
+    private Outline(List<List<Piece>> contours) {
+        this.contours = contours;
+        pieces = contours.stream().flatMap(List::stream).toArray(Piece[]::new);
+        starts = new double[pieces.length];
+        shares = new double[pieces.length];
+        isReversed = new boolean[pieces.length];
+        int first = 0;
+        for (List<Piece> contour : contours) {
+            measure(contour, first);
+            first += contour.size();
+        }
+        double[] box = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        for (Piece piece : pieces) {
+            DoubleStream.concat(DoubleStream.of(0, 1), piece.turns()).forEach(u -> {
+                box[0] = Math.min(box[0], end(piece, u, true));
+                box[1] = Math.min(box[1], end(piece, u, false));
+                box[2] = Math.max(box[2], end(piece, u, true));
+                box[3] = Math.max(box[3], end(piece, u, false));
+            });
+        }
+        minX = box[0];
+        minY = box[1];
+        maxX = box[2];
+        maxY = box[3];
+    }
+
+    /** Pieces that are known to close, in any order. */
+    static Outline of(List<Piece> pieces) {
+        return new Outline(List.of(pieces));
+    }
+
+    /** A coordinate; at the ends that which the neighbours have. */
+    private static double end(Piece piece, double u, boolean isX) {
+        return u == 0 ? (isX ? piece.x0 : piece.y0) : u == 1 ? (isX ? piece.x1 : piece.y1) : isX ? piece.x(u) : piece.y(u);
+    }
+
+    private void measure(List<Piece> contour, int first) {
+        double whole = 0;
+        for (int i = 0; i < contour.size(); i++) {
+            Piece piece = contour.get(i);
+            Piece next = contour.get((i + 1) % contour.size());
+            boolean leads = (piece.x1 == next.x0 && piece.y1 == next.y0) || (piece.x1 == next.x1 && piece.y1 == next.y1);
+            isReversed[first + i] = !leads;
+            starts[first + i] = whole;
+            shares[first + i] = length(piece);
+            whole += shares[first + i];
+        }
+        for (int i = first; i < first + contour.size(); i++) {
+            starts[i] /= whole;
+            shares[i] /= whole;
+        }
+    }
+
+    private static double length(Piece piece) {
+        return IntStream.range(0, FINE).mapToDouble(i -> StrictMath.hypot(piece.x((i + 1.0) / FINE) - piece.x((double) i / FINE),
+                piece.y((i + 1.0) / FINE) - piece.y((double) i / FINE))).sum();
+    }
+
+    public double minX() {
+        return minX;
+    }
+
+    public double minY() {
+        return minY;
+    }
+
+    public double maxX() {
+        return maxX;
+    }
+
+    public double maxY() {
+        return maxY;
+    }
+
+    int count() {
+        return pieces.length;
+    }
+
+    Piece piece(int i) {
+        return pieces[i];
+    }
+
+    /** How far around its contour a point of a piece lies, from 0 to 1. */
+    double around(int piece, double u) {
+        return starts[piece] + shares[piece] * (isReversed[piece] ? 1 - u : u);
+    }
+
+    boolean isReversed(int piece) {
+        return isReversed[piece];
+    }
+
+    /** Notes where a line crosses it, unsorted; the faces of piece i are first + 2·i and the next. */
+    void cross(double a, double b, double c, int first, Line out) {
+        for (int i = 0; i < pieces.length; i++) {
+            pieces[i].cross(a, b, c, first + 2 * i, out);
+        }
+    }
+
+    /** Whether a point lies inside. What the line has crossed stays as it is. */
+    boolean contains(double x, double y, Line room) {
+        if (!(x >= minX && x <= maxX && y >= minY && y <= maxY)) {
+            return false;
+        }
+        int mark = room.crossings();
+        cross(0, 1, -y, 0, room);
+        int right = 0;
+        for (int i = mark; i < room.crossings(); i++) {
+            right += room.t(i) > x ? 1 : 0;
+        }
+        room.keep(mark);
+        return right % 2 != 0;
+    }
+
+    /**
+     * The contours as closed polygons whose corners lie on them.
+     *
+     * @param tolerance how far curves may be from them
+     * @return of each contour its corners, the first one again at the end; z is 0
+     */
+    public List<List<Vec3>> polygons(double tolerance) {
+        List<List<Vec3>> all = new ArrayList<>();
+        int i = 0;
+        for (List<Piece> contour : contours) {
+            List<Vec3> corners = new ArrayList<>();
+            for (Piece piece : contour) {
+                double[] parameters = parameters(piece, tolerance);
+                for (int k = 0; k + 1 < parameters.length; k++) {
+                    double u = parameters[isReversed[i] ? parameters.length - 1 - k : k];
+                    corners.add(new Vec3(end(piece, u, true), end(piece, u, false), 0));
+                }
+                i++;
+            }
+            corners.add(corners.get(0));
+            all.add(corners);
+        }
+        return all;
+    }
+
+    /** Where a piece is cut to be straight within a tolerance, from 0 to 1. */
+    static double[] parameters(Piece piece, double tolerance) {
+        if (piece instanceof Piece.Straight) {
+            return new double[] {0, 1};
+        }
+        int steps = 2;
+        while (steps < 2048 && bulge(piece, steps) > tolerance) {
+            steps *= 2;
+        }
+        int parts = steps;
+        return DoubleStream.concat(IntStream.rangeClosed(0, parts).mapToDouble(i -> (double) i / parts), piece.turns()).sorted().distinct().toArray();
+    }
+
+    private static double bulge(Piece piece, int steps) {
+        double most = 0;
+        for (int i = 0; i < steps; i++) {
+            double from = (double) i / steps;
+            double to = (i + 1.0) / steps;
+            double middle = (from + to) / 2;
+            most = Math.max(most, StrictMath.hypot(piece.x(middle) - (piece.x(from) + piece.x(to)) / 2, piece.y(middle) - (piece.y(from) + piece.y(to)) / 2));
+        }
+        return most;
+    }
+}
