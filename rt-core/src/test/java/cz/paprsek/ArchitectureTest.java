@@ -61,7 +61,7 @@ class ArchitectureTest {
             .whereLayer("scene").mayOnlyBeAccessedByLayers("query", "render", "explain", "worked", "words", "drawing", "xml", "pov", "standard", "warning", "format", "origin", "teach")
             .whereLayer("query").mayNotBeAccessedByAnyLayer()
             .whereLayer("image").mayOnlyBeAccessedByLayers("asset", "render", "drawing", "pov", "origin", "format", "teach")
-            .whereLayer("asset").mayOnlyBeAccessedByLayers("render", "format")
+            .whereLayer("asset").mayOnlyBeAccessedByLayers("render", "format", "xml")
             .whereLayer("explain").mayOnlyBeAccessedByLayers("render", "worked", "drawing")
             .whereLayer("worked").mayOnlyBeAccessedByLayers("drawing")
             .whereLayer("words").mayOnlyBeAccessedByLayers("worked", "drawing", "teach")
@@ -139,12 +139,14 @@ class ArchitectureTest {
             .layer("quick").definedBy("cz.paprsek.xml.quick")
             .layer("bind").definedBy("cz.paprsek.xml.bind")
             .layer("write").definedBy("cz.paprsek.xml.write")
+            .layer("recipe").definedBy("cz.paprsek.xml.recipe")
             .layer("xml").definedBy("cz.paprsek.xml")
-            .whereLayer("format").mayOnlyBeAccessedByLayers("quick", "bind", "write", "xml")
-            .whereLayer("text").mayOnlyBeAccessedByLayers("write", "xml")
+            .whereLayer("format").mayOnlyBeAccessedByLayers("quick", "bind", "write", "recipe", "xml")
+            .whereLayer("text").mayOnlyBeAccessedByLayers("write", "recipe", "xml")
             .whereLayer("quick").mayOnlyBeAccessedByLayers("xml")
             .whereLayer("bind").mayOnlyBeAccessedByLayers("xml")
             .whereLayer("write").mayOnlyBeAccessedByLayers("xml")
+            .whereLayer("recipe").mayOnlyBeAccessedByLayers("xml")
             .whereLayer("xml").mayNotBeAccessedByAnyLayer();
 
     @ArchTest

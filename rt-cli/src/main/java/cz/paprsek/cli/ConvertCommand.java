@@ -4,6 +4,7 @@ import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.LightWishes;
+import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.output.Writing;
@@ -77,6 +78,9 @@ final class ConvertCommand implements Callable<Integer> {
     private boolean uncompressed;
 
     @Mixin
+    private ParameterWishes given;
+
+    @Mixin
     private LightWishes shown;
 
     @Option(names = {"-q", "--quiet"}, description = "Prints errors only, no warnings.")
@@ -105,7 +109,7 @@ final class ConvertCommand implements Callable<Integer> {
             throw new WrongUsage("cannot tell what form '" + name + "' is to have: let it end in .pov, .xml, .obj or .stl"
                     + Similar.suggestion(ending, ENDINGS));
         }
-        SceneReading reading = SceneReading.of(scene);
+        SceneReading reading = SceneReading.of(scene, given);
         reading.sentences().forEach(terminal::message);
         if (!reading.isValid()) {
             return ExitCode.BAD_SCENE;

@@ -4,6 +4,7 @@ import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.ChosenScene;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.MistakeWishes;
+import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.SceneReading;
@@ -92,6 +93,9 @@ final class ExplainCommand implements Callable<Integer> {
     private Optional<Size> size;
 
     @Mixin
+    private ParameterWishes given;
+
+    @Mixin
     private RayWishes rays;
 
     @Mixin
@@ -138,7 +142,7 @@ final class ExplainCommand implements Callable<Integer> {
         }
         Wishes wishes = new Wishes(size, maxDepth, rays, light, Optional.empty(), Optional.empty());
         try {
-            Scene scene = ChosenScene.of(file, name, camera);
+            Scene scene = ChosenScene.of(file, name, camera, given);
             if (!mistakes.made().equals(Mistakes.NONE)) {
                 return beside(scene, wishes.applyTo(scene.settings()).settings());
             }

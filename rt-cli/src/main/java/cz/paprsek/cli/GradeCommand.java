@@ -4,6 +4,7 @@ import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.ChosenScene;
 import cz.paprsek.cli.input.GradedPictures;
+import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Interruption;
@@ -74,6 +75,9 @@ final class GradeCommand implements Callable<Integer> {
     private boolean json;
 
     @Mixin
+    private ParameterWishes given;
+
+    @Mixin
     private Pictures pictures;
 
     GradeCommand(Terminal terminal, Stop stop) {
@@ -91,7 +95,7 @@ final class GradeCommand implements Callable<Integer> {
             throw new WrongUsage("evidence of " + files.size() + " pictures does not fit into " + evidence.get() + "; name a directory that ends in /");
         }
         try {
-            Scene scene = ChosenScene.of(file, name, camera);
+            Scene scene = ChosenScene.of(file, name, camera, given);
             Assets assets = pictures.read(file, scene);
             RenderSettings settings = samples.map(scene.settings()::withSamples).orElse(scene.settings());
             GradeReport report = new GradeReport(terminal, stop, csv, json, files.size() > 1, evidence);

@@ -4,6 +4,7 @@ import cz.paprsek.cli.describe.ModelSummary;
 import cz.paprsek.cli.describe.SceneSummary;
 import cz.paprsek.cli.describe.SummaryAsJson;
 import cz.paprsek.cli.describe.SummaryAsText;
+import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.process.ExitCode;
@@ -18,6 +19,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -38,6 +40,9 @@ final class InfoCommand implements Callable<Integer> {
     @Option(names = "--json", description = "Prints a JSON object for every scene, one a line, instead of plain text.")
     private boolean json;
 
+    @Mixin
+    private ParameterWishes given;
+
     InfoCommand(Terminal terminal, Stop stop) {
         this.terminal = terminal;
         this.stop = stop;
@@ -50,7 +55,7 @@ final class InfoCommand implements Callable<Integer> {
         }
         int worst = ExitCode.DONE;
         for (Path file : SceneArguments.files(scenes)) {
-            SceneReading reading = SceneReading.of(file);
+            SceneReading reading = SceneReading.of(file, given);
             if (stop.requested()) {
                 return Interruption.told(terminal, json);
             }

@@ -5,6 +5,7 @@ import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.MistakeWishes;
+import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.PixelWishes;
 import cz.paprsek.cli.input.RayWishes;
@@ -93,6 +94,9 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--region", paramLabel = "X,Y,W,H", description =
             "Renders this part only: column and row of its top left pixel from 0, width, height. The picture has the part's size.")
     private Optional<Tile> region;
+
+    @Mixin
+    private ParameterWishes given;
 
     @Mixin
     private RayWishes rays;
@@ -204,7 +208,7 @@ final class RenderCommand implements Callable<Integer> {
             });
         }
         Optional<Filter<Scene>> filter = where.map(text -> DbAction.filter("--where", Optional.of(text), SceneTables.SCENE));
-        List<SceneSource> sources = SceneSource.all(SceneArguments.files(scenes), filter, !noFloor);
+        List<SceneSource> sources = SceneSource.all(SceneArguments.files(scenes), filter, !noFloor, given);
         if (sources.isEmpty()) {
             throw new WrongUsage("no scene " + where.map(text -> "matches " + text).orElse("is in " + String.join(", ", scenes)));
         }

@@ -1,5 +1,6 @@
 package cz.paprsek.cli;
 
+import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneReading;
@@ -52,6 +53,9 @@ final class ValidateCommand implements Callable<Integer> {
     private boolean quiet;
 
     @Mixin
+    private ParameterWishes given;
+
+    @Mixin
     private Pictures pictures;
 
     ValidateCommand(Terminal terminal, Stop stop) {
@@ -66,7 +70,7 @@ final class ValidateCommand implements Callable<Integer> {
         }
         int worst = ExitCode.DONE;
         for (Path file : SceneArguments.files(scenes)) {
-            SceneReading reading = SceneReading.of(file, pictures).withPictures(pictures);
+            SceneReading reading = SceneReading.of(file, pictures, given).withPictures(pictures);
             List<Found> all = found(reading);
             List<Found> warnings = all.stream().filter(found -> !found.warning().isNote()).toList();
             List<Found> notes = all.stream().filter(found -> found.warning().isNote()).toList();

@@ -1,6 +1,7 @@
 package cz.paprsek.formula;
 
 import java.util.List;
+import java.util.Objects;
 
 /** What a formula is made of; all three are found in it at a column, from 1. */
 public sealed interface Term permits Term.Constant, Term.Name, Term.Call {
@@ -10,7 +11,11 @@ public sealed interface Term permits Term.Constant, Term.Name, Term.Call {
     record Constant(double value, int column) implements Term {}
 
     /** Something that whoever asks for the value must know. */
-    record Name(String name, int column) implements Term {}
+    record Name(String name, int column) implements Term {
+        public Name {
+            Objects.requireNonNull(name, "name");
+        }
+    }
 
     /**
      * A function or an operation of other terms.
@@ -19,6 +24,7 @@ public sealed interface Term permits Term.Constant, Term.Name, Term.Call {
      */
     record Call(Function function, List<Term> terms, int column) implements Term {
         public Call {
+            Objects.requireNonNull(function, "function");
             terms = List.copyOf(terms);
         }
     }

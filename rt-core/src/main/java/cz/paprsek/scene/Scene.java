@@ -15,6 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.OptionalDouble;
 import java.util.SortedSet;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
@@ -35,6 +36,7 @@ import java.util.function.UnaryOperator;
  * @param lights any number, also none
  * @param materials the named materials, in the order of the file
  * @param objects any number, also none
+ * @param recipe how the file makes it, with its formulas; {@link Recipe#NONE} if it is only written down
  */
 @Element("A scene. Its elements may come in any order; at least one camera, at most one render, background or sky, ambient and description.")
 public record Scene(
@@ -48,7 +50,8 @@ public record Scene(
         List<Camera> cameras,
         List<Light> lights,
         Map<String, Material> materials,
-        List<SceneObject> objects) {
+        List<SceneObject> objects,
+        Recipe recipe) {
 
     /** No object, no light, black all around. */
     public static final Scene EMPTY = new Scene("", "", List.of(), RenderSettings.DEFAULT, Rgb.BLACK, Sky.NONE, Rgb.BLACK,
@@ -73,6 +76,18 @@ public record Scene(
         Palette palette = materials instanceof Palette known ? known : new Palette(materials);
         materials = palette;
         objects = checked(objects, palette, all -> SceneRules.checkObjects(all, palette, SceneRules.REFUSE));
+        Objects.requireNonNull(recipe, "recipe");
+    }
+
+    /** A scene that is only written down. */
+    public Scene(String name, String description, List<String> tags, RenderSettings settings, Rgb background, Sky sky, Rgb ambient, List<Camera> cameras,
+            List<Light> lights, Map<String, Material> materials, List<SceneObject> objects) {
+        this(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects, Recipe.NONE);
+    }
+
+    /** With another note of how it is made; what it has stays. */
+    public Scene withRecipe(Recipe value) {
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects, value);
     }
 
     /** The list as it is kept. What another scene has been made of is not checked again. */
@@ -85,33 +100,33 @@ public record Scene(
     }
 
     public Scene withName(String value) {
-        return new Scene(value, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects);
+        return new Scene(value, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects, recipe);
     }
 
     public Scene withDescription(String value) {
-        return new Scene(name, value, tags, settings, background, sky, ambient, cameras, lights, materials, objects);
+        return new Scene(name, value, tags, settings, background, sky, ambient, cameras, lights, materials, objects, recipe);
     }
 
     public Scene withTags(List<String> value) {
-        return new Scene(name, description, value, settings, background, sky, ambient, cameras, lights, materials, objects);
+        return new Scene(name, description, value, settings, background, sky, ambient, cameras, lights, materials, objects, recipe);
     }
 
     public Scene withSettings(RenderSettings value) {
-        return new Scene(name, description, tags, value, background, sky, ambient, cameras, lights, materials, objects);
+        return new Scene(name, description, tags, value, background, sky, ambient, cameras, lights, materials, objects, recipe);
     }
 
     /** With a background, and no sky. */
     public Scene withBackground(Rgb value) {
-        return new Scene(name, description, tags, settings, value, Sky.NONE, ambient, cameras, lights, materials, objects);
+        return new Scene(name, description, tags, settings, value, Sky.NONE, ambient, cameras, lights, materials, objects, recipe);
     }
 
     /** With a sky, and no background. */
     public Scene withSky(Sky value) {
-        return new Scene(name, description, tags, settings, Rgb.BLACK, value, ambient, cameras, lights, materials, objects);
+        return new Scene(name, description, tags, settings, Rgb.BLACK, value, ambient, cameras, lights, materials, objects, recipe);
     }
 
     public Scene withAmbient(Rgb value) {
-        return new Scene(name, description, tags, settings, background, sky, value, cameras, lights, materials, objects);
+        return new Scene(name, description, tags, settings, background, sky, value, cameras, lights, materials, objects, recipe);
     }
 
     /** The names of the files it needs besides its own: pictures and meshes, relative to its folder. */
@@ -132,7 +147,7 @@ public record Scene(
     }
 
     public Scene withCameras(List<Camera> value) {
-        return new Scene(name, description, tags, settings, background, sky, ambient, value, lights, materials, objects);
+        return new Scene(name, description, tags, settings, background, sky, ambient, value, lights, materials, objects, recipe);
     }
 
     /** As one of its cameras sees it, counted from 0: that one comes first, the others as they were. */
@@ -162,7 +177,7 @@ public record Scene(
     }
 
     public Scene withLights(List<Light> value) {
-        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, value, materials, objects);
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, value, materials, objects, recipe);
     }
 
     /**
@@ -173,13 +188,13 @@ public record Scene(
         List<Light> dark = new ArrayList<>(lights);
         dark.replaceAll(LightRules::unlit);
         dark.set(light, lights.get(light));
-        return new Scene(name, description, tags, settings, Rgb.BLACK, Sky.NONE, Rgb.BLACK, cameras, dark, materials, objects);
+        return new Scene(name, description, tags, settings, Rgb.BLACK, Sky.NONE, Rgb.BLACK, cameras, dark, materials, objects, recipe);
     }
 
     public Scene withMaterials(Map<String, Material> value) {
         Palette fresh = value instanceof Palette known ? known : new Palette(value);
         List<SceneObject> known = SceneRules.allow(materials, fresh) ? pieces().checkedWith(fresh) : objects;
-        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, fresh, known);
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, fresh, known, recipe);
     }
 
     /** Only those are checked that are not the very same as before in their places. */
@@ -196,7 +211,7 @@ public record Scene(
         if (!fresh.isCheckedWith(materials)) {
             SceneRules.checkChanged(objects, fresh, Difference.of(pieces(), fresh), materials, SceneRules.REFUSE);
         }
-        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, fresh.checkedWith(materials));
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, fresh.checkedWith(materials), recipe);
     }
 
     private Pieces<SceneObject> pieces() {
@@ -292,6 +307,60 @@ public record Scene(
                 Require.that(!file.isBlank(), "sky file must not be blank");
                 Require.finite("sky rotation", rotation);
                 Require.within("sky intensity", intensity, 0, 1e12);
+            }
+        }
+    }
+
+    /**
+     * How a scene is made, where its file does not only say what there is: parameters, formulas, what is repeated, defined and included. All else in the scene is
+     * what came of that. It is kept when the scene is changed; what has been changed by hand wins over it when the scene is written.
+     *
+     * @param text the scene as a file has it, with its formulas; empty if it has none
+     * @param included the texts of the files that it includes, by their names
+     * @param parameters all there are, its own first
+     */
+    public record Recipe(String text, Map<String, String> included, List<Parameter> parameters) {
+        /** Of a scene that is as it is written. */
+        public static final Recipe NONE = new Recipe("", Map.of(), List.of());
+
+        public Recipe {
+            Objects.requireNonNull(text, "text");
+            included = Map.copyOf(included);
+            parameters = List.copyOf(parameters);
+        }
+
+        /** Whether the scene is as it is written, without formulas. */
+        public boolean isNone() {
+            return text.isEmpty();
+        }
+
+        /**
+         * A number, or a text such as the name of a colour, that formulas may refer to.
+         *
+         * @param name of letters, digits and _
+         * @param formula what its value is made of, as written
+         * @param value what that comes to
+         * @param least the least that it may be; none for a text, or any
+         * @param most the most that it may be
+         * @param step by how much one changes it by hand
+         */
+        public record Parameter(String name, String formula, String value, OptionalDouble least, OptionalDouble most, OptionalDouble step) {
+            public Parameter {
+                Objects.requireNonNull(name, "name");
+                Objects.requireNonNull(formula, "formula");
+                Objects.requireNonNull(value, "value");
+                Objects.requireNonNull(least, "least");
+                Objects.requireNonNull(most, "most");
+                Objects.requireNonNull(step, "step");
+            }
+
+            /** The value as a number; empty if it is a text. */
+            public OptionalDouble number() {
+                try {
+                    return OptionalDouble.of(Double.parseDouble(value));
+                } catch (NumberFormatException text) {
+                    return OptionalDouble.empty();
+                }
             }
         }
     }

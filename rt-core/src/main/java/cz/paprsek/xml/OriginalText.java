@@ -1,6 +1,7 @@
 package cz.paprsek.xml;
 
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -24,7 +25,10 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Predicate;
@@ -62,9 +66,19 @@ public final class OriginalText {
         return read(path, ReadMonitor.NONE);
     }
 
+    /** As {@link #read(Path)}, with other values of parameters, as {@link SceneFiles#contents(Path, ReadMonitor, Map)} takes them. */
+    public static OriginalText read(Path path, Map<String, String> parameters) throws SceneFileException, IOException {
+        return read(path, ReadMonitor.NONE, Objects.requireNonNull(parameters, "parameters"));
+    }
+
     /** As {@link #read(Path)}, from a stream, which is not closed; the name is used in messages only. */
     public static OriginalText read(InputStream input, String fileName) throws SceneFileException, IOException {
-        return read(Source.of(input), fileName, ReadMonitor.NONE);
+        return read(input, fileName, Map.of());
+    }
+
+    /** As {@link #read(Path, Map)}, from a stream, which is not closed; there is nothing that it could include. */
+    public static OriginalText read(InputStream input, String fileName, Map<String, String> parameters) throws SceneFileException, IOException {
+        return read(Source.of(input), fileName, ReadMonitor.NONE, new Making(parameters, Making.PLAIN.files()));
     }
 
     /** Says something of what is in a file, with line and column. */
@@ -91,13 +105,17 @@ public final class OriginalText {
     }
 
     static OriginalText read(Path path, ReadMonitor monitor) throws SceneFileException, IOException {
+        return read(path, monitor, Map.of());
+    }
+
+    private static OriginalText read(Path path, ReadMonitor monitor, Map<String, String> parameters) throws SceneFileException, IOException {
         SceneFiles.checkReadable(path);
         try (Source source = Source.of(path)) {
-            return read(source, path.toString(), monitor);
+            return read(source, path.toString(), monitor, Making.beside(path, parameters));
         }
     }
 
-    private static OriginalText read(Source source, String file, ReadMonitor monitor) throws SceneFileException, IOException {
+    private static OriginalText read(Source source, String file, ReadMonitor monitor, Making how) throws SceneFileException, IOException {
         long size = source.size();
         // One for each reader; the last has heard all.
         Deque<RecordedInput> recorded = new ArrayDeque<>();
@@ -105,7 +123,7 @@ public final class OriginalText {
             recorded.clear();
             recorded.add(new RecordedInput(new WatchedInput(input, size, monitor)));
             return recorded.getLast();
-        }, file);
+        }, file, how);
         return new OriginalText(file, recorded.getLast().bytes(), contents);
     }
 
@@ -138,7 +156,8 @@ public final class OriginalText {
      * @param from where those that are new here may have their text
      * @throws IllegalArgumentException if these cannot be written, as {@link SceneFiles#format} and {@link SceneFiles#formatAll}
      */
-    byte[] with(List<Scene> wanted, List<OriginalText> from) {
+    byte[] with(List<Scene> scenes, List<OriginalText> from) {
+        List<Scene> wanted = scenes.stream().map(Settled::of).toList();
         if (contents.isDatabase()) {
             SceneDatabase.of(wanted);
         }
@@ -188,7 +207,8 @@ public final class OriginalText {
      *
      * @throws IllegalArgumentException as {@link SceneFiles#format}
      */
-    public OriginalText alone(Scene scene) {
+    public OriginalText alone(Scene given) {
+        Scene scene = Settled.of(given);
         Optional<Excerpt> excerpt = excerpt(scene).or(() -> excerpt(scene, there -> there.name().equals(scene.name())));
         if (excerpt.isPresent()) {
             FileText text = text().orElseThrow();
@@ -208,7 +228,7 @@ public final class OriginalText {
 
     /** The text of the scene that this is here, or was before it got another name or other tags. */
     private Optional<Excerpt> excerpt(Scene wanted) {
-        return excerpt(wanted, there -> there.withName(wanted.name()).withTags(wanted.tags()).equals(wanted));
+        return excerpt(wanted, there -> Settled.of(there.withName(wanted.name()).withTags(wanted.tags())).equals(wanted));
     }
 
     /** The text of the scene that this was here, with what has become of it. */
@@ -254,7 +274,10 @@ public final class OriginalText {
 
     private static boolean says(byte[] text, List<Scene> wanted) {
         try {
-            return SceneReader.read(Source.of(text), input -> input, "text").scenes().equals(wanted);
+            Map<String, String> included = new LinkedHashMap<>();
+            wanted.forEach(scene -> included.putAll(scene.recipe().included()));
+            Making how = Making.of(new Recipe("", included, List.of()), Map.of());
+            return SceneReader.read(Source.of(text), input -> input, "text", how).scenes().equals(wanted);
         } catch (SceneFileException wrong) {
             return false;
         } catch (IOException e) {

@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 
 /**
@@ -90,9 +91,14 @@ public final class SceneFiles {
         return SceneFile.open(file, Objects.requireNonNull(monitor, "monitor"));
     }
 
+    /** As {@link #read(Path)}, with other values of parameters, as {@link #contents(Path, ReadMonitor, Map)} takes them. */
+    public static Scene read(Path file, Map<String, String> parameters) throws SceneFileException, IOException {
+        return only(contents(file, ReadMonitor.NONE, parameters), file.toString());
+    }
+
     /** As {@link #read(Path)}, from a stream, which is not closed; the name is used in messages only. */
     public static Scene read(InputStream input, String fileName) throws SceneFileException, IOException {
-        return only(SceneReader.read(input, fileName), fileName);
+        return only(SceneReader.read(input, fileName, Making.PLAIN), fileName);
     }
 
     /** Reads a scene from text. */
@@ -133,13 +139,53 @@ public final class SceneFiles {
      */
     public static Contents contents(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
         Objects.requireNonNull(monitor, "monitor");
+        return contents(file, monitor, Map.of());
+    }
+
+    /**
+     * As {@link #contents(Path, ReadMonitor)}, with other values of some parameters.
+     *
+     * @param parameters by name: a number, a formula in braces, or a text such as the name of a colour
+     * @throws SceneFileException as there, or if there is no such parameter, or none that can have such a value
+     */
+    public static Contents contents(Path file, ReadMonitor monitor, Map<String, String> parameters) throws SceneFileException, IOException {
+        Objects.requireNonNull(monitor, "monitor");
+        Objects.requireNonNull(parameters, "parameters");
         checkReadable(file);
-        return SceneReader.read(file, monitor);
+        return SceneReader.read(file, monitor, Making.beside(file, parameters));
     }
 
     /** As {@link #contents(Path, ReadMonitor)}, from a stream, which is not closed; the name is used in messages only. */
     public static Contents contents(InputStream input, String fileName) throws SceneFileException, IOException {
-        return SceneReader.read(input, fileName);
+        return contents(input, fileName, Map.of());
+    }
+
+    /** As {@link #contents(Path, ReadMonitor, Map)}, from a stream, which is not closed; there is nothing that it could include. */
+    public static Contents contents(InputStream input, String fileName, Map<String, String> parameters) throws SceneFileException, IOException {
+        Objects.requireNonNull(parameters, "parameters");
+        return SceneReader.read(input, fileName, new Making(parameters, Making.PLAIN.files()));
+    }
+
+    /**
+     * A scene made anew with other values of some of its {@linkplain cz.paprsek.scene.Scene.Recipe#parameters parameters}. What has been changed in it since it was
+     * read stays as it is now.
+     *
+     * @param parameters as in {@link #contents(Path, ReadMonitor, Map)}
+     * @throws SceneFileException if it cannot be made of these, or has no such parameter
+     */
+    public static Scene with(Scene scene, Map<String, String> parameters) throws SceneFileException {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(parameters, "parameters");
+        try {
+            return Settled.with(scene, parameters);
+        } catch (IOException e) {
+            throw new IllegalStateException("a text in memory could not be read", e);
+        }
+    }
+
+    /** A scene with a recipe that makes just what it has now: formulas stay where their values have stayed. */
+    public static Scene settled(Scene scene) {
+        return Settled.of(Objects.requireNonNull(scene, "scene"));
     }
 
     /**
@@ -182,7 +228,7 @@ public final class SceneFiles {
      * @throws IllegalArgumentException if the scene has what no file can hold: a text with control characters, or nesting deeper than {@link #DEEPEST}
      */
     public static String format(Scene scene) {
-        return new SceneWriter().file(scene);
+        return new SceneWriter().file(Settled.of(scene));
     }
 
     /**
@@ -191,13 +237,13 @@ public final class SceneFiles {
      * @throws IllegalArgumentException as {@link #format}, or if a scene has no name or that of another
      */
     public static String formatAll(List<Scene> scenes) {
-        return new SceneWriter().database(scenes);
+        return new SceneWriter().database(scenes.stream().map(Settled::of).toList());
     }
 
     /** A database with a test scene and examples of everything that scenes may have. */
     public static SceneDatabase examples() {
         try (InputStream input = Objects.requireNonNull(SceneFiles.class.getResourceAsStream("database.xml"), "database.xml is missing")) {
-            return SceneDatabase.of(SceneReader.read(input, "examples").scenes());
+            return SceneDatabase.of(SceneReader.read(input, "examples", Making.PLAIN).scenes());
         } catch (IOException | SceneFileException e) {
             throw new IllegalStateException("the examples in the program's own jar cannot be read", e);
         }
@@ -205,7 +251,7 @@ public final class SceneFiles {
 
     /** The schema of scene files, an XSD. */
     public static String schema() {
-        return SceneFormat.schema();
+        return SceneFormat.schemaWithFormulas();
     }
 
     /** The file's name without its ending. */

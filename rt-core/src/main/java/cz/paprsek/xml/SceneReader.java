@@ -13,6 +13,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.SequenceInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -33,37 +34,48 @@ final class SceneReader {
         InputStream to(InputStream input) throws IOException;
     }
 
-    static Contents read(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
+    static Contents read(Path file, ReadMonitor monitor, Making how) throws SceneFileException, IOException {
         try (Source source = Source.of(file)) {
             long size = source.size();
-            return read(source, input -> new WatchedInput(input, size, monitor), file.toString());
+            return read(source, input -> new WatchedInput(input, size, monitor), file.toString(), how);
         }
     }
 
-    static Contents read(InputStream input, String file) throws SceneFileException, IOException {
+    static Contents read(InputStream input, String file, Making how) throws SceneFileException, IOException {
         Objects.requireNonNull(input, "input");
         Objects.requireNonNull(file, "file");
-        return read(Source.of(input), heard -> heard, file);
+        return read(Source.of(input), heard -> heard, file, how);
     }
 
     /** The stream that was listened to last is read to its end. */
-    static Contents read(Source source, Listening listening, String file) throws SceneFileException, IOException {
+    static Contents read(Source source, Listening listening, String file, Making how) throws SceneFileException, IOException {
         try {
-            return readAll(source, listening, file);
+            return readAll(source, listening, file, how);
         } catch (OutOfMemoryError tooLarge) {
             throw new IOException(file + ": not enough memory for what is in this file; give Java more with -Xmx", tooLarge);
         }
     }
 
-    private static Contents readAll(Source source, Listening listening, String file) throws SceneFileException, IOException {
-        InputStream first = new LimitedInput(listening.to(source.fromStart()), file, SceneFiles.LARGEST);
-        Optional<FileScenes> quick = QuickReader.read(first);
-        if (quick.isPresent()) {
-            first.transferTo(OutputStream.nullOutputStream());
-            return contents(quick.get());
+    private static Contents readAll(Source source, Listening listening, String file, Making how) throws SceneFileException, IOException {
+        if (how.parameters().isEmpty()) {
+            InputStream first = new LimitedInput(listening.to(source.fromStart()), file, SceneFiles.LARGEST);
+            Optional<FileScenes> quick = QuickReader.read(first);
+            if (quick.isPresent()) {
+                first.transferTo(OutputStream.nullOutputStream());
+                return contents(quick.get());
+            }
         }
         InputStream second = new LimitedInput(listening.to(source.fromStart()), file, SceneFiles.LARGEST);
-        ThoroughReader.Outcome outcome = ThoroughReader.read(second, file);
+        // Those that are longer are not written by hand.
+        byte[] start = second.readNBytes(Making.LONGEST + 1);
+        if (start.length <= Making.LONGEST) {
+            Optional<Contents> made = how.contents(start, file);
+            if (made.isPresent()) {
+                return made.get();
+            }
+        }
+        InputStream whole = new SequenceInputStream(new ByteArrayInputStream(start), second);
+        ThoroughReader.Outcome outcome = ThoroughReader.read(whole, file);
         if (!outcome.mistakes().isEmpty()) {
             throw new SceneFileException(problems(outcome.mistakes(), source.again(), file));
         }
@@ -103,6 +115,10 @@ final class SceneReader {
                 ? QuickReader.read(new ByteArrayInputStream(bytes)) : Optional.empty();
         if (quick.isPresent()) {
             return contents(quick.get());
+        }
+        Optional<Contents> made = Making.PLAIN.contents(bytes, file);
+        if (made.isPresent()) {
+            return made.get();
         }
         ThoroughReader.Outcome outcome = ThoroughReader.read(text, file);
         if (!outcome.mistakes().isEmpty()) {

@@ -45,7 +45,7 @@ class DamagedFilesTest {
                 if (seed % 50 < WAYS_IN.size() && WAYS_IN.get(seed % 50).takes(bad)) {
                     WAYS_IN.get(seed % 50).readAlone(bad);
                 } else {
-                    SceneReader.read(new ByteArrayInputStream(bad), "x");
+                    SceneReader.read(new ByteArrayInputStream(bad), "x", Making.PLAIN);
                 }
             } catch (SceneFileException e) {
                 refused.incrementAndGet();

@@ -1,6 +1,7 @@
 package cz.paprsek.cli.db;
 
 import cz.paprsek.cli.input.Incoming;
+import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.process.BadScene;
 import cz.paprsek.cli.process.ExitCode;
@@ -65,12 +66,12 @@ public abstract class DbAction implements Callable<Integer> {
     }
 
     static SceneDatabase read(Path file) {
-        return readable(file, () -> Incoming.read(file)).database(Incoming.nameOf(file));
+        return readable(file, () -> Incoming.read(file, ParameterWishes.NONE)).database(Incoming.nameOf(file));
     }
 
     /** As it is, to take scenes from it with their text. */
     static OriginalText text(Path file) {
-        return readable(file, () -> Incoming.text(file));
+        return readable(file, () -> Incoming.text(file, ParameterWishes.NONE));
     }
 
     private interface Reading<T> {

@@ -14,6 +14,7 @@ import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Scene.Recipe;
 import java.util.stream.Stream;
 
 /** A summary for scripts; colours are sRGB 0–255, as in scene files. */
@@ -30,6 +31,9 @@ public final class SummaryAsJson {
         if (scene.sky() instanceof Record sky && !scene.sky().equals(Scene.Sky.NONE)) {
             json.with("sky", inForce(new Json(), Described.of(sky.getClass()).stream(), sky));
         }
+        if (!scene.recipe().parameters().isEmpty()) {
+            json.with("parameters", scene.recipe().parameters().stream().map(SummaryAsJson::of).toList());
+        }
         json
                 .with("render", of(scene.settings()))
                 .with("camera", of(scene.camera()))
@@ -44,6 +48,20 @@ public final class SummaryAsJson {
             json.with("meshes", summary.meshes().stream().map(ModelSummary::json).toList());
         }
         return summary.bounds().isEmpty() ? json : json.with("bounds", of(summary.bounds()));
+    }
+
+    /** A value that is no number is a text. */
+    private static Json of(Recipe.Parameter one) {
+        Json json = new Json().with("name", one.name()).with("formula", one.formula());
+        if (one.number().isPresent()) {
+            json.with("value", one.number().getAsDouble());
+        } else {
+            json.with("value", one.value());
+        }
+        one.least().ifPresent(least -> json.with("min", least));
+        one.most().ifPresent(most -> json.with("max", most));
+        one.step().ifPresent(step -> json.with("step", step));
+        return json;
     }
 
     private static Json of(RenderSettings settings) {

@@ -12,10 +12,12 @@ import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.text.Numbers;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -41,6 +43,10 @@ public final class SummaryAsText {
         if (scene.sky() instanceof Record sky) {
             optional("sky", text(Described.of(sky.getClass()).stream(), sky));
         }
+        if (!scene.recipe().parameters().isEmpty()) {
+            line("parameters", Integer.toString(scene.recipe().parameters().size()));
+            scene.recipe().parameters().forEach(one -> item(one.name(), text(one)));
+        }
         line("picture", settings.width() + "x" + settings.height() + ", "
                 + text(Described.of(RenderSettings.class).stream().filter(one -> one.says().value() != Kind.PIXELS), settings));
         if (scene.cameras().size() == 1 && scene.camera().name().isEmpty()) {
@@ -56,6 +62,16 @@ public final class SummaryAsText {
         line("materials", Integer.toString(scene.materials().size()));
         scene.materials().forEach((name, material) -> item(name, text(material)));
         ReadyUses.of(scene).forEach((name, material) -> item(name, text(material) + " (ready)"));
+    }
+
+    /** Its value, what that is made of, and what it may be. */
+    private static String text(Recipe.Parameter one) {
+        String made = one.formula().equals(one.value()) ? "" : " = " + one.formula();
+        return one.value() + made + bound(", from ", one.least()) + bound(one.least().isPresent() ? " to " : ", at most ", one.most()) + bound(", in steps of ", one.step());
+    }
+
+    private static String bound(String words, OptionalDouble number) {
+        return number.isPresent() ? words + Numbers.text(number.getAsDouble()) : "";
     }
 
     /** What counts of attributes, each with its name; a share of nothing, a usual word and a pinhole are not worth one. */

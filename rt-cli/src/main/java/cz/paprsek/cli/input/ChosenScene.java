@@ -17,11 +17,12 @@ public final class ChosenScene {
      * Reads it.
      *
      * @param name which scene of a database
+     * @param parameters what its parameters are to be
      * @param camera which camera, if not the first: its name, or its number from 1
      * @throws WrongUsage if there is no such scene or camera, or if it is not said which of several scenes is meant
      */
-    public static Scene of(Path file, Optional<String> name, Optional<String> camera) throws SceneFileException, IOException {
-        Scene scene = scene(file, Incoming.read(file).scenes(), name);
+    public static Scene of(Path file, Optional<String> name, Optional<String> camera, ParameterWishes parameters) throws SceneFileException, IOException {
+        Scene scene = scene(file, Incoming.read(file, parameters).scenes(), name);
         try {
             return Cameras.through(scene, camera);
         } catch (WrongUsage none) {

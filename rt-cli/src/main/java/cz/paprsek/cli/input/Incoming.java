@@ -21,25 +21,33 @@ public final class Incoming {
     private Incoming() {}
 
     /** Reads what is in a file or comes in, once; the file may be another program's. */
-    public static Contents read(Path file) throws SceneFileException, IOException {
+    public static Contents read(Path file, ParameterWishes parameters) throws SceneFileException, IOException {
         Foreign.refuse(file);
         Optional<ForeignFormat> format = Models.format(file);
         if (format.isPresent()) {
+            refuse(file, parameters);
             return new Contents(List.of(Models.read(file, format.get()).scene()), false);
         }
-        return reading(() -> isStandardInput(file) ? SceneFiles.contents(System.in, STANDARD_INPUT) : SceneFiles.contents(file, ReadMonitor.NONE));
+        return reading(() -> isStandardInput(file) ? SceneFiles.contents(System.in, STANDARD_INPUT, parameters.values()) : SceneFiles.contents(file, ReadMonitor.NONE, parameters.values()));
     }
 
     /** Reads a file with one scene. */
-    static Scene scene(Path file) throws SceneFileException, IOException {
+    static Scene scene(Path file, ParameterWishes parameters) throws SceneFileException, IOException {
         Foreign.refuse(file);
-        return reading(() -> SceneFiles.read(file));
+        return reading(() -> SceneFiles.read(file, parameters.values()));
     }
 
     /** As {@link #read}, with the text, to tell where in it something is, or to take it elsewhere. */
-    public static OriginalText text(Path file) throws SceneFileException, IOException {
+    public static OriginalText text(Path file, ParameterWishes parameters) throws SceneFileException, IOException {
         Foreign.refuse(file);
-        return reading(() -> isStandardInput(file) ? OriginalText.read(System.in, STANDARD_INPUT) : OriginalText.read(file));
+        return reading(() -> isStandardInput(file) ? OriginalText.read(System.in, STANDARD_INPUT, parameters.values()) : OriginalText.read(file, parameters.values()));
+    }
+
+    /** @throws WrongUsage if there are values of parameters, which files of other programs do not have */
+    static void refuse(Path file, ParameterWishes parameters) {
+        if (parameters.areSaid()) {
+            throw new WrongUsage(file + " is a file of another program, which has no parameters; -D is for scenes");
+        }
     }
 
     /** That memory does not suffice is told with how to give this program more, and is no fault of the file. */

@@ -27,18 +27,24 @@ import java.util.stream.Stream;
 public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems, Optional<OriginalText> text, Optional<ForeignScene> foreign) {
 
     public static SceneReading of(Path file) {
-        return of(file, new Pictures());
+        return of(file, new Pictures(), ParameterWishes.NONE);
+    }
+
+    /** With other values of parameters. */
+    public static SceneReading of(Path file, ParameterWishes parameters) {
+        return of(file, new Pictures(), parameters);
     }
 
     /** With meshes from where pictures come from as well. */
-    public static SceneReading of(Path file, Pictures pictures) {
+    public static SceneReading of(Path file, Pictures pictures, ParameterWishes parameters) {
         try {
             Optional<ForeignFormat> format = Models.format(file);
             if (format.isPresent()) {
+                Incoming.refuse(file, parameters);
                 ForeignScene read = Models.read(file, format.get());
                 return new SceneReading(file, List.of(read.scene()), List.of(), Optional.empty(), Optional.of(read));
             }
-            OriginalText text = Incoming.text(file);
+            OriginalText text = Incoming.text(file, parameters);
             return withMeshes(file, text, pictures.of(file));
         } catch (SceneFileException e) {
             return refused(file, e.problems());
@@ -82,7 +88,7 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
      * @param label what stands in front if there is no place
      */
     public static String sentence(Path file, String label, Pictures pictures, IOException lack) {
-        Stream<Problem> problems = Incoming.isOnce(file) ? Stream.of() : of(file, pictures).withPictures(pictures).problems().stream();
+        Stream<Problem> problems = Incoming.isOnce(file) ? Stream.of() : of(file, pictures, ParameterWishes.NONE).withPictures(pictures).problems().stream();
         return problems.filter(problem -> problem.line() > 0 && problem.message().equals(lack.getMessage())).findFirst().map(Problem::toString)
                 .orElseGet(() -> Failures.sentence(label, lack));
     }

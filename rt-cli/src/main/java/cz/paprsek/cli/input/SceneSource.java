@@ -35,9 +35,15 @@ public record SceneSource(Path file, String label, String name, Reading reading)
 
     /** A file that is read when its turn comes; one of another program with a floor, or without. */
     public static SceneSource of(Path file, boolean hasFloor) {
+        return of(file, hasFloor, ParameterWishes.NONE);
+    }
+
+    /** As {@link #of(Path, boolean)}, with other values of parameters. */
+    public static SceneSource of(Path file, boolean hasFloor, ParameterWishes parameters) {
         Optional<ForeignFormat> format = Models.format(file);
+        format.ifPresent(foreign -> Incoming.refuse(file, parameters));
         return new SceneSource(file, file.toString(), Incoming.nameOf(file),
-                format.isPresent() ? new ModelReading(file, format.get(), hasFloor) : () -> Incoming.scene(file));
+                format.isPresent() ? new ModelReading(file, format.get(), hasFloor) : () -> Incoming.scene(file, parameters));
     }
 
     /** A file of another program, read once. */
@@ -85,16 +91,16 @@ public record SceneSource(Path file, String label, String name, Reading reading)
      *
      * @param haveFloors whether files of other programs get the floor that they have not themselves
      */
-    public static List<SceneSource> all(List<Path> files, Optional<Filter<Scene>> filter, boolean haveFloors) {
+    public static List<SceneSource> all(List<Path> files, Optional<Filter<Scene>> filter, boolean haveFloors, ParameterWishes parameters) {
         List<SceneSource> sources = new ArrayList<>();
         for (Path file : files) {
-            SceneSource source = of(file, haveFloors);
+            SceneSource source = of(file, haveFloors, parameters);
             if (source.reading instanceof ModelReading model) {
                 if (filter.isEmpty() || isWanted(model, filter.get())) {
                     sources.add(source);
                 }
             } else if (filter.isPresent() || Incoming.isOnce(file) || isDatabase(file)) {
-                sources.addAll(read(file, filter));
+                sources.addAll(read(file, filter, parameters));
             } else {
                 sources.add(source);
             }
@@ -111,9 +117,9 @@ public record SceneSource(Path file, String label, String name, Reading reading)
         }
     }
 
-    private static List<SceneSource> read(Path file, Optional<Filter<Scene>> filter) {
+    private static List<SceneSource> read(Path file, Optional<Filter<Scene>> filter, ParameterWishes parameters) {
         try {
-            Contents contents = Incoming.read(file);
+            Contents contents = Incoming.read(file, parameters);
             Map<String, String> names = FileNames.of(contents.scenes().stream().map(Scene::name).toList());
             return contents.scenes().stream().filter(scene -> filter.isEmpty() || filter.get().test(scene)).map(scene -> {
                 String own = names.getOrDefault(scene.name(), "");

@@ -5,12 +5,18 @@ import cz.paprsek.xml.format.FileScenes;
 import cz.paprsek.xml.mistake.Mistake;
 import cz.paprsek.xml.mistake.Problems;
 import java.io.BufferedInputStream;
+import java.io.ByteArrayInputStream;
+import java.io.CharConversionException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringReader;
+import java.io.UnsupportedEncodingException;
 import java.util.ArrayList;
 import java.util.List;
+import javax.xml.parsers.ParserConfigurationException;
 import org.xml.sax.InputSource;
+import org.xml.sax.SAXException;
+import org.xml.sax.helpers.DefaultHandler;
 
 /** Has any file bound to beans, and makes the records of them, each of which may still refuse. */
 public final class ThoroughReader {
@@ -44,6 +50,18 @@ public final class ThoroughReader {
     /** As above; what the text says of its encoding does not matter, since it is a text already. */
     public static Outcome read(String text, String file) throws IOException {
         return read(new InputSource(new StringReader(text)), () -> {}, new Prolog(text), file);
+    }
+
+    /** Whether it is XML, whatever it says. */
+    public static boolean isWellFormed(byte[] file) throws IOException {
+        try {
+            Parse.hardened().parse(new ByteArrayInputStream(file), new DefaultHandler());
+            return true;
+        } catch (SAXException | CharConversionException | UnsupportedEncodingException malformed) {
+            return false;
+        } catch (ParserConfigurationException e) {
+            throw new IllegalStateException("the XML tools of this Java do not work as they should: " + e, e);
+        }
     }
 
     private static Outcome read(InputSource input, Runnable found, Prolog prolog, String file) throws IOException {

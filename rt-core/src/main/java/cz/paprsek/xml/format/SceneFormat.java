@@ -17,9 +17,14 @@ public final class SceneFormat {
 
     private SceneFormat() {}
 
-    /** The schema, an XSD, made of what stands at the records. */
+    /** The schema of files without formulas, repetition and the like, an XSD, made of what stands at the records. */
     public static String schema() {
-        return Schema.text();
+        return Schema.text(false);
+    }
+
+    /** The schema of all files: the same with formulas in place of numbers and colours, and the elements that are written out. */
+    public static String schemaWithFormulas() {
+        return Schema.text(true);
     }
 
     /**

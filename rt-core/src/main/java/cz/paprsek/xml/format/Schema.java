@@ -31,11 +31,14 @@ final class Schema {
     private static final String OPERATION = "Csg";
 
     private final SchemaText text = new SchemaText();
+    private final boolean hasFormulas;
 
-    private Schema() {}
+    private Schema(boolean hasFormulas) {
+        this.hasFormulas = hasFormulas;
+    }
 
-    static String text() {
-        return new Schema().write();
+    static String text(boolean hasFormulas) {
+        return new Schema(hasFormulas).write();
     }
 
     /** What is an element, but no record. */
@@ -58,6 +61,9 @@ final class Schema {
         text.documentation("The scene file of Paprsek, a ray tracer. Right-handed world, y up, lengths in scene units, angles in degrees. "
                 + "Each documentation of a simple type completes the sentence \"must be ...\".");
         new SimpleTypes(text, enumerations()).write();
+        if (hasFormulas) {
+            MadeTypes.simple(text);
+        }
         solids();
         roots();
         scene();
@@ -69,6 +75,9 @@ final class Schema {
         text.close("complexType");
         materials();
         bodies();
+        if (hasFormulas) {
+            MadeTypes.elements(text, shapes(Shape.class).filter(shape -> !Solid.class.isAssignableFrom(shape)).map(shape -> new String[] {ElementTable.name(shape), type(shape)}).toList());
+        }
         return text.close("schema").toString();
     }
 
@@ -84,6 +93,9 @@ final class Schema {
         shapes(Solid.class).forEach(this::element);
         for (Csg.Operation operation : Csg.Operation.values()) {
             text.leaf("element", "name", operation.name().toLowerCase(Locale.ROOT), "type", "s:" + OPERATION);
+        }
+        if (hasFormulas) {
+            MadeTypes.BODIES.forEach((name, type) -> text.leaf("element", "name", name, "type", "s:" + type));
         }
         text.close("choice").close("group");
     }
@@ -106,6 +118,9 @@ final class Schema {
         for (Described one : Described.elements(Scene.class)) {
             text.open("element", "name", one.name(), "type", "s:" + (one.says().value() == Kind.COLOR ? "Colored" : SimpleTypes.name(one)));
             text.documentation(one.says().means() + (one.isOptional() ? "." : "; " + standard(one) + " if not given.")).close("element");
+        }
+        if (hasFormulas) {
+            MadeTypes.OF_SCENE.forEach((name, type) -> text.leaf("element", "name", name, "type", "s:" + type));
         }
         element(RenderSettings.class);
         text.leaf("element", "name", "sky", "type", "s:Sky");
@@ -202,7 +217,8 @@ final class Schema {
 
     private void attribute(Described one, boolean mustBeThere) {
         List<String> use = mustBeThere ? List.of("use", "required") : List.of();
-        text.open("attribute", Stream.concat(Stream.of("name", one.name(), "type", "s:" + SimpleTypes.name(one)), use.stream()).toArray(String[]::new));
+        String type = SimpleTypes.name(one) + (hasFormulas && MadeTypes.takesFormulas(one.says().value()) ? MadeTypes.OR_FORMULA : "");
+        text.open("attribute", Stream.concat(Stream.of("name", one.name(), "type", "s:" + type), use.stream()).toArray(String[]::new));
         text.documentation(one.says().means() + (one.isRequired() || one.isOptional() ? "." : "; " + standard(one) + " if not given."));
         text.close("attribute");
     }

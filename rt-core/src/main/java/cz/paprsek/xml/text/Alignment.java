@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Which element of a list has become which one of another list, so that as many as can be stay where they are. */
-final class Alignment {
+public final class Alignment {
     /** As many comparisons as are worth it to find out which of some changed elements is which. */
     private static final int MOST_COMPARISONS = 10_000;
 
@@ -24,7 +24,7 @@ final class Alignment {
     }
 
     /** For every new element, the place of the old one that it was; −1 if it was none. They increase: what has moved was none. */
-    static int[] of(List<Form> olds, List<Form> nows) {
+    public static int[] of(List<Form> olds, List<Form> nows) {
         Alignment alignment = new Alignment(olds, nows);
         alignment.align();
         return alignment.origins;

@@ -9,10 +9,10 @@ package cz.paprsek.xml.text;
  * @param inside behind its start tag
  * @param insideTo where its end tag begins; as {@code end} if it has none
  */
-record Element(String name, int start, int nameFrom, int inside, int insideTo, int end) {
+public record Element(String name, int start, int nameFrom, int inside, int insideTo, int end) {
 
     /** Whether it has no end tag. */
-    boolean isEmpty() {
+    public boolean isEmpty() {
         return inside == end;
     }
 

@@ -13,7 +13,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** The encoding of a file, found as XML says: by its first bytes, or as it declares. A byte-order mark is a character like others. */
-final class Encoding {
+public final class Encoding {
     /** How much of a file is looked at for a declaration, in bytes. */
     static final int BEGINNING = 400;
     private static final Pattern DECLARED = Pattern.compile("^<\\?xml[^>]{0,200}?\\sencoding\\s*=\\s*[\"']([A-Za-z0-9._-]{1,60})[\"']");
@@ -24,7 +24,7 @@ final class Encoding {
         this.charset = charset;
     }
 
-    static Encoding of(byte[] file) {
+    public static Encoding of(byte[] file) {
         return new Encoding(charset(file));
     }
 
@@ -54,7 +54,7 @@ final class Encoding {
     }
 
     /** The text in UTF-8. */
-    byte[] toUtf8(byte[] file) {
+    public byte[] toUtf8(byte[] file) {
         if (charset.equals(StandardCharsets.UTF_8)) {
             return file;
         }

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 /** An element in the form that is written when there is no text yet; worked out when it is looked into. Equal if it stands for equal things. */
 public final class Form {
     /** What is neither body nor light, each an element or a choice of some. All bodies are one group, whose order matters, and so are all lights. */
-    static final List<String> GROUPS = List.of("description", "render", "background", "sky", "ambient", "camera", "light", "material",
+    static final List<String> GROUPS = List.of("description", "param", "include", "define", "render", "background", "sky", "ambient", "camera", "light", "material",
             "pattern", "diffusion", "specular", "reflection", "transparency", "roughness", "relief", "scene", "body");
     private static final String LIGHT = "-light";
     private static final Set<String> NAMES = Set.copyOf(GROUPS);
@@ -85,7 +85,8 @@ public final class Form {
         return new Form(group, value, maker, Optional.of(writtenElsewhere));
     }
 
-    static String group(String element) {
+    /** What the element is one of: all bodies are one group, and so are all lights. */
+    public static String group(String element) {
         return NAMES.contains(element) ? element : element.endsWith(LIGHT) ? "light" : PATTERNS.contains(element) ? "pattern" : RELIEFS.contains(element) ? "relief" : "body";
     }
 

@@ -8,16 +8,16 @@ import java.util.List;
 import java.util.Map;
 
 /** The text of a well-formed file in UTF-8, and where in it elements and attributes stand. Nothing is kept but the text. */
-final class Source {
+public final class Source {
     private final byte[] text;
     /** Files have many elements of a kind. */
     private String latestName = "";
     private final Element root;
 
     /** Where an attribute stands: its name, and its value without the quotes. */
-    record Attribute(String name, int start, int valueFrom, int valueTo) {
+    public record Attribute(String name, int start, int valueFrom, int valueTo) {
         /** Behind the closing quote. */
-        int end() {
+        public int end() {
             return valueTo + 1;
         }
     }
@@ -25,7 +25,7 @@ final class Source {
     /** Where a prefix stands, its colon included. */
     record Prefix(int from, int to) {}
 
-    Source(byte[] text) {
+    public Source(byte[] text) {
         this.text = text;
         int at = nextToken(0);
         while (!isStartTag(at)) {
@@ -38,12 +38,12 @@ final class Source {
         return text;
     }
 
-    String text(int from, int to) {
+    public String text(int from, int to) {
         return new String(text, from, to - from, StandardCharsets.UTF_8);
     }
 
     /** The outermost element. */
-    Element root() {
+    public Element root() {
         return root;
     }
 
@@ -57,7 +57,7 @@ final class Source {
     }
 
     /** The elements directly inside another one. */
-    List<Element> children(Element parent) {
+    public List<Element> children(Element parent) {
         List<Element> children = new ArrayList<>();
         int at = nextToken(parent.inside());
         while (at < parent.insideTo()) {
@@ -79,7 +79,7 @@ final class Source {
     }
 
     /** What an element says that prefixes stand for, the colon included; the empty one stands for itself. */
-    Map<String, String> declarations(Element element) {
+    public Map<String, String> declarations(Element element) {
         Map<String, String> declared = new LinkedHashMap<>();
         for (Attribute attribute : attributes(element)) {
             if (attribute.name().equals("xmlns") || attribute.name().startsWith("xmlns:")) {
@@ -125,7 +125,7 @@ final class Source {
         return false;
     }
 
-    List<Attribute> attributes(Element element) {
+    public List<Attribute> attributes(Element element) {
         List<Attribute> attributes = new ArrayList<>();
         int at = skipBlanks(element.nameTo());
         while (text[at] != '>' && text[at] != '/') {
@@ -143,7 +143,7 @@ final class Source {
     }
 
     /** The prefix of its name, the colon included; empty if it has none. */
-    String prefix(Element element) {
+    public String prefix(Element element) {
         return text(element.start() + 1, element.nameFrom());
     }
 

@@ -4,7 +4,7 @@ package cz.paprsek.xml.text;
 public final class Unpatchable extends RuntimeException {
     private static final long serialVersionUID = 1;
 
-    Unpatchable(String message) {
+    public Unpatchable(String message) {
         super(message);
     }
 }

@@ -35,6 +35,14 @@ public final class SceneForms {
     }
 
     private static Form.Body body(Scene scene, boolean isRoot) {
+        if (!scene.recipe().isNone()) {
+            Form.Body written = Form.parse(scene.recipe().text()).body();
+            Map<String, String> attributes = new LinkedHashMap<>(written.attributes());
+            if (!isRoot) {
+                attributes.remove("xmlns");
+            }
+            return new Form.Body("scene", attributes, written.children(), written.content());
+        }
         Form.Body head = Form.parse(SceneWriter.head(scene, isRoot)).body();
         List<Form> children = new ArrayList<>(head.children());
         scene.lights().forEach(light -> children.add(form(ElementTable.name(light.getClass()), light, () -> SceneWriter.text(light))));

@@ -43,7 +43,11 @@ public final class SceneWriter {
 
     private final XmlText xml = new XmlText();
 
+    /** Of a scene with a recipe, that recipe. */
     public String file(Scene scene) {
+        if (!scene.recipe().isNone()) {
+            return scene.recipe().text();
+        }
         scene(scene, true);
         return xml.toString();
     }
@@ -82,6 +86,10 @@ public final class SceneWriter {
     }
 
     private void scene(Scene scene, boolean isRoot) {
+        if (!scene.recipe().isNone()) {
+            xml.piece(scene.recipe().text());
+            return;
+        }
         // What the file could hold but would not be read.
         if (!scene.name().isEmpty()) {
             SceneRules.checkName("scene name", scene.name());

@@ -50,6 +50,12 @@ final class XmlText {
         text.append("</").append(name).append(">\n");
     }
 
+    /** A file's only element with all that is inside, each line of it an element, as one among others. */
+    void piece(String file) {
+        endTag();
+        file.replaceFirst(" xmlns=\"" + SceneFormat.NAMESPACE + "\"", "").lines().skip(1).forEach(line -> indent().append(line).append('\n'));
+    }
+
     /** The shortest text that reads back as the same number, −0 included, which people are shown as 0. */
     static String text(double value) {
         return value == 0 && 1 / value < 0 ? "-0" : Numbers.text(value);

@@ -36,6 +36,7 @@ public final class PropertySheet extends BorderPane {
     private final List<SectionPane> panes = new ArrayList<>();
     private final MaterialsPane materials;
     private final ReadyPane ready;
+    private final ParametersPane parameters;
     /** Held here, for the model, which outlives the window's content, holds it weakly. */
     private final InvalidationListener onChange = property -> later();
     private List<Section> sections = List.of();
@@ -52,6 +53,7 @@ public final class PropertySheet extends BorderPane {
         titles = new Titles(texts);
         materials = new MaterialsPane(model, texts, editors);
         ready = new ReadyPane(model, texts);
+        parameters = new ParametersPane(model, texts);
         setId("property-sheet");
         getStyleClass().add("property-sheet");
         getStylesheets().add(Objects.requireNonNull(PropertySheet.class.getResource("sheet.css")).toExternalForm());
@@ -92,6 +94,7 @@ public final class PropertySheet extends BorderPane {
         }
         panes.forEach(pane -> pane.show(state.scene()));
         materials.show(state.scene());
+        parameters.show(state.scene());
     }
 
     private void rebuild(EditorState state) {
@@ -104,6 +107,7 @@ public final class PropertySheet extends BorderPane {
             panes.add(pane);
         }
         content.getChildren().setAll(panes);
+        content.getChildren().add(0, parameters);
         if (state.selection().isEmpty()) {
             content.getChildren().add(materials);
         }

@@ -1,0 +1,81 @@
+package cz.paprsek.xml;
+
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Scene.Recipe;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.xml.recipe.Script;
+import cz.paprsek.xml.text.Unpatchable;
+import cz.paprsek.xml.write.SceneForms;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** Scenes that have been changed since they were made: their formulas stay where the values have stayed. */
+final class Settled {
+    private Settled() {}
+
+    /** The scene with a recipe that makes just this; with none if there is no such recipe. */
+    static Scene of(Scene scene) {
+        Recipe recipe = scene.recipe();
+        if (recipe.isNone()) {
+            return scene;
+        }
+        Scene plain = scene.withRecipe(Recipe.NONE);
+        try {
+            Script script = script(recipe);
+            Scene made = only(script).withRecipe(Recipe.NONE);
+            if (made.equals(plain)) {
+                return scene;
+            }
+            for (boolean movesInstances : new boolean[] {true, false}) {
+                Recipe now = new Recipe(script.reconciled(SceneForms.file(made), SceneForms.file(plain), movesInstances), recipe.included(), recipe.parameters());
+                Scene again = only(script(now));
+                if (again.withRecipe(Recipe.NONE).equals(plain)) {
+                    return plain.withRecipe(again.recipe());
+                }
+            }
+        } catch (SceneFileException | IOException | Unpatchable | IllegalArgumentException hopeless) {
+            // Then it is written down as it is.
+        }
+        return plain;
+    }
+
+    /**
+     * The scene made anew, with other values of parameters. What comes out as it was stays the very same objects.
+     *
+     * @throws SceneFileException if it cannot be made of these
+     */
+    static Scene with(Scene scene, Map<String, String> parameters) throws SceneFileException, IOException {
+        Scene settled = of(scene);
+        if (settled.recipe().isNone()) {
+            throw new IllegalArgumentException("the scene has no parameters");
+        }
+        return like(scene, made(settled.recipe(), parameters));
+    }
+
+    private static Scene made(Recipe recipe, Map<String, String> parameters) throws SceneFileException, IOException {
+        return SceneFiles.only(Making.of(recipe, parameters).contents(recipe.text().getBytes(StandardCharsets.UTF_8), "scene").orElseThrow(), "scene");
+    }
+
+    private static Scene like(Scene before, Scene now) {
+        List<SceneObject> objects = new ArrayList<>(now.objects());
+        for (int i = 0; i < Math.min(objects.size(), before.objects().size()); i++) {
+            SceneObject old = before.objects().get(i);
+            SceneObject fresh = objects.get(i);
+            objects.set(i, fresh.equals(old) ? old : fresh.shape().equals(old.shape()) ? fresh.withShape(old.shape()) : fresh);
+        }
+        return now.withObjects(objects);
+    }
+
+    private static Script script(Recipe recipe) {
+        Making how = Making.of(recipe, Map.of());
+        return Script.of(recipe.text().getBytes(StandardCharsets.UTF_8), "scene", Map.of(), how.files(), SceneFiles.LARGEST)
+                .orElseThrow(() -> new Unpatchable("nothing is made in the scene any more"));
+    }
+
+    private static Scene only(Script script) throws SceneFileException, IOException {
+        return SceneFiles.only(Making.contents(script, "scene"), "scene");
+    }
+}

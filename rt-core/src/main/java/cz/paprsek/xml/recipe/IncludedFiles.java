@@ -1,0 +1,14 @@
+package cz.paprsek.xml.recipe;
+
+import java.io.IOException;
+
+/** Files that scenes include, by their names relative to the scene's folder. */
+@FunctionalInterface
+public interface IncludedFiles {
+    /**
+     * The content of one, well-formed XML in UTF-8.
+     *
+     * @throws IOException with one sentence that says why it cannot be had
+     */
+    byte[] read(String name) throws IOException;
+}

@@ -1,0 +1,219 @@
+package cz.paprsek.xml.recipe;
+
+import cz.paprsek.formula.Formula;
+import cz.paprsek.formula.Function;
+import cz.paprsek.scene.Scene.Recipe;
+import cz.paprsek.scene.Scene.Recipe.Parameter;
+import cz.paprsek.text.Numbers;
+import cz.paprsek.text.Similar;
+import cz.paprsek.xml.format.SceneFormat;
+import cz.paprsek.xml.mistake.Problems;
+import cz.paprsek.xml.recipe.Names.Param;
+import cz.paprsek.xml.recipe.Names.ToldAlready;
+import cz.paprsek.xml.recipe.Node.Attr;
+import cz.paprsek.xml.text.Form;
+import cz.paprsek.xml.text.Places.Place;
+import cz.paprsek.xml.text.Unpatchable;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+
+/** A file whose scenes are made, and what has come of it. */
+public final class Script {
+    /** One of these words is in every file that is to be written out, or a brace. */
+    private static final List<byte[]> WORDS = Node.NAMES.stream().map(word -> word.getBytes(StandardCharsets.US_ASCII)).toList();
+
+    private final Output out = new Output();
+    private final Mistakes mistakes = new Mistakes();
+    private final List<Recipe> recipes = new ArrayList<>();
+    private final Map<String, String> given;
+    private final Set<String> used = new TreeSet<>();
+    private final Set<String> known = new TreeSet<>();
+    private final IncludedFiles files;
+    private final long mostCharacters;
+    private @Nullable Node only;
+
+    private Script(Map<String, String> given, IncludedFiles files, long mostCharacters) {
+        this.given = given;
+        this.files = files;
+        this.mostCharacters = mostCharacters;
+    }
+
+    /**
+     * Something wrong with the file, or with one that it includes.
+     *
+     * @param line from 1
+     * @param column from 1
+     */
+    public record Wrong(String file, int line, int column, String message) {
+        public Wrong {
+            Objects.requireNonNull(file, "file");
+            Objects.requireNonNull(message, "message");
+        }
+    }
+
+    /** Whether a file has anything that must be looked at here; if not, it is as all others. */
+    public static boolean mayBeIn(byte[] file) {
+        for (int at = 0; at < file.length; at++) {
+            byte c = file[at];
+            if (c == '{') {
+                return true;
+            }
+            if (c == 'r' || c == 'i' || c == 'p' || c == 'd') {
+                for (byte[] word : WORDS) {
+                    if (c == word[0] && at + word.length <= file.length && Arrays.equals(file, at, at + word.length, word, 0, word.length)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    static boolean isName(String name) {
+        return name.matches("[A-Za-z_][A-Za-z0-9_]*") && !name.equals("pi") && !Function.words().contains(name) && !Set.of("and", "or", "not").contains(name);
+    }
+
+    /**
+     * Writes the scenes of a file out.
+     *
+     * @param utf8 well-formed XML
+     * @param file its name, for messages
+     * @param given values of parameters that are to have others than the file says
+     * @param mostCharacters how long what is written may become
+     * @return empty if there is nothing to be written out, or it is no scene file
+     */
+    public static Optional<Script> of(byte[] utf8, String file, Map<String, String> given, IncludedFiles files, long mostCharacters) {
+        Objects.requireNonNull(file, "file");
+        Objects.requireNonNull(files, "files");
+        Script script = new Script(Map.copyOf(given), files, mostCharacters);
+        try {
+            Node root = NodeReader.read(utf8, file, script.mistakes::add);
+            if (root.isPlain() && script.mistakes.isEmpty() && given.isEmpty()) {
+                return Optional.empty();
+            }
+            script.run(root);
+        } catch (Problems.Stop enough) {
+            // What there is to tell stands in the mistakes.
+        } catch (Unpatchable noScene) {
+            return Optional.empty();
+        }
+        return Optional.of(script);
+    }
+
+    private void run(Node root) {
+        if (root.name().equals("database")) {
+            out.open("database", root, root);
+            out.attribute("xmlns", SceneFormat.NAMESPACE);
+            root.attributes().forEach(one -> out.attribute(one.name(), one.raw()));
+            for (Node scene : root.children()) {
+                scene(scene, false);
+            }
+            out.close("database");
+        } else {
+            scene(root, true);
+        }
+        for (String name : given.keySet()) {
+            if (!used.contains(name)) {
+                mistakes.add(root, "there is no parameter \"" + name + "\"" + (known.isEmpty() ? " here, nor any other" : Similar.suggestion(name, known).isEmpty()
+                        ? "; there is " + String.join(", ", known.stream().limit(10).toList()) : Similar.suggestion(name, known)));
+            }
+        }
+    }
+
+    private void scene(Node written, boolean isRoot) {
+        Ingredients found = new Ingredients(written, files, mistakes, given);
+        used.addAll(found.used());
+        known.addAll(found.names().params().keySet());
+        List<Parameter> parameters = new ArrayList<>();
+        found.names().params().forEach((name, param) -> parameter(name, param, found.names()).ifPresent(parameters::add));
+        Node scene = found.scene();
+        only = scene;
+        new Expansion(scene, out, found.names(), found.definitions(), found.materials(), mistakes, mostCharacters).scene(scene, isRoot);
+        recipes.add(scene.isPlain() ? Recipe.NONE : new Recipe(NodeText.of(scene), found.included(), parameters));
+    }
+
+    private Optional<Parameter> parameter(String name, Param param, Names names) {
+        try {
+            names.known(name);
+            OptionalDouble least = bound(param, "min", names);
+            OptionalDouble most = bound(param, "max", names);
+            OptionalDouble step = bound(param, "step", names);
+            boolean isWithin = param.number().isEmpty() || (param.number().getAsDouble() >= least.orElse(-Double.MAX_VALUE) && param.number().getAsDouble() <= most.orElse(Double.MAX_VALUE));
+            boolean isNumber = param.number().isPresent() || (least.isEmpty() && most.isEmpty() && step.isEmpty());
+            if (!isWithin || !isNumber) {
+                String range = least.isPresent() && most.isPresent() ? " from " + Numbers.text(least.getAsDouble()) + " to " + Numbers.text(most.getAsDouble())
+                        : least.isPresent() ? ", " + Numbers.text(least.getAsDouble()) + " or above" : most.isPresent() ? ", " + Numbers.text(most.getAsDouble()) + " at most" : "";
+                mistakes.add(param.node(), "value", "the parameter \"" + name + "\" must be a number" + range + ", but is " + (param.text().isEmpty() ? "empty" : param.text()));
+                return Optional.empty();
+            }
+            return Optional.of(new Parameter(name, param.node().attribute("value").map(Attr::text).orElse(""), param.text(), least, most, step));
+        } catch (ToldAlready told) {
+            return Optional.empty();
+        }
+    }
+
+    private OptionalDouble bound(Param param, String attribute, Names names) {
+        Optional<Attr> given = param.node().attribute(attribute);
+        if (given.isEmpty()) {
+            return OptionalDouble.empty();
+        }
+        try {
+            String text = given.get().template().isPresent() ? given.get().template().get().value(names) : given.get().text();
+            return OptionalDouble.of(Formula.value(text));
+        } catch (Template.Misplaced why) {
+            mistakes.add(param.node(), given.get(), why);
+        } catch (IllegalArgumentException none) {
+            mistakes.add(param.node(), attribute, attribute + " must be a number, but is \"" + given.get().text() + "\"");
+        }
+        throw new ToldAlready();
+    }
+
+    /**
+     * The text of the scene, for a file, with what has become of it.
+     *
+     * @param before the one scene of this file as it is written canonically without formulas
+     * @param now what that has become
+     * @param movesInstances as in {@link Reconciled}
+     */
+    public String reconciled(Form before, Form now, boolean movesInstances) {
+        return NodeText.of(Reconciled.of(Objects.requireNonNull(only), out, before, now, movesInstances));
+    }
+
+    /** What is wrong; then there is no text. */
+    public List<Wrong> mistakes() {
+        return mistakes.found().stream().map(one -> new Wrong(one.file(), one.line(), one.column(), one.message())).toList();
+    }
+
+    /** The file without anything that has to be written out. */
+    public byte[] text() {
+        return out.bytes();
+    }
+
+    /** How each of its scenes is made. */
+    public List<Recipe> recipes() {
+        return List.copyOf(recipes);
+    }
+
+    /**
+     * Says of a mistake in the {@link #text} where in the file it is.
+     *
+     * @param line of the text, from 1
+     * @param attributes of these the first that the element there has is at fault
+     */
+    public Wrong wrong(int line, String message, List<String> attributes) {
+        Node[] lines = out.lines();
+        Node node = lines[Math.max(1, Math.min(lines.length, line)) - 1];
+        Optional<Attr> fault = attributes.stream().flatMap(name -> node.attribute(name).stream()).filter(one -> one.nameAt() >= 0).findFirst();
+        Place place = node.origin().place(fault.map(Attr::nameAt).orElse(node.at()));
+        return new Wrong(node.origin().file(), place.line(), place.column(), message);
+    }
+}
