@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Set;
+import javafx.scene.control.ComboBox;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -112,5 +113,27 @@ class MeshesInEditorTest {
         editor.gui.click("#shape-file-choose");
         assertThat(editor.dialogs.asked).containsExactly("mesh");
         assertThat(((Mesh) last().shape()).file()).isEqualTo("other.obj");
+    }
+
+    @Test
+    void theSheetSaysThatOneIsMadeOfWhatItsFileSays() throws Exception {
+        Files.writeString(scenes.resolve("two.mtl"), "newmtl red\nKd 0.8 0.1 0.1\n");
+        Files.writeString(scenes.resolve("two.obj"), "mtllib two.mtl\nusemtl red\n" + CORNER);
+        Files.writeString(scenes.resolve("one.obj"), CORNER);
+        open(Scene.EMPTY.plus(SceneObject.of(Mesh.of("two.obj"))).plus(SceneObject.of(Mesh.of("one.obj"))));
+        editor.gui.act(() -> editor.model().select(Set.of(ScenePath.body(0))));
+        editor.gui.pulse();
+        assertThat(chosenMaterial()).isEqualTo("as its file has it");
+        editor.gui.act(() -> editor.model().select(Set.of(ScenePath.body(1))));
+        editor.gui.pulse();
+        assertThat(chosenMaterial()).isEqualTo("none: matte white");
+    }
+
+    private String chosenMaterial() {
+        return Gui.on(() -> {
+            @SuppressWarnings("unchecked")
+            ComboBox<Object> choice = (ComboBox<Object>) editor.gui.stage().getScene().lookup("#material");
+            return choice.getConverter().toString(choice.getValue());
+        });
     }
 }

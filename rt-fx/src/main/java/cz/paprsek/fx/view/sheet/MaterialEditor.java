@@ -10,6 +10,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.Mesh;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -101,7 +102,12 @@ final class MaterialEditor implements PropertyEditor {
             return named.name();
         }
         boolean operands = places.stream().allMatch(at -> at.depth() > 0);
-        return texts.of(option == Own.OWN ? "material.own" : operands ? "material.inherited" : "material.none");
+        return texts.of(option == Own.OWN ? "material.own" : operands ? "material.inherited" : haveFiles() ? "material.of-file" : "material.none");
+    }
+
+    /** Whether what is selected are meshes that are made of what their files say. */
+    private boolean haveFiles() {
+        return places.stream().map(at -> at.find(model.scene())).allMatch(body -> body.isPresent() && body.get().shape() instanceof Mesh mesh && !mesh.materials().isEmpty());
     }
 
     private List<Object> options(Scene scene) {
