@@ -18,8 +18,8 @@ import java.util.Objects;
 /** A rod with round ends: all that is not farther than the radius from the y axis between y = 0 and y = height. */
 @Element("A cylinder about its y axis, from y = 0, with half a ball at either end.")
 public record Capsule(
-        @Attribute(value = Kind.POSITIVE, means = "Above 0", example = "0.3") double radius,
-        @Attribute(value = Kind.NOT_NEGATIVE, means = "From the middle of one half ball to that of the other; 0 makes a sphere", example = "0.6") double height) implements Solid {
+        @Attribute(value = Kind.POSITIVE, means = "Above 0", example = "0.4") double radius,
+        @Attribute(value = Kind.NOT_NEGATIVE, means = "From the middle of one half ball to that of the other; 0 makes a sphere", example = "0.4") double height) implements Solid {
     public Capsule {
         Require.size("capsule radius", radius);
         Require.sizeOrZero("capsule height", height);
