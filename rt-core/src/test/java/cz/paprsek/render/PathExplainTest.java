@@ -2,7 +2,6 @@ package cz.paprsek.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.math.Vec3;

@@ -9,7 +9,6 @@ import cz.paprsek.math.Affine;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 

@@ -1,6 +1,5 @@
 package cz.paprsek.format.gltf;
 
-import cz.paprsek.format.model.FormatFault;
 import cz.paprsek.format.model.Notes;
 import cz.paprsek.math.Affine;
 import cz.paprsek.shape.mesh.Triangles;

@@ -1,6 +1,6 @@
 package cz.paprsek.render.integrate;
 
-import cz.paprsek.math.Turn;
+import cz.paprsek.render.sample.Turn;
 
 /**
  * Rough surfaces as little facets that mirror: how their normals are spread about that of the surface, and how they stand in each other's way. Scratch

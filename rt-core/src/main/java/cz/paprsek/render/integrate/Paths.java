@@ -1,12 +1,12 @@
 package cz.paprsek.render.integrate;
 
-import cz.paprsek.math.Turn;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.sample.PassSums;
 import cz.paprsek.render.sample.Passes;
+import cz.paprsek.render.sample.Turn;
 import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;

@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.catchThrowable;
 
 import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.fx.model.Label;
-import cz.paprsek.shape.Csg;
-import cz.paprsek.shape.Shape;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Shape;
 import cz.paprsek.words.Words;
 import java.io.IOException;
 import java.io.InputStreamReader;

@@ -1,4 +1,4 @@
-package cz.paprsek.math;
+package cz.paprsek.render.sample;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,4 +1,4 @@
-package cz.paprsek.math;
+package cz.paprsek.render.sample;
 
 /**
  * Scratch of one worker: cosine and sine of a share of a full turn, both at once, the same on every machine, to within 4·10⁻¹⁶. Random directions ask for
