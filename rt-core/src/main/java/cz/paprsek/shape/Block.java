@@ -5,10 +5,12 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
+import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.Convex;
 import cz.paprsek.shape.placed.LocalConvex;
 import cz.paprsek.shape.placed.Parts;
@@ -67,7 +69,7 @@ public record Block(
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
         Objects.requireNonNull(along, "along");
-        return rounding == 0 ? Outlines.box(min, max) : Outlines.roundedBox(middle(), inner(), rounding, along, steps);
+        return rounding == 0 ? Drawn.box(min, max) : Drawn.roundedBox(middle(), inner(), rounding, along, steps);
     }
 
     @Override

@@ -5,9 +5,11 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Rounded;
 import cz.paprsek.shape.placed.Volume;
@@ -35,7 +37,7 @@ public record Capsule(
     public List<Curve> outline(Vec3 along, int steps) {
         Objects.requireNonNull(along, "along");
         Vec3 radii = new Vec3(radius, radius, radius);
-        List<Vec3> ball = Outlines.ellipsoid(radii, along, steps).points();
+        List<Vec3> ball = Drawn.ellipsoid(radii, along, steps).points();
         List<Vec3> apart = new ArrayList<>();
         for (int i = 0; i < ball.size(); i++) {
             Vec3 p = ball.get(i);
@@ -49,7 +51,7 @@ public record Capsule(
         }
         Vec3 x = new Vec3(radius, 0, 0);
         Vec3 z = new Vec3(0, 0, radius);
-        return List.of(new Curve(apart), Outlines.circle(Vec3.ZERO, x, z, steps), Outlines.circle(new Vec3(0, height, 0), x, z, steps));
+        return List.of(new Curve(apart), Drawn.circle(Vec3.ZERO, x, z, steps), Drawn.circle(new Vec3(0, height, 0), x, z, steps));
     }
 
     private Vec3 lifted(Vec3 p, boolean isUpper) {

@@ -5,10 +5,12 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
+import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.LocalConvex;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Ray;
@@ -61,7 +63,7 @@ public record Cone(
 
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
-        return sides > 0 ? Outlines.sided(sides, radius, topRadius, height) : Outlines.round(radius, topRadius, height, along, steps);
+        return sides > 0 ? Drawn.sided(sides, radius, topRadius, height) : Drawn.round(radius, topRadius, height, along, steps);
     }
 
     @Override

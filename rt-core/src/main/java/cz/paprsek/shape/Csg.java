@@ -3,6 +3,7 @@ package cz.paprsek.shape;
 import cz.paprsek.attribute.Element;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.placed.Combination;

@@ -2,9 +2,11 @@ package cz.paprsek.shape;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
+import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.text.MadeInCode;
@@ -61,11 +63,11 @@ public non-sealed interface CustomShape extends Shape {
     default List<Curve> outline(Vec3 along, int steps) {
         Objects.requireNonNull(along, "along");
         Bounds box = bounds();
-        return box.isFinite() ? Outlines.box(new Vec3(box.minX(), box.minY(), box.minZ()), new Vec3(box.maxX(), box.maxY(), box.maxZ())) : List.of();
+        return box.isFinite() ? Drawn.box(new Vec3(box.minX(), box.minY(), box.minZ()), new Vec3(box.maxX(), box.maxY(), box.maxZ())) : List.of();
     }
 
     @Override
     default Surface place(Affine toWorld, Parts parts) {
-        return parts.add(part -> new PlacedFigure(part, toWorld, this));
+        return parts.add(part -> new Made.Figure(part, toWorld, this));
     }
 }

@@ -5,8 +5,10 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.Flat;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Surface;
@@ -28,7 +30,7 @@ public record Disc(@Attribute(value = Kind.POSITIVE, means = "Above 0") double r
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
         Objects.requireNonNull(along, "along");
-        return List.of(Outlines.circle(Vec3.ZERO, new Vec3(radius, 0, 0), new Vec3(0, radius, 0), steps));
+        return List.of(Drawn.circle(Vec3.ZERO, new Vec3(radius, 0, 0), new Vec3(0, radius, 0), steps));
     }
 
     @Override

@@ -5,10 +5,12 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
+import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.LocalConvex;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Ray;
@@ -31,7 +33,7 @@ public record Ellipsoid(@Attribute(value = Kind.POSITIVE_VECTOR, means = "Along 
 
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
-        return List.of(Outlines.ellipsoid(semiAxes, along, steps));
+        return List.of(Drawn.ellipsoid(semiAxes, along, steps));
     }
 
     @Override

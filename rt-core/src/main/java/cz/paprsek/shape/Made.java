@@ -6,7 +6,11 @@ import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
+import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Ray;
+import cz.paprsek.shape.placed.Spans;
+import cz.paprsek.shape.placed.Surface;
+import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.text.Numbers;
 import java.util.Objects;
 
@@ -114,5 +118,134 @@ final class Made {
         hit.px = x;
         hit.py = y;
         hit.pz = z;
+    }
+
+    /** A figure made in code, in the world. */
+    static final class Figure extends Surface implements Part {
+        private final int part;
+        private final Made made;
+
+        Figure(int part, Affine toWorld, CustomShape shape) {
+            this.part = part;
+            this.made = new Made(shape, toWorld);
+        }
+
+        @Override
+        public Bounds bounds() {
+            return made.bounds;
+        }
+
+        @Override
+        public double cost() {
+            return made.cost;
+        }
+
+        @Override
+        public void nearest(Ray ray) {
+            Line line = made.crossed(ray);
+            int start = start(line, ray);
+            for (int i = 0; i < line.crossings(); i++) {
+                if (i != start && line.t(i) > ray.min && line.t(i) < ray.reach) {
+                    ray.accept(line.t(i), part, line.face(i));
+                }
+            }
+        }
+
+        @Override
+        public boolean occludes(Ray ray) {
+            Line line = made.crossed(ray);
+            int start = start(line, ray);
+            for (int i = 0; i < line.crossings(); i++) {
+                if (i != start && line.t(i) > ray.contact && line.t(i) < ray.max) {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        @Override
+        public void crossings(Ray ray, Spans out) {
+            Line line = made.crossed(ray);
+            int start = start(line, ray);
+            for (int i = 0; i < line.crossings(); i++) {
+                if (i != start && line.t(i) > ray.min && line.t(i) < ray.max) {
+                    out.add(line.t(i), part, line.face(i));
+                }
+            }
+        }
+
+        /** Which crossing is where the ray starts, if it starts from this figure: the one nearest to that place. */
+        private int start(Line line, Ray ray) {
+            int start = -1;
+            if (part == ray.left) {
+                for (int i = 0; i < line.crossings(); i++) {
+                    if (start < 0 || Math.abs(line.t(i)) < Math.abs(line.t(start))) {
+                        start = i;
+                    }
+                }
+            }
+            return start;
+        }
+
+        @Override
+        public void describe(int face, Hit hit) {
+            made.describe(face, hit);
+        }
+
+        @Override
+        public void map(int face, Hit hit) {
+            made.map(face, hit);
+        }
+    }
+
+    /** A solid made in code, in the world. */
+    static final class Body extends Volume implements Part {
+        private final int part;
+        private final Made made;
+
+        Body(int part, Affine toWorld, CustomSolid shape) {
+            this.part = part;
+            this.made = new Made(shape, toWorld);
+        }
+
+        @Override
+        public Bounds bounds() {
+            return made.bounds;
+        }
+
+        @Override
+        public double cost() {
+            return made.cost;
+        }
+
+        @Override
+        public void spans(Ray ray, Spans out) {
+            Line line = made.crossed(ray);
+            int count = line.crossings();
+            int mark = out.size();
+            for (int i = 0; i < count; i++) {
+                if (i > 0 && !(line.t(i) >= line.t(i - 1))) {
+                    throw new IllegalStateException("a " + made.kind() + " says that a line crosses it at " + line.t(i) + " after " + line.t(i - 1)
+                            + "; it must be in rising order");
+                }
+                out.add(line.t(i), part, line.face(i));
+            }
+            if (count % 2 != 0) {
+                throw new IllegalStateException("a " + made.kind() + " says that a line crosses it " + count + " times; it must be left as often as it is entered");
+            }
+            if (part == ray.left) {
+                out.leaveFrom(mark, ray.inwards);
+            }
+        }
+
+        @Override
+        public void describe(int face, Hit hit) {
+            made.describe(face, hit);
+        }
+
+        @Override
+        public void map(int face, Hit hit) {
+            made.map(face, hit);
+        }
     }
 }

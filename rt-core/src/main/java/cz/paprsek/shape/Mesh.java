@@ -6,6 +6,7 @@ import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Material;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.mesh.Triangles;

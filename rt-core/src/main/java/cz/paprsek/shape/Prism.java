@@ -5,8 +5,10 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Sided;
 import cz.paprsek.shape.placed.Volume;
@@ -43,7 +45,7 @@ public record Prism(
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
         Objects.requireNonNull(along, "along");
-        return Outlines.sided(sides, radius, radius, height);
+        return Drawn.sided(sides, radius, radius, height);
     }
 
     @Override

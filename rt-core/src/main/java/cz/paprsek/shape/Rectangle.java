@@ -5,8 +5,10 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.Flat;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Surface;
@@ -40,7 +42,7 @@ public record Rectangle(
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
         Objects.requireNonNull(along, "along");
-        return List.of(Outlines.loop(minX, minY, maxX, maxY, 0));
+        return List.of(Drawn.loop(minX, minY, maxX, maxY, 0));
     }
 
     @Override

@@ -2,6 +2,7 @@ package cz.paprsek.shape;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Surface;

@@ -5,8 +5,10 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.Ball;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Volume;
@@ -26,7 +28,7 @@ public record Sphere(@Attribute(value = Kind.POSITIVE, means = "Above 0") double
 
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
-        return List.of(Outlines.ellipsoid(new Vec3(radius, radius, radius), along, steps));
+        return List.of(Drawn.ellipsoid(new Vec3(radius, radius, radius), along, steps));
     }
 
     @Override

@@ -5,10 +5,12 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
+import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.Bulge;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Volume;
@@ -50,7 +52,7 @@ public record Superellipsoid(
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
         Vec3 view = new Vec3(along.x() / semiAxes.x(), along.y() / semiAxes.y(), along.z() / semiAxes.z());
-        return List.of(new Curve(Outlines.ellipsoid(Vec3.ONE, view, steps).points().stream().map(this::farthest).toList()));
+        return List.of(new Curve(Drawn.ellipsoid(Vec3.ONE, view, steps).points().stream().map(this::farthest).toList()));
     }
 
     private Vec3 farthest(Vec3 towards) {

@@ -5,12 +5,15 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
+import cz.paprsek.shape.outline.Drawn;
 import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Parts;
+import cz.paprsek.shape.placed.Quartic;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Volume;
@@ -39,7 +42,7 @@ public record Torus(
 
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
-        return Outlines.ring(majorRadius, minorRadius, along, steps);
+        return Drawn.ring(majorRadius, minorRadius, along, steps);
     }
 
     @Override

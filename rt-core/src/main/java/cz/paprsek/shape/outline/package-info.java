@@ -1,2 +1,2 @@
-/** Outlines in the plane, how lines meet them, and the solids that are made of them, ready for rays. */
+/** Outlines in the plane, how lines meet them, and the solids that are made of them, ready for rays; and the lines that shapes are drawn with. */
 package cz.paprsek.shape.outline;

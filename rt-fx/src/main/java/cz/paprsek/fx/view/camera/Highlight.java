@@ -2,11 +2,11 @@ package cz.paprsek.fx.view.camera;
 
 import cz.paprsek.drawing.CameraView;
 import cz.paprsek.math.Affine;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath.BodyAt;
-import cz.paprsek.shape.Curve;
 import cz.paprsek.shape.Operand;
 import java.util.Optional;
 import javafx.scene.canvas.Canvas;

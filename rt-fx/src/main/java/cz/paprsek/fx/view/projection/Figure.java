@@ -1,10 +1,10 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.math.Affine;
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.shape.Csg;
-import cz.paprsek.shape.Curve;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Shape;

@@ -1,5 +1,6 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.outline;
 
+import cz.paprsek.math.Curve;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.placed.Sided;
 import java.util.ArrayList;
@@ -10,16 +11,16 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /** Lines that draw primitives: silhouettes and edges. */
-final class Outlines {
-    private Outlines() {}
+public final class Drawn {
+    private Drawn() {}
 
     /** The circle about a centre through centre + a and centre + b; an ellipse if these differ in length. */
-    static Curve circle(Vec3 centre, Vec3 a, Vec3 b, int steps) {
+    public static Curve circle(Vec3 centre, Vec3 a, Vec3 b, int steps) {
         return closed(evenly(steps), angle -> centre.plus(a.times(StrictMath.cos(angle))).plus(b.times(StrictMath.sin(angle))));
     }
 
     /** The edges of a box: bottom, top and the four between. */
-    static List<Curve> box(Vec3 min, Vec3 max) {
+    public static List<Curve> box(Vec3 min, Vec3 max) {
         List<Curve> edges = new ArrayList<>();
         edges.add(loop(min.x(), min.y(), max.x(), max.y(), min.z()));
         edges.add(loop(min.x(), min.y(), max.x(), max.y(), max.z()));
@@ -37,7 +38,7 @@ final class Outlines {
      *
      * @param half from the middle of the box to its faces
      */
-    static List<Curve> roundedBox(Vec3 middle, Vec3 half, double radius, Vec3 along, int steps) {
+    public static List<Curve> roundedBox(Vec3 middle, Vec3 half, double radius, Vec3 along, int steps) {
         List<Curve> curves = new ArrayList<>();
         List<Vec3> directions = ellipsoid(Vec3.ONE, along, steps).points();
         List<Vec3> points = new ArrayList<>();
@@ -80,7 +81,7 @@ final class Outlines {
     }
 
     /** The edges of a body of flat sides about the y axis, between two polygons. */
-    static List<Curve> sided(int sides, double bottom, double top, double height) {
+    public static List<Curve> sided(int sides, double bottom, double top, double height) {
         List<Curve> edges = new ArrayList<>();
         for (double y : new double[] {0, height}) {
             double radius = y == 0 ? bottom : top;
@@ -95,7 +96,7 @@ final class Outlines {
     }
 
     /** A rectangle in a plane of constant z. */
-    static Curve loop(double minX, double minY, double maxX, double maxY, double z) {
+    public static Curve loop(double minX, double minY, double maxX, double maxY, double z) {
         return Curve.through(new Vec3(minX, minY, z), new Vec3(maxX, minY, z), new Vec3(maxX, maxY, z), new Vec3(minX, maxY, z),
                 new Vec3(minX, minY, z));
     }
@@ -104,7 +105,7 @@ final class Outlines {
      * The silhouette of an ellipsoid: where the normal x/a² is perpendicular to the view. With x = a·s it is the great circle of the unit
      * ball perpendicular to the view divided by a.
      */
-    static Curve ellipsoid(Vec3 axes, Vec3 along, int steps) {
+    public static Curve ellipsoid(Vec3 axes, Vec3 along, int steps) {
         Vec3 view = new Vec3(along.x() / axes.x(), along.y() / axes.y(), along.z() / axes.z()).normalized();
         Vec3 a = view.cross(Math.abs(view.x()) < 0.7 ? Vec3.X : Vec3.Y).normalized();
         Vec3 b = view.cross(a);
@@ -115,7 +116,7 @@ final class Outlines {
      * The rims of a body of two discs about the y axis, and the straight silhouettes between. The side's normal at angle φ is
      * (cos φ, −k, sin φ) with k the slope of the radius; it is perpendicular to the view at φ₀ ± arccos(k·y/√(x² + z²)).
      */
-    static List<Curve> round(double bottom, double top, double height, Vec3 along, int steps) {
+    public static List<Curve> round(double bottom, double top, double height, Vec3 along, int steps) {
         List<Curve> curves = new ArrayList<>();
         for (double y : new double[] {0, height}) {
             double radius = y == 0 ? bottom : top;
@@ -141,7 +142,7 @@ final class Outlines {
      * outward direction, is perpendicular to the view where tan ψ = −(h/v)·cos θ, with h and v the parts of the view along the ring's plane
      * and across. Seen almost along its plane, ψ turns fast at the two ends, and so points are set evenly in ψ too.
      */
-    static List<Curve> ring(double major, double minor, Vec3 along, int steps) {
+    public static List<Curve> ring(double major, double minor, Vec3 along, int steps) {
         double h = StrictMath.hypot(along.x(), along.z());
         double v = Math.copySign(Math.max(Math.abs(along.y()), 1e-9 * h), along.y());
         double towards = StrictMath.atan2(along.z(), along.x());

@@ -1,7 +1,5 @@
-package cz.paprsek.shape;
+package cz.paprsek.math;
 
-import cz.paprsek.math.Require;
-import cz.paprsek.math.Vec3;
 import java.util.List;
 
 /** A line in space through points, straight from each to the next. */

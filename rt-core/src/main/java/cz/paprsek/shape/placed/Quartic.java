@@ -1,11 +1,11 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
 /** Turning points of s⁴ + c₂s² + c₁s + c₀, whatever c₀. */
-final class Quartic {
+public final class Quartic {
     private Quartic() {}
 
     /** Fills {@code breaks} with the roots of the derivative 4s³ + 2c₂s + c₁ between −reach and reach, in rising order. */
-    static int turningPoints(double c2, double c1, double reach, double[] breaks) {
+    public static int turningPoints(double c2, double c1, double reach, double[] breaks) {
         double bend = c2 < 0 ? Math.min(Math.sqrt(-c2 / 6), reach) : 0;
         double low = -reach;
         int count = 0;
