@@ -1,9 +1,6 @@
 package cz.paprsek.format.obj;
 
 import java.io.InterruptedIOException;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
-import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -29,16 +26,11 @@ final class Block {
     static final int HAS_NORMAL = 2;
 
     /** How many zeros stand behind the last line. */
-    static final int PADDING = 8;
+    static final int PADDING = Digits.MOST;
 
     private static final long EXACT = 1L << 53;
-    private static final int EIGHT = 8;
     /** In place of where something ends: it is to be read word by word. */
     private static final int NONE = -1;
-    private static final VarHandle WORDS = MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
-    private static final long ZEROS = 0x3030303030303030L;
-    private static final long SIXES = 0x0606060606060606L;
-    private static final long HIGH_HALVES = 0xF0F0F0F0F0F0F0F0L;
     private static final long[] TENS = {1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000};
     private static final double[] POWERS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
@@ -289,24 +281,6 @@ final class Block {
         numbers[numberCount++] = value;
     }
 
-    /** How many digits begin a word of eight bytes, of which the lowest comes first. */
-    private static int digits(long word) {
-        return Long.numberOfTrailingZeros((word | (word + SIXES)) & HIGH_HALVES) >> 3;
-    }
-
-    /** The number that the first digits of a word are, of 1 to 8. */
-    private static long value(long word, int digits) {
-        // The first digit is in the lowest byte, and so the highest of what is added up in pairs, in pairs of pairs, and in halves.
-        long aligned = word << (64 - (digits << 3));
-        aligned = (aligned * 10 + (aligned >>> 8)) & 0x00FF00FF00FF00FFL;
-        aligned = (aligned * 100 + (aligned >>> 16)) & 0x0000FFFF0000FFFFL;
-        return (aligned * 10000 + (aligned >>> 32)) & 0xFFFFFFFFL;
-    }
-
-    private static long word(byte[] b, int at) {
-        return (long) WORDS.get(b, at) ^ ZEROS;
-    }
-
     /** Reads a number such as most are: some digits, a point, up to eight more. Where it ends; all others go another way. */
     private int number(int from) {
         if (from == NONE) {
@@ -324,18 +298,18 @@ final class Block {
             whole = whole * 10 + digit;
             i++;
         }
-        if (b[i] != '.' || i - begin > EIGHT || i == begin) {
+        if (b[i] != '.' || i - begin > Digits.MOST || i == begin) {
             return unusual(first);
         }
-        long word = word(b, i + 1);
-        int places = digits(word);
+        long word = Digits.word(b, i + 1);
+        int places = Digits.count(word);
         i += 1 + places;
         byte after = b[i];
         if (places == 0 || (after != ' ' && after != '\n' && after != '\r' && after != '\t')) {
             return unusual(first);
         }
         // Fifteen digits are exact, and so are powers of ten up to 22: the quotient is rounded once.
-        long all = whole * TENS[places] + value(word, places);
+        long all = whole * TENS[places] + Digits.value(word, places);
         if (all > EXACT) {
             return unusual(first);
         }
@@ -366,11 +340,11 @@ final class Block {
             i++;
             boolean isSmall = b[i] == '-';
             i += isSmall || b[i] == '+' ? 1 : 0;
-            int places = digits(word(b, i));
-            if (places == 0 || places == EIGHT) {
+            int places = Digits.count(Digits.word(b, i));
+            if (places == 0 || places == Digits.MOST) {
                 return NONE;
             }
-            int exponent = (int) value(word(b, i), places);
+            int exponent = (int) Digits.value(Digits.word(b, i), places);
             power += isSmall ? -exponent : exponent;
             i += places;
         }
@@ -424,17 +398,17 @@ final class Block {
         byte[] b = bytes;
         boolean isBack = b[from] == '-';
         int first = isBack ? from + 1 : from;
-        long word = word(b, first);
-        int count = digits(word);
+        long word = Digits.word(b, first);
+        int count = Digits.count(word);
         if (count == 0) {
             return NONE;
         }
-        long found = value(word, count);
+        long found = Digits.value(word, count);
         int i = first + count;
-        if (count == EIGHT && b[i] >= '0' && b[i] <= '9') {
+        if (count == Digits.MOST && b[i] >= '0' && b[i] <= '9') {
             found = found * 10 + b[i++] - '0';
         }
         code((int) (isBack ? -found : found));
-        return count == EIGHT && b[i] >= '0' && b[i] <= '9' ? NONE : i;
+        return count == Digits.MOST && b[i] >= '0' && b[i] <= '9' ? NONE : i;
     }
 }
