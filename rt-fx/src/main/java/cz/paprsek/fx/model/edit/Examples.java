@@ -45,7 +45,8 @@ public final class Examples {
     /** The values of its components. */
     private static Stream<Object> values(Described one, double size) {
         Attribute says = one.says();
-        String text = !says.example().isEmpty() ? says.example() : one.isRequired() ? HALF : says.otherwise();
+        boolean isAsUsual = says.example().isEmpty() && !one.isRequired();
+        String text = !says.example().isEmpty() ? says.example() : isAsUsual ? says.otherwise() : HALF;
         Kind.Form form = says.value().form();
         if (form == Kind.Form.TEXT) {
             return Stream.of(says.value() == Kind.POINTS ? points(text, size) : "");
@@ -53,7 +54,9 @@ public final class Examples {
         if (form == Kind.Form.WHOLE) {
             return Stream.of(Integer.valueOf(text));
         }
-        double[] numbers = Arrays.stream(text.split(" ")).mapToDouble(share -> part(size, Double.parseDouble(share))).toArray();
+        // Lengths have no upper bound; angles, shares and exponents do, and are the same at any size.
+        double unit = isAsUsual || says.value().most() < Double.POSITIVE_INFINITY ? 1 : size;
+        double[] numbers = Arrays.stream(text.split(" ")).mapToDouble(share -> part(unit, Double.parseDouble(share))).toArray();
         return form == Kind.Form.VECTOR ? Stream.of(new Vec3(numbers[0], numbers[1], numbers[2])) : Arrays.stream(numbers).mapToObj(Double::valueOf);
     }
 

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model.edit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.math.Bounds;
@@ -13,7 +14,9 @@ import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Plane;
+import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -81,5 +84,22 @@ class AddingTest {
     void examplesAreAboutAsLargeAsAsked() {
         Examples.ofSize(0.2).stream().map(shape -> shape.bounds()).filter(Bounds::isFinite)
                 .forEach(box -> assertThat(box.maxX() - box.minX()).isBetween(0.15, 0.25));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.01, 0.5, 2, 100})
+    void examplesAreAlikeAtAnySize(double size) {
+        List<Shape> small = Examples.ofSize(1);
+        List<Shape> large = Examples.ofSize(size);
+        for (int i = 0; i < small.size(); i++) {
+            Bounds one = small.get(i).bounds();
+            Bounds other = large.get(i).bounds();
+            if (one.isFinite()) {
+                assertThat(other.maxX() - other.minX()).as(small.get(i).kind()).isCloseTo(size * (one.maxX() - one.minX()), within(1e-9 * size));
+                assertThat(other.maxY() - other.minY()).as(small.get(i).kind()).isCloseTo(size * (one.maxY() - one.minY()), within(1e-9 * size));
+                assertThat(other.maxZ() - other.minZ()).as(small.get(i).kind()).isCloseTo(size * (one.maxZ() - one.minZ()), within(1e-9 * size));
+            }
+        }
+        assertThat(large).hasSameSizeAs(small);
     }
 }
