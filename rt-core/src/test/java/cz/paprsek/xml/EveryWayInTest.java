@@ -201,7 +201,7 @@ class EveryWayInTest {
         "<union><light/></union>, <union> has no element <light>",
         "<trimesh file='a.obj'/>, '<scene> has no element <trimesh>; triangles stand in a file of their own: <mesh file=\"...\"/>'",
         "<union><Triangle/></union>, '<union> has no element <Triangle>; triangles stand in a file of their own: <mesh file=\"...\"/>'",
-        "<include href='a.xml'/>, <scene> has no element <include>; a file holds all of its scene; copy it into this one",
+        "<include href='a.xml'/>, <include> has no attribute \"href\"",
         "<subtract/>, <scene> has no element <subtract>; the word here is \"difference\"", "<sphere radius='1'><texture/></sphere>, <sphere> has no element <texture>; the word here is \"material\""})
     void wordsOfOtherProgramsAreTranslated(String element, String sentence) throws IOException {
         assertThat(WayIn.all(PLAIN.replace("</scene>", element + "</scene>")).problems()).anyMatch(problem -> problem.contains(": " + sentence));

@@ -3,6 +3,7 @@ package cz.paprsek.xml;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.recipe.Script;
 import cz.paprsek.xml.SceneFiles.Contents;
 import cz.paprsek.xml.quick.QuickReader;
 import java.io.ByteArrayInputStream;
@@ -26,7 +27,9 @@ class QuickReaderTest {
     @ParameterizedTest
     @MethodSource("cz.paprsek.xml.SceneFilesTest#scenes")
     void shippedScenesAreReadQuickly(Path file) throws Exception {
-        assertThat(check(Files.readAllBytes(file))).isPresent();
+        byte[] bytes = Files.readAllBytes(file);
+        // What is made by formulas is written out first.
+        assertThat(check(bytes).isPresent()).isEqualTo(!Script.mayBeIn(bytes));
     }
 
     @ParameterizedTest

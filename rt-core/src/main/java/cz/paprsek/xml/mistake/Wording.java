@@ -99,7 +99,7 @@ final class Wording {
     private static final String NOT_HERE = """
             trimesh trianglemesh indexedfaceset triangle triangles polygon polyhedron facet = triangles stand in a file of their own: <mesh file="..."/>
             heightfield terrain = bodies are made of solids, with union, difference and intersection, and of <mesh>
-            include import use xi:include = a file holds all of its scene; copy it into this one
+            import use xi:include = other scene files are brought in by <include file="..."/>
             """;
 
     private static final Map<String, List<String>> BY_WORD = byWord();

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 
 /** Writes a scene out: every formula as its value, every copy as an element of its own. */
 final class Expansion {
@@ -157,8 +158,10 @@ final class Expansion {
         }
         String given = repeat.attribute("name").map(Attr::text).orElse("");
         for (int i = 0; i < count; i++) {
-            Optional<Placement> step = steps.next();
-            Optional<Placement> placement = step.isEmpty() || around.isOperand ? step : Composed.of(around.placement, step.get());
+            Optional<Placement> placement = placed(repeat, () -> {
+                Optional<Placement> step = steps.next();
+                return step.isEmpty() || around.isOperand ? step : Composed.of(around.placement, step.get());
+            });
             if (placement.isEmpty()) {
                 throw wrong(repeat, "scale", "what turns its copies must scale them evenly: one number, or three alike");
             }
@@ -178,6 +181,15 @@ final class Expansion {
         }
         if (around.isOperand) {
             out.close("union");
+        }
+    }
+
+    /** A placement within another one, which may be too far away, or too large. */
+    private Optional<Placement> placed(Node node, Supplier<Optional<Placement>> within) {
+        try {
+            return within.get();
+        } catch (IllegalArgumentException beyond) {
+            throw wrong(node, "with what it stands in, its " + beyond.getMessage());
         }
     }
 
@@ -220,7 +232,7 @@ final class Expansion {
         }
         counted(instance);
         Placement own = placement(instance);
-        Optional<Placement> placement = Composed.of(around.placement, own);
+        Optional<Placement> placement = placed(instance, () -> Composed.of(around.placement, own));
         if (placement.isEmpty()) {
             throw wrong(instance, "an instance that is turned cannot stand in what is scaled unevenly");
         }
@@ -240,7 +252,7 @@ final class Expansion {
     }
 
     private void body(Node node, Around around) {
-        Optional<Placement> placed = around.placement.equals(Placement.NONE) ? Optional.empty() : Composed.of(around.placement, placement(node));
+        Optional<Placement> placed = around.placement.equals(Placement.NONE) ? Optional.empty() : placed(node, () -> Composed.of(around.placement, placement(node)));
         boolean isSkew = !around.placement.equals(Placement.NONE) && placed.isEmpty();
         if (isSkew) {
             out.open("union", node, owner);

@@ -55,6 +55,10 @@ final class NodeReader {
         if (depth > SceneFormat.DEEPEST) {
             throw new Unpatchable("too deep");
         }
+        String prefix = source.prefix(element);
+        if (!prefix.equals(source.prefix(source.root())) || !SceneFormat.NAMESPACE.equals(source.declarations(element).getOrDefault(prefix, SceneFormat.NAMESPACE))) {
+            throw new Unpatchable("another namespace");
+        }
         List<Attr> attributes = new ArrayList<>();
         for (Source.Attribute one : source.attributes(element)) {
             if (!isOfParsers(one.name())) {

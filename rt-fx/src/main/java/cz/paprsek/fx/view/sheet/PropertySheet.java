@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.property.Section;
 import cz.paprsek.fx.model.property.Sections;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.fx.view.texts.Titles;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;

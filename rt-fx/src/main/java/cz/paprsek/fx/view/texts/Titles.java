@@ -1,8 +1,7 @@
-package cz.paprsek.fx.view.sheet;
+package cz.paprsek.fx.view.texts;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.property.Section;
-import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.ScenePath;
@@ -12,15 +11,15 @@ import cz.paprsek.scene.ScenePath.LightAt;
 import java.util.Set;
 
 /** What the sheet calls what it shows. */
-final class Titles {
+public final class Titles {
     private final Texts texts;
 
-    Titles(Texts texts) {
+    public Titles(Texts texts) {
         this.texts = texts;
     }
 
     /** What is selected, in a few words. */
-    String of(EditorState state) {
+    public String of(EditorState state) {
         Set<ScenePath> selection = state.selection();
         if (selection.isEmpty()) {
             return texts.of("section.scene");
@@ -41,7 +40,7 @@ final class Titles {
     }
 
     /** A section's heading. */
-    String of(Section section) {
+    public String of(Section section) {
         return capital(texts.of(section.title()));
     }
 
