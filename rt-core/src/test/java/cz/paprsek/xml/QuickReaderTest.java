@@ -3,9 +3,9 @@ package cz.paprsek.xml;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.scene.Scene;
-import cz.paprsek.xml.recipe.Script;
 import cz.paprsek.xml.SceneFiles.Contents;
 import cz.paprsek.xml.quick.QuickReader;
+import cz.paprsek.xml.recipe.Script;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
