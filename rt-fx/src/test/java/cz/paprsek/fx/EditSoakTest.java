@@ -26,6 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 class EditSoakTest {
     private static final int ROUNDS = 10;
     private static final int EDITS = 200;
+    private static final long MOST_MORE = 16_000_000;
     private static final int AT_ONCE = 40;
 
     @TempDir
@@ -62,7 +63,13 @@ class EditSoakTest {
                 }
             }
             // A picture more or less is 11 MB; a window's worth of nodes kept for every edit would be hundreds.
-            assertThat(usedAtRest(editor) - early).as("bytes more after %d edits", ROUNDS * EDITS).isLessThan(16_000_000);
+            long late = usedAtRest(editor);
+            for (int i = 0; i < 10 && late - early >= MOST_MORE; i++) {
+                // What another thread has just let go of, or is about to, is not kept: what is kept is still there later.
+                Thread.sleep(300);
+                late = Math.min(late, usedAtRest(editor));
+            }
+            assertThat(late - early).as("bytes more after %d edits", ROUNDS * EDITS).isLessThan(MOST_MORE);
         }
     }
 
