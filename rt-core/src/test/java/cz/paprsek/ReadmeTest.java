@@ -142,8 +142,12 @@ class ReadmeTest {
     @Test
     void theReadmeIsShortAndAllLinksLeadSomewhere() throws IOException {
         Map<Path, String> pages = pages();
+        for (String beside : List.of("CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md")) {
+            pages.put(Path.of("../" + beside), Files.readString(Path.of("../" + beside)));
+        }
         assertThat(Files.readAllLines(README)).hasSizeLessThanOrEqualTo(130);
-        assertThat(Files.readString(README)).as("every page is found from it").contains(pages.keySet().stream().skip(1).map(page -> "(docs/" + page.getFileName() + ")").toList());
+        assertThat(Files.readString(README)).as("every page is found from it")
+                .contains(pages.keySet().stream().skip(1).map(page -> "(" + Path.of("..").relativize(page).toString().replace('\\', '/') + ")").toList());
         List<String> lost = new ArrayList<>();
         pages.forEach((page, text) -> Pattern.compile("\\]\\(([^)#\\s]*)(#[^)\\s]+)?\\)").matcher(text).results().filter(link -> !link.group(1).startsWith("http")).forEach(link -> {
             Path target = link.group(1).isEmpty() ? page : page.resolveSibling(link.group(1)).normalize();
@@ -152,6 +156,14 @@ class ReadmeTest {
             }
         }));
         assertThat(lost).isEmpty();
+    }
+
+    /** Who follows CONTRIBUTING.md finds the files where it says. */
+    @Test
+    void theFilesThatContributorsAreSentToAreThere() throws IOException {
+        List<String> named = Pattern.compile("`(\\w+(?:/\\w+)*/\\w+\\.(?:java|properties))`").matcher(Files.readString(Path.of("../CONTRIBUTING.md"))).results().map(file -> file.group(1)).toList();
+        assertThat(named).hasSizeGreaterThan(8).allSatisfy(name -> assertThat(Stream.of("src/main/java", "src/main/resources", "src/test/java")
+                .map(root -> Path.of(root, "cz/paprsek", name))).as(name).anyMatch(Files::exists));
     }
 
     /** As links name them: small letters and hyphens. */
