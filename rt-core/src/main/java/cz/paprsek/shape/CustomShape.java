@@ -68,6 +68,6 @@ public non-sealed interface CustomShape extends Shape {
 
     @Override
     default Surface place(Affine toWorld, Parts parts) {
-        return parts.add(part -> new Made.Figure(part, toWorld, this));
+        return new Made.Figure(parts.add(part -> new Made(part, toWorld, this)));
     }
 }

@@ -20,6 +20,6 @@ public non-sealed interface CustomSolid extends Solid, CustomShape {
 
     @Override
     default Volume place(Affine toWorld, Parts parts) {
-        return parts.add(part -> new Made.Body(part, toWorld, this));
+        return new Made.Body(parts.add(part -> new Made(part, toWorld, this)));
     }
 }

@@ -15,14 +15,16 @@ import cz.paprsek.text.Numbers;
 import java.util.Objects;
 
 /** A shape that was made in code, somewhere in the world: what it is asked, in its own space, and whether its answers can be. */
-final class Made {
-    final Bounds bounds;
-    final double cost;
+final class Made implements Part {
+    private final int part;
+    private final Bounds bounds;
+    private final double cost;
     private final CustomShape shape;
     private final Affine toLocal;
 
     /** @throws IllegalArgumentException unless the shape says its bounds and cost in numbers */
-    Made(CustomShape shape, Affine toWorld) {
+    Made(int part, Affine toWorld, CustomShape shape) {
+        this.part = part;
         this.shape = shape;
         toLocal = toWorld.inverse();
         Bounds box = Objects.requireNonNull(shape.bounds(), () -> "a " + shape.kind() + " has no bounds");
@@ -32,12 +34,8 @@ final class Made {
         cost = Require.positive("cost of a " + shape.kind(), shape.cost());
     }
 
-    String kind() {
-        return shape.kind();
-    }
-
     /** Where a ray crosses it. */
-    Line crossed(Ray ray) {
+    private Line crossed(Ray ray) {
         Line line = ray.in(toLocal);
         line.clear();
         shape.cross(line);
@@ -50,7 +48,8 @@ final class Made {
     }
 
     /** Describes a hit in its own space, and takes the answer to the world. */
-    void describe(int face, Hit hit) {
+    @Override
+    public void describe(int face, Hit hit) {
         double x = hit.px;
         double y = hit.py;
         double z = hit.pz;
@@ -67,7 +66,8 @@ final class Made {
     }
 
     /** Maps a hit in its own space, and takes the answer to the world. */
-    void map(int face, Hit hit) {
+    @Override
+    public void map(int face, Hit hit) {
         double x = hit.px;
         double y = hit.py;
         double z = hit.pz;
@@ -121,13 +121,11 @@ final class Made {
     }
 
     /** A figure made in code, in the world. */
-    static final class Figure extends Surface implements Part {
-        private final int part;
+    static final class Figure extends Surface {
         private final Made made;
 
-        Figure(int part, Affine toWorld, CustomShape shape) {
-            this.part = part;
-            this.made = new Made(shape, toWorld);
+        Figure(Made made) {
+            this.made = made;
         }
 
         @Override
@@ -146,7 +144,7 @@ final class Made {
             int start = start(line, ray);
             for (int i = 0; i < line.crossings(); i++) {
                 if (i != start && line.t(i) > ray.min && line.t(i) < ray.reach) {
-                    ray.accept(line.t(i), part, line.face(i));
+                    ray.accept(line.t(i), made.part, line.face(i));
                 }
             }
         }
@@ -169,7 +167,7 @@ final class Made {
             int start = start(line, ray);
             for (int i = 0; i < line.crossings(); i++) {
                 if (i != start && line.t(i) > ray.min && line.t(i) < ray.max) {
-                    out.add(line.t(i), part, line.face(i));
+                    out.add(line.t(i), made.part, line.face(i));
                 }
             }
         }
@@ -177,7 +175,7 @@ final class Made {
         /** Which crossing is where the ray starts, if it starts from this figure: the one nearest to that place. */
         private int start(Line line, Ray ray) {
             int start = -1;
-            if (part == ray.left) {
+            if (made.part == ray.left) {
                 for (int i = 0; i < line.crossings(); i++) {
                     if (start < 0 || Math.abs(line.t(i)) < Math.abs(line.t(start))) {
                         start = i;
@@ -186,26 +184,14 @@ final class Made {
             }
             return start;
         }
-
-        @Override
-        public void describe(int face, Hit hit) {
-            made.describe(face, hit);
-        }
-
-        @Override
-        public void map(int face, Hit hit) {
-            made.map(face, hit);
-        }
     }
 
     /** A solid made in code, in the world. */
-    static final class Body extends Volume implements Part {
-        private final int part;
+    static final class Body extends Volume {
         private final Made made;
 
-        Body(int part, Affine toWorld, CustomSolid shape) {
-            this.part = part;
-            this.made = new Made(shape, toWorld);
+        Body(Made made) {
+            this.made = made;
         }
 
         @Override
@@ -225,27 +211,17 @@ final class Made {
             int mark = out.size();
             for (int i = 0; i < count; i++) {
                 if (i > 0 && !(line.t(i) >= line.t(i - 1))) {
-                    throw new IllegalStateException("a " + made.kind() + " says that a line crosses it at " + line.t(i) + " after " + line.t(i - 1)
+                    throw new IllegalStateException("a " + made.shape.kind() + " says that a line crosses it at " + line.t(i) + " after " + line.t(i - 1)
                             + "; it must be in rising order");
                 }
-                out.add(line.t(i), part, line.face(i));
+                out.add(line.t(i), made.part, line.face(i));
             }
             if (count % 2 != 0) {
-                throw new IllegalStateException("a " + made.kind() + " says that a line crosses it " + count + " times; it must be left as often as it is entered");
+                throw new IllegalStateException("a " + made.shape.kind() + " says that a line crosses it " + count + " times; it must be left as often as it is entered");
             }
-            if (part == ray.left) {
+            if (made.part == ray.left) {
                 out.leaveFrom(mark, ray.inwards);
             }
-        }
-
-        @Override
-        public void describe(int face, Hit hit) {
-            made.describe(face, hit);
-        }
-
-        @Override
-        public void map(int face, Hit hit) {
-            made.map(face, hit);
         }
     }
 }

@@ -5,6 +5,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.Pixel;
 import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.sample.PixelSums;
 import cz.paprsek.render.sample.Place;
 import cz.paprsek.render.sample.Sampler;
@@ -26,11 +27,11 @@ public final class Explainer {
         Require.that(!settings.isPath(), "these settings are of paths, whose pixels are explained as paths, not as trees of rays");
         Eye eye = eye(scene, settings);
         Sampling sampling = Sampling.of(settings, fixed);
-        Recorder recorder = new Recorder(scene, settings.maxDepth(), sampling, stop);
-        recorder.lookThrough(eye);
-        PixelSums sums = recorder.pixel(eye, column, row);
+        RayBook book = new RayBook(scene, settings.maxDepth(), stop);
+        book.lookThrough(eye);
+        PixelSums sums = new Whitted(scene, settings.maxDepth(), sampling, book).pixel(eye, column, row);
         List<Place> places = places(sampling, column, row, sums.count());
-        return new Pixel(column, row, recorder.trees(), places.stream().map(place -> new Pixel.Place(place.x, place.y)).toList(),
+        return new Pixel(column, row, book.trees(), places.stream().map(place -> new Pixel.Place(place.x, place.y)).toList(),
                 places.stream().map(place -> place.isNegative ? sums.negativeWeight : sums.weight).toList(), settings.exposure(), settings.tone());
     }
 
@@ -44,20 +45,22 @@ public final class Explainer {
     }
 
     public static TracedRay point(World scene, RenderSettings settings, double x, double y, BooleanSupplier stop) {
-        Recorder recorder = new Recorder(scene, settings.maxDepth(), Sampling.grid(1), stop);
+        RayBook book = new RayBook(scene, settings.maxDepth(), stop);
+        Whitted tracer = new Whitted(scene, settings.maxDepth(), Sampling.grid(1), book);
         Eye eye = eye(scene, settings);
-        recorder.lookThrough(eye);
-        recorder.startAlone(eye, x, y);
-        recorder.traceAlone();
-        return recorder.trees().get(0);
+        book.lookThrough(eye);
+        tracer.startAlone(eye, x, y);
+        tracer.traceAlone();
+        return book.trees().get(0);
     }
 
     public static TracedRay ray(World scene, Vec3 origin, Vec3 direction, int maxDepth, BooleanSupplier stop) {
         Require.within("max-depth", maxDepth, 1, RenderSettings.DEEPEST);
-        Recorder recorder = new Recorder(scene, maxDepth, Sampling.grid(1), stop);
-        recorder.startAlone(origin, direction.normalized());
-        recorder.traceAlone();
-        return recorder.trees().get(0);
+        RayBook book = new RayBook(scene, maxDepth, stop);
+        Whitted tracer = new Whitted(scene, maxDepth, Sampling.grid(1), book);
+        tracer.startAlone(origin, direction.normalized());
+        tracer.traceAlone();
+        return book.trees().get(0);
     }
 
     private static Eye eye(World scene, RenderSettings settings) {

@@ -7,6 +7,8 @@ import cz.paprsek.render.explain.Pixel.PathPixel.Example;
 import cz.paprsek.render.explain.Pixel.PathPixel.Source;
 import cz.paprsek.render.explain.Pixel.PathPixel.Way;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Ledger;
+import cz.paprsek.render.integrate.Paths;
 import cz.paprsek.render.sample.PassSums;
 import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.sample.Sampler;
@@ -36,7 +38,8 @@ public final class PathExplainer {
     private final World scene;
     private final RenderSettings settings;
     private final Passes sampling;
-    private final PathTracker tracker;
+    private final Ledger ledger = new Ledger();
+    private final Paths tracer;
     private final Map<Tally.Key, Tally> ways = new LinkedHashMap<>();
     private final Map<Tally.Key, Tally> sources = new LinkedHashMap<>();
     private final PassSums sums;
@@ -46,7 +49,7 @@ public final class PathExplainer {
         this.scene = scene;
         this.settings = settings;
         sampling = new Passes(settings, fixed, true);
-        tracker = new PathTracker(scene, settings.maxDepth(), sampling);
+        tracer = new Paths(scene, settings.maxDepth(), sampling, ledger);
         sums = sampling.newSums();
     }
 
@@ -60,14 +63,14 @@ public final class PathExplainer {
 
     private PathPixel pixel(int column, int row, BooleanSupplier stop) {
         Eye eye = Eye.of(scene.scene().camera(), settings.width(), settings.height());
-        tracker.begin(stop);
+        tracer.begin(stop);
         double interval = sums.interval();
         for (int more = sampling.further(sums); more > 0; more = sampling.further(sums)) {
             Require.that(sums.count() < MOST_PATHS, "there are more than " + MOST_PATHS + " paths, too many to explain; ask for fewer samples, or a larger error");
             for (int i = 0; i < more; i++) {
                 trace(eye, column, row, sums.count());
             }
-            if (tracker.isCancelled()) {
+            if (tracer.isCancelled()) {
                 throw new CancellationException();
             }
             interval = sums.areWhole() ? sums.interval() : interval;
@@ -79,17 +82,16 @@ public final class PathExplainer {
     }
 
     private void trace(Eye eye, int column, int row, int sample) {
-        Ledger ledger = tracker.ledger;
         ledger.clear();
-        tracker.traceAlone(eye, column, row, sample);
+        tracer.traceAlone(eye, column, row, sample);
         ledger.close();
-        boolean isNegative = tracker.alone().isNegative;
-        sums.meets |= tracker.alone().ray.part >= 0;
-        sums.add(tracker.alone().red, tracker.alone().green, tracker.alone().blue, isNegative);
-        samples.add(new LinearRgb(tracker.alone().red, tracker.alone().green, tracker.alone().blue));
+        boolean isNegative = tracer.alone().isNegative;
+        sums.meets |= tracer.alone().ray.part >= 0;
+        sums.add(tracer.alone().red, tracer.alone().green, tracer.alone().blue, isNegative);
+        samples.add(new LinearRgb(tracer.alone().red, tracer.alone().green, tracer.alone().blue));
         for (int i = 0; i < ledger.entries(); i++) {
             if (ledger.red(i) != 0 || ledger.green(i) != 0 || ledger.blue(i) != 0) {
-                Tally.Key key = key(ledger, i);
+                Tally.Key key = key(i);
                 add(ways, key, sample, isNegative, i);
                 add(sources, new Tally.Key(key.source(), key.number(), List.of(), false), sample, isNegative, i);
             }
@@ -97,27 +99,26 @@ public final class PathExplainer {
     }
 
     private void add(Map<Tally.Key, Tally> to, Tally.Key key, int sample, boolean isNegative, int entry) {
-        Ledger ledger = tracker.ledger;
         to.computeIfAbsent(key, one -> new Tally(one, Sampler.SCRAMBLES))
                 .add(sample, Sampler.scramble(sample), isNegative, ledger.red(entry), ledger.green(entry), ledger.blue(entry));
     }
 
-    private Tally.Key key(Ledger ledger, int entry) {
+    private Tally.Key key(int entry) {
         int from = ledger.source(entry);
         int ray = ledger.ray(entry);
         Source source = from >= 0 ? Source.LIGHT : from == Ledger.SKY ? Source.SKY : from == Ledger.AMBIENT ? Source.AMBIENT : Source.SURFACE;
-        int number = source == Source.LIGHT ? from : source == Source.SURFACE ? object(ledger, ray) : 0;
+        int number = source == Source.LIGHT ? from : source == Source.SURFACE ? object(ray) : 0;
         List<Integer> objects = new ArrayList<>();
         for (int at = source == Source.SURFACE ? ledger.parent(ray) : ray; at >= 0; at = ledger.parent(at)) {
             if (ledger.part(at) >= 0) {
-                objects.add(object(ledger, at));
+                objects.add(object(at));
             }
         }
         int most = objects.size();
         return new Tally.Key(source, number, List.copyOf(objects.subList(Math.max(0, most - MOST_SURFACES), most)), most > MOST_SURFACES);
     }
 
-    private int object(Ledger ledger, int ray) {
+    private int object(int ray) {
         return scene.index(scene.parts().object(ledger.part(ray)));
     }
 
@@ -149,13 +150,15 @@ public final class PathExplainer {
     }
 
     private List<Example> examples(List<Tally> brightest, Eye eye, int column, int row, BooleanSupplier stop) {
-        PathRecorder recorder = new PathRecorder(scene, settings.maxDepth(), sampling, stop);
-        recorder.begin(stop);
-        recorder.lookThrough(eye);
+        // What the last ray meets still shines.
+        RayBook book = new RayBook(scene, settings.maxDepth() + 1, stop);
+        book.lookThrough(eye);
+        Paths retracer = new Paths(scene, settings.maxDepth(), sampling, book);
+        retracer.begin(stop);
         return IntStream.range(0, Math.min(MOST_EXAMPLES, brightest.size())).mapToObj(i -> {
             int sample = brightest.get(i).typical();
-            recorder.traceAlone(eye, column, row, sample);
-            return new Example(i, sample, recorder.trees().get(i), brightest.get(i).brought(sample).orElse(LinearRgb.BLACK));
+            retracer.traceAlone(eye, column, row, sample);
+            return new Example(i, sample, book.trees().get(i), brightest.get(i).brought(sample).orElse(LinearRgb.BLACK));
         }).toList();
     }
 }

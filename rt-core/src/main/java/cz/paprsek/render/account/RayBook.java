@@ -44,7 +44,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 
 /** What a tracer tells, written down as trees of rays. */
 final class RayBook extends Witness {
@@ -53,7 +52,6 @@ final class RayBook extends Witness {
     private static final int MOST_SHADOW_RAYS = 1_000_000;
 
     private final World scene;
-    private final Consumer<Level> map;
     private final int maxDepth;
     private final LinearRgb ambient;
     private final ShadowWalk shadowWalk;
@@ -76,12 +74,10 @@ final class RayBook extends Witness {
      * An empty book.
      *
      * @param maxDepth the level of the last rays
-     * @param map finds the place of a level's hit in a picture that covers the surface
      * @param stop whether to give up, which throws a {@link CancellationException}
      */
-    RayBook(World scene, int maxDepth, Consumer<Level> map, BooleanSupplier stop) {
+    RayBook(World scene, int maxDepth, BooleanSupplier stop) {
         this.scene = scene;
-        this.map = map;
         this.stop = stop;
         this.maxDepth = maxDepth;
         this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());
@@ -96,6 +92,11 @@ final class RayBook extends Witness {
     /** The rays from the eye traced so far. */
     List<TracedRay> trees() {
         return trees;
+    }
+
+    @Override
+    public boolean hearsAll() {
+        return true;
     }
 
     @Override
@@ -114,9 +115,9 @@ final class RayBook extends Witness {
         Ray ray = level.ray;
         Hit hit = level.hit;
         Finish finish = scene.parts().finish(ray.part);
-        map.accept(level);
+        scene.map(level);
         List<Reading> readings = finish.tell(level).stream().map(RayBook::reading).toList();
-        map.accept(level);
+        scene.map(level);
         InScene<BodyAt> surface = surface(ray.part);
         boolean flipped = ray.face < 0;
         Vec3 outwards = new Vec3(hit.nx, hit.ny, hit.nz);

@@ -32,8 +32,8 @@ abstract class BlockTracer extends Shading {
     private Level[] further = {};
 
     /** @param isPath whether one ray is followed at each hit, rather than one for each way that light comes */
-    BlockTracer(World scene, int levels, Sampling sampling, boolean isPath, Spans spans) {
-        super(scene, levels, sampling.newSampler(), isPath, spans);
+    BlockTracer(World scene, int levels, Sampling sampling, boolean isPath, Spans spans, Witness witness) {
+        super(scene, levels, sampling.newSampler(), isPath, spans, witness);
         this.spans = spans;
         this.bodies = scene.bodies();
         this.sampling = sampling;

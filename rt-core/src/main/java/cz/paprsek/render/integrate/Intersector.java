@@ -64,15 +64,4 @@ final class Intersector {
             hit.turn();
         }
     }
-
-    /** Finds the place of the level's hit in a picture that covers the surface. */
-    void map(Level level) {
-        int face = level.ray.face;
-        if (glows.has(level.ray.part)) {
-            level.hit.u = 0;
-            level.hit.v = 0;
-            return;
-        }
-        parts.part(level.ray.part).map(face < 0 ? ~face : face, level.hit);
-    }
 }

@@ -36,12 +36,22 @@ public class Paths extends BlockTracer {
 
     /** @param maxDepth how often light is scattered at most */
     public Paths(World scene, int maxDepth, Passes sampling) {
-        super(scene, maxDepth + 1, sampling, true, new Spans());
+        this(scene, maxDepth, sampling, new Witness());
+    }
+
+    /**
+     * A tracer that tells all.
+     *
+     * @param maxDepth how often light is scattered at most
+     * @param witness is told every term of each colour
+     */
+    public Paths(World scene, int maxDepth, Passes sampling, Witness witness) {
+        super(scene, maxDepth + 1, sampling, true, new Spans(), witness);
         last = maxDepth;
         this.sampling = sampling;
         sums = sampling.newSums();
         kept = new float[sampling.kept()];
-        onward = new Scatter(scene, sampler, this);
+        onward = new Scatter(scene, sampler, witness);
     }
 
     /** All passes; of a film in passes, the next one. */
@@ -241,7 +251,7 @@ public class Paths extends BlockTracer {
         next.shareRed = k * red;
         next.shareGreen = k * green;
         next.shareBlue = k * blue;
-        following(refracted, next.shareRed, next.shareGreen, next.shareBlue);
+        witness.following(refracted, next.shareRed, next.shareGreen, next.shareBlue);
         goesOn = true;
     }
 }

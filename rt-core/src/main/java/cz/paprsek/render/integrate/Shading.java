@@ -16,11 +16,13 @@ import cz.paprsek.tree.Entries;
 import java.util.function.BooleanSupplier;
 
 /** Follows rays and tells what light they bring, all but what surfaces scatter: one worker's scratch. Nothing is allocated once it is made. */
-abstract class Shading extends Witness implements Integrator {
+abstract class Shading implements Integrator {
     /** How many rays are traced between two questions whether to stop. */
     private static final int BATCH = 64;
 
     final World scene;
+    /** Is told every term. */
+    final Witness witness;
     private BooleanSupplier stop = () -> false;
     private final PartTable parts;
     final Glows glows;
@@ -44,15 +46,16 @@ abstract class Shading extends Witness implements Integrator {
     long primary;
     boolean cancelled;
 
-    Shading(World scene, int maxDepth, Sampler sampler, boolean isPath, Spans spans) {
+    Shading(World scene, int maxDepth, Sampler sampler, boolean isPath, Spans spans, Witness witness) {
         this.scene = scene;
+        this.witness = witness;
         this.sampler = sampler;
         this.parts = scene.parts();
         this.glows = scene.glows();
         this.backdrop = scene.sky();
         this.whole = scene.bodies().whole();
         this.intersector = new Intersector(scene, spans);
-        this.lighting = new Lighting(scene, maxDepth, isPath, intersector, spans, sampler, this, this::isToStop);
+        this.lighting = new Lighting(scene, maxDepth, isPath, intersector, spans, sampler, witness, this::isToStop);
         this.offspring = new Offspring(scene);
         this.dims = scene.absorbs();
         this.dimming = new Dimming(scene);
@@ -99,11 +102,6 @@ abstract class Shading extends Witness implements Integrator {
         return primary + offspring.reflected + offspring.refracted + lighting.rays;
     }
 
-    /** Finds the place of the level's hit in a picture that covers the surface. */
-    protected final void map(Level level) {
-        intersector.map(level);
-    }
-
     /** Traces the ray of a level that has been started. */
     final void trace(int depth) {
         if (find(levels[depth])) {
@@ -146,10 +144,10 @@ abstract class Shading extends Witness implements Integrator {
         level.finish = finish;
         face(level);
         level.light(ambientRed * level.colorRed, ambientGreen * level.colorGreen, ambientBlue * level.colorBlue);
-        met(level);
+        witness.met(level);
         if (finish.glows) {
             level.add(finish.red, finish.green, finish.blue);
-            emitted(finish.red, finish.green, finish.blue);
+            witness.emitted(finish.red, finish.green, finish.blue);
         }
         return true;
     }
@@ -159,7 +157,7 @@ abstract class Shading extends Witness implements Integrator {
         if (dims) {
             dim(level);
         }
-        ended(level);
+        witness.ended(level);
     }
 
     /** Of a light that was also looked for where the level's ray starts, the share that it brings nevertheless. */
@@ -178,7 +176,7 @@ abstract class Shading extends Witness implements Integrator {
             return finish.at(level);
         }
         if (finish.paint.isMapped()) {
-            map(level);
+            scene.map(level);
         }
         finish.paint.color(level);
         return finish;
@@ -214,7 +212,7 @@ abstract class Shading extends Witness implements Integrator {
         if (!level.ray.isBlind() && dimming.go(object, way)) {
             dimming.finish();
             level.light(dimming.red * level.red, dimming.green * level.green, dimming.blue * level.blue);
-            absorbed(object, way, dimming.red, dimming.green, dimming.blue);
+            witness.absorbed(object, way, dimming.red, dimming.green, dimming.blue);
         }
     }
 
@@ -246,7 +244,7 @@ abstract class Shading extends Witness implements Integrator {
         if (dims) {
             dim(level);
         }
-        missed(level);
+        witness.missed(level);
     }
 
     private void see(Level level, int lamp) {
@@ -255,6 +253,6 @@ abstract class Shading extends Witness implements Integrator {
         if (dims) {
             dim(level);
         }
-        seen(level, lamp);
+        witness.seen(level, lamp);
     }
 }

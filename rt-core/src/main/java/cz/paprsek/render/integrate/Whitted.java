@@ -18,10 +18,15 @@ public class Whitted extends BlockTracer {
     private final Scatter[] scatters;
 
     public Whitted(World scene, int maxDepth, Sampling sampling) {
-        super(scene, maxDepth, sampling, false, new Spans());
+        this(scene, maxDepth, sampling, new Witness());
+    }
+
+    /** @param witness is told every term of each colour */
+    public Whitted(World scene, int maxDepth, Sampling sampling, Witness witness) {
+        super(scene, maxDepth, sampling, false, new Spans(), witness);
         this.scatters = new Scatter[maxDepth];
         for (int i = 0; i < maxDepth; i++) {
-            scatters[i] = new Scatter(scene, sampler, this);
+            scatters[i] = new Scatter(scene, sampler, witness);
         }
     }
 
@@ -63,7 +68,7 @@ public class Whitted extends BlockTracer {
             double to = scene.enterBeyond(level, finish, next.media);
             e = from / to;
             double t = 1 + e * e * (c * c - 1);
-            bent(from, to, c, t);
+            witness.bent(from, to, c, t);
             refracts = t >= 0;
             if (refracts) {
                 root = Math.sqrt(t);
@@ -73,14 +78,14 @@ public class Whitted extends BlockTracer {
         }
         if (reflection > 0) {
             offspring.back(level, next, level.mirrorX, level.mirrorY, level.mirrorZ);
-            following(false, reflection, reflection, reflection);
+            witness.following(false, reflection, reflection, reflection);
             trace(depth);
             level.add(reflection, next);
         }
         if (refracts) {
             double k = e * c - root;
             offspring.on(level, next, finish, e * ray.dx + k * hit.sx, e * ray.dy + k * hit.sy, e * ray.dz + k * hit.sz);
-            following(true, finish.transparency, finish.transparency, finish.transparency);
+            witness.following(true, finish.transparency, finish.transparency, finish.transparency);
             trace(depth);
             level.add(finish.transparency, next);
         }
@@ -93,14 +98,14 @@ public class Whitted extends BlockTracer {
         if (to.mirrored() > 0) {
             offspring.back(level, next, to.x, to.y, to.z);
             next.isLit = finish.looksForLamps;
-            following(false, to.red, to.green, to.blue);
+            witness.following(false, to.red, to.green, to.blue);
             trace(depth);
             level.add(to.red, to.green, to.blue, next);
         }
         if (to.through > 0) {
             offspring.on(level, next, finish, to.throughX, to.throughY, to.throughZ);
             next.isLit = finish.looksForLamps;
-            following(true, to.through, to.through, to.through);
+            witness.following(true, to.through, to.through, to.through);
             trace(depth);
             level.add(to.through, next);
         }

@@ -4,13 +4,13 @@ import cz.paprsek.ray.Arrival;
 import cz.paprsek.render.surface.Level;
 
 /**
- * Every term of a colour, told where the tracer makes it. Whoever wants to know overrides these methods; those of the tracer that renders
- * pictures are empty, and the JVM makes nothing of them.
+ * Hears every term of a colour where a tracer makes it, and makes nothing of it. Whoever wants to know overrides these methods; that of a tracer that only renders
+ * pictures is of this class itself, and the JVM makes nothing of its calls.
  *
  * <p>Calls nest as rays do: {@link #following} announces a ray that another one gives rise to, {@link #missed}, {@link #seen} or {@link #met} begins the
  * account of a ray, {@link #ended} ends that of one that has met an object. What a level holds is only valid during the call.
  */
-public abstract class Witness {
+public class Witness {
     /** Whether every light that was looked for is to be told, even if it is behind the surface and nobody need look. */
     public boolean hearsAll() {
         return false;

@@ -44,7 +44,7 @@ public final class Passes extends Sampling {
         return newSums(isJudged);
     }
 
-    /** Sums of what else there is of a pixel's paths, by which nobody judges them. */
+    @Override
     public PassSums newOtherSums() {
         return newSums(false);
     }

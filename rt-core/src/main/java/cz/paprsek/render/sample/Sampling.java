@@ -45,6 +45,11 @@ public abstract class Sampling {
         return new HeldSums(most, mass(), new Target(settings, HeldSums.GROUPS, Adaptive.looks(settings)));
     }
 
+    /** Sums of what else there is of a pixel's samples, by which nobody judges them. */
+    public PixelSums newOtherSums() {
+        return newSums();
+    }
+
     final boolean isFixed() {
         return fixed;
     }

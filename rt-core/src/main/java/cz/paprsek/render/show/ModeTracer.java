@@ -1,48 +1,30 @@
 package cz.paprsek.render.show;
 
-import cz.paprsek.material.Rgb;
-import cz.paprsek.ray.Arrival;
-import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.integrate.Whitted;
-import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.sample.Sampling;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
-import java.util.Arrays;
 import java.util.Optional;
 
 /** The tracer that renders pictures, watched for what a mode other than shaded shows of each pixel. */
 public final class ModeTracer extends Whitted {
     private final RenderMode mode;
-    private final World scene;
-    private final DepthRange range;
-    private final boolean numbers;
     /** How a number of each pixel is shown, if that is what the mode shows. */
     private final Optional<Heat> heat;
-    private final double[] all = new double[3];
-    private final double[] arrived = new double[3];
-    /** What substances leave of the light that is told next. */
-    private final double[] left = {1, 1, 1};
-    private double red;
-    private double green;
-    private double blue;
-    private int seen;
+    private final Sight sight;
 
     public ModeTracer(World scene, RenderMode mode, int maxDepth, Sampling sampling, DepthRange range, boolean numbers) {
-        super(scene, mode.scale().isPresent() ? maxDepth : 1, sampling);
+        this(scene, mode, maxDepth, sampling, new Sight(scene, mode, range, numbers));
+    }
+
+    private ModeTracer(World scene, RenderMode mode, int maxDepth, Sampling sampling, Sight sight) {
+        super(scene, mode.scale().isPresent() ? maxDepth : 1, sampling, sight);
         this.mode = mode;
-        this.scene = scene;
-        this.range = range;
-        this.numbers = numbers;
-        this.heat = mode.scale().map(scale -> Heat.of(mode, numbers));
-        for (Lamp lamp : scene.lamps()) {
-            all[0] += lamp.red();
-            all[1] += lamp.green();
-            all[2] += lamp.blue();
-        }
+        this.sight = sight;
+        heat = mode.scale().map(scale -> Heat.of(mode, sight.numbers));
     }
 
     @Override
@@ -71,99 +53,13 @@ public final class ModeTracer extends Whitted {
 
     /** Renders a pixel; the colour is in the level returned. */
     private Level shown(Eye eye, int x, int y) {
-        red = 0;
-        green = 0;
-        blue = 0;
-        seen = 0;
-        int samples = eachAlone(eye, x, y);
-        Level result = alone();
-        if (numbers && mode == RenderMode.DEPTH) {
-            // A distance that is partly of nothing is none.
-            double distance = red / Math.max(1, seen);
-            result.light(distance, distance, distance);
-        } else {
-            double k = 1.0 / samples;
-            result.light(k * red, k * green, k * blue);
-        }
-        return result;
+        sight.clear();
+        sight.show(eachAlone(eye, x, y), alone());
+        return alone();
     }
 
     @Override
     protected void tracedAlone() {
-        if (mode == RenderMode.SHADOWS) {
-            add(share(0), share(1), share(2));
-            Arrays.fill(arrived, 0);
-        }
-    }
-
-    private double share(int channel) {
-        return all[channel] > 0 ? arrived[channel] / all[channel] : 0;
-    }
-
-    @Override
-    public void met(Level level) {
-        shape(level, scene.index(scene.parts().object(level.ray.part)));
-    }
-
-    private void shape(Level level, int object) {
-        Hit hit = level.hit;
-        switch (mode) {
-            case NORMALS -> add(encoded(hit.sx), encoded(hit.sy), encoded(hit.sz));
-            case UV -> {
-                map(level);
-                add(NumberedCells.color(hit.u, hit.v));
-            }
-            case DEPTH -> {
-                double shown = numbers ? level.ray.max : range.brightness(level.ray.max);
-                add(shown, shown, shown);
-            }
-            case OBJECTS -> add(ObjectColors.of(object));
-            case SHADED, RAYS, NODES, SAMPLES, ERROR, SHADOWS -> {
-                // What these show is known when the pixel is done.
-            }
-        }
-    }
-
-    /** Lights that are seen are bodies like others, but show no light that falls on them. */
-    @Override
-    public void seen(Level level, int lamp) {
-        if (Double.isFinite(level.ray.max)) {
-            shape(level, scene.scene().objects().size() + lamp);
-        }
-    }
-
-    @Override
-    public void dimmed(double red, double green, double blue) {
-        left[0] = red;
-        left[1] = green;
-        left[2] = blue;
-    }
-
-    @Override
-    public void sought(int lamp, Arrival arrival, double facing, double visibility) {
-        if (mode == RenderMode.SHADOWS) {
-            Lamp light = scene.lamps()[lamp];
-            double share = visibility / light.samples();
-            arrived[0] += share * left[0] * light.red();
-            arrived[1] += share * left[1] * light.green();
-            arrived[2] += share * left[2] * light.blue();
-            Arrays.fill(left, 1);
-        }
-    }
-
-    private void add(Rgb color) {
-        add(color.linearRed(), color.linearGreen(), color.linearBlue());
-    }
-
-    private void add(double r, double g, double b) {
-        seen++;
-        red += r;
-        green += g;
-        blue += b;
-    }
-
-    /** A component of a normal, −1 to 1, as light that is encoded as 0–255. */
-    private static double encoded(double component) {
-        return Rgb.linear(Math.min(255, Math.max(0, 127.5 * (component + 1))));
+        sight.endRay();
     }
 }

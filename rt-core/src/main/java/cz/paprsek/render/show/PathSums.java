@@ -3,20 +3,12 @@ package cz.paprsek.render.show;
 import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.sample.PassSums;
 import cz.paprsek.render.sample.Passes;
-import java.util.ArrayList;
+import cz.paprsek.render.surface.World;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** All that is summed of a pixel's paths for its light and its layers, and how it is kept from pass to pass. Scratch of one worker. */
-final class PathSums {
-    final PassSums light;
-    /** Which share of the pixel is covered. */
-    final PassSums cover;
-    final PassSums albedo;
-    final PassSums direct;
-    /** Of each light, and last of all that comes from none. */
-    final List<PassSums> sources = new ArrayList<>();
-    final FirstHits hits = new FirstHits();
+/** The same of a pixel's paths, and how it is kept from pass to pass. */
+final class PathSums extends LayerSums<PassSums> {
     private final List<PassSums> asked;
     private final boolean asksForHits;
     private final boolean asksForObject;
@@ -24,15 +16,8 @@ final class PathSums {
     private int object;
     private double interval;
 
-    /** @param lights how many the scene has */
-    PathSums(Passes sampling, List<Layer> layers, boolean transparent, int lights) {
-        light = sampling.newSums();
-        cover = transparent ? sampling.newSums() : sampling.newOtherSums();
-        albedo = sampling.newOtherSums();
-        direct = sampling.newOtherSums();
-        for (int i = 0; i <= lights && layers.contains(Layer.LIGHT); i++) {
-            sources.add(sampling.newOtherSums());
-        }
+    PathSums(World scene, Passes sampling, List<Layer> layers, boolean transparent) {
+        super(scene, new FirstSight(scene), layers, transparent, sampling::newSums, sampling::newOtherSums);
         asksForHits = layers.contains(Layer.NORMAL) || layers.contains(Layer.DEPTH);
         asksForObject = layers.contains(Layer.OBJECT);
         asksForError = layers.contains(Layer.ERROR);
@@ -58,8 +43,8 @@ final class PathSums {
         for (PassSums one : asked) {
             at = one.load(numbers, at);
         }
-        hits.clear();
-        at = asksForHits ? hits.load(numbers, at) : at;
+        sight.hits.clear();
+        at = asksForHits ? sight.hits.load(numbers, at) : at;
         object = asksForObject ? (int) numbers[at] : 0;
         judge();
     }
@@ -75,7 +60,7 @@ final class PathSums {
         for (PassSums one : asked) {
             at = one.save(numbers, at);
         }
-        at = asksForHits ? hits.save(numbers, at) : at;
+        at = asksForHits ? sight.hits.save(numbers, at) : at;
         if (asksForObject) {
             numbers[at] = object;
         }
@@ -83,19 +68,26 @@ final class PathSums {
 
     /** A pass has ended, be it whole or the last. Which object most samples meet is known from the first one. */
     void endPass(boolean isFirst) {
-        hits.round();
-        object = isFirst ? hits.mostFrequent() : object;
+        sight.hits.round();
+        object = isFirst ? sight.hits.mostFrequent() : object;
         if (light.areWhole()) {
             judge();
         }
     }
 
+    @Override
+    void sumDirect() {
+        sight.close();
+        sight.sumDirect();
+    }
+
     /** How near the light was to the true one after the last whole pass. */
+    @Override
     double interval() {
         return interval;
     }
 
-    /** The number of the object that is seen, from 1; 0 for none. */
+    @Override
     int object() {
         return object;
     }

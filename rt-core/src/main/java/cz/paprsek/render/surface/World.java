@@ -113,6 +113,17 @@ public final class World {
         return placed.mayTouch(object);
     }
 
+    /** Finds the place of the level's hit in a picture that covers the surface; of lights, which none covers, always the same one. */
+    public void map(Level level) {
+        int face = level.ray.face;
+        if (glows.has(level.ray.part)) {
+            level.hit.u = 0;
+            level.hit.v = 0;
+            return;
+        }
+        parts.part(level.ray.part).map(face < 0 ? ~face : face, level.hit);
+    }
+
     /** Whether rays are to know how far their neighbours are: if a picture is seen, on a surface or in the sky, or a finish asks. */
     public boolean asksForFootprints() {
         return parts.havePictures() || sky.isPicture();

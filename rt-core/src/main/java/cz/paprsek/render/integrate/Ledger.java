@@ -1,5 +1,6 @@
-package cz.paprsek.render.account;
+package cz.paprsek.render.integrate;
 
+import cz.paprsek.ray.Arrival;
 import cz.paprsek.render.surface.Level;
 import java.util.Arrays;
 
@@ -7,7 +8,7 @@ import java.util.Arrays;
  * What the light of one ray from the eye is made of: an entry for each time that light was added, at a ray of its path or its tree. Hears what a tracer tells, and
  * works out in the end how much of each entry reaches the eye. Scratch of one worker.
  */
-public final class Ledger {
+public class Ledger extends Witness {
     /** In place of the number of a light: the background, or the sky. */
     public static final int SKY = -1;
     /** Light from nowhere, that counts at each hit. */
@@ -43,7 +44,7 @@ public final class Ledger {
     public double blue;
 
     /** Begins another ray from the eye. */
-    public void clear() {
+    public final void clear() {
         rays = 0;
         entries = 0;
         open = NONE;
@@ -53,11 +54,12 @@ public final class Ledger {
         Arrays.fill(nextLeft, 1);
     }
 
-    public void following(double red, double green, double blue) {
+    @Override
+    public void following(boolean refracted, double red, double green, double blue) {
         set(nextWeight, 0, red, green, blue);
     }
 
-    /** The level's ray hits a part of an object. */
+    @Override
     public void met(Level level) {
         begin(level, level.ray.part);
         if (level.red != 0 || level.green != 0 || level.blue != 0) {
@@ -65,19 +67,31 @@ public final class Ledger {
         }
     }
 
+    @Override
+    public void missed(Level level) {
+        arrived(level, SKY);
+    }
+
+    @Override
+    public void seen(Level level, int lamp) {
+        arrived(level, lamp);
+    }
+
     /** The level's ray ends at a light, or at the sky; its light is told as it arrives. */
-    public void arrived(Level level, int from) {
+    private void arrived(Level level, int from) {
         begin(level, NONE);
         Arrays.fill(nextLeft, 1);
         add(from, level.red, level.green, level.blue);
         open = parent[open];
     }
 
+    @Override
     public void emitted(double red, double green, double blue) {
         add(EMISSION, red, green, blue);
     }
 
-    public void sought(int lamp) {
+    @Override
+    public void sought(int lamp, Arrival arrival, double facing, double visibility) {
         if (lamp != sought || open != soughtAt) {
             sought = lamp;
             soughtAt = open;
@@ -85,22 +99,26 @@ public final class Ledger {
         }
     }
 
-    public void illuminated(double red, double green, double blue) {
+    @Override
+    public void illuminated(double diffuse, double highlight, double red, double green, double blue) {
         add(sought, red, green, blue);
     }
 
     /** Of several points of a light that were looked for it is the mean that counts. */
+    @Override
     public void averaged(int lamp, double red, double green, double blue) {
         entries = entriesBefore;
         add(lamp, red, green, blue);
         soughtAt = NONE;
     }
 
-    public void absorbed(double red, double green, double blue) {
+    @Override
+    public void absorbed(int object, double length, double red, double green, double blue) {
         set(nextLeft, 0, red, green, blue);
     }
 
-    public void ended() {
+    @Override
+    public void ended(Level level) {
         System.arraycopy(nextLeft, 0, left, CHANNELS * open, CHANNELS);
         Arrays.fill(nextLeft, 1);
         open = parent[open];
@@ -142,8 +160,13 @@ public final class Ledger {
         numbers[CHANNELS * at + 2] = blue;
     }
 
+    /** Whether nothing was told yet of the ray from the eye. */
+    protected final boolean isEmpty() {
+        return rays == 0;
+    }
+
     /** Works out what of each entry reaches the eye, once all rays have ended. */
-    public void close() {
+    public final void close() {
         for (int i = 0; i < rays; i++) {
             for (int c = 0; c < CHANNELS; c++) {
                 double before = parent[i] < 0 ? 1 : reaching[CHANNELS * parent[i] + c];
@@ -162,7 +185,7 @@ public final class Ledger {
      *
      * @param isLight whether there is a light of that number; else what comes from none is summed
      */
-    public void sum(int number, boolean isLight) {
+    public final void sum(int number, boolean isLight) {
         begin();
         for (int i = 0; i < entries; i++) {
             if (isLight ? source[i] == number : source[i] < 0) {
@@ -171,10 +194,23 @@ public final class Ledger {
         }
     }
 
+    /** Sums what is added to the light of the ray from the eye itself, in the order in which the tracer adds it; to be called before {@link #close}. */
+    public final void sumFirst() {
+        begin();
+        for (int i = 0; i < entries; i++) {
+            if (ray[i] == 0) {
+                plus(i);
+            }
+        }
+        red *= left[0];
+        green *= left[1];
+        blue *= left[2];
+    }
+
     /**
      * Of paths, sums light that comes straight to what is seen: there at once, or strewn there. What a mirror or glass brings is not, nor what was strewn before.
      */
-    public void sumDirect() {
+    public final void sumDirect() {
         begin();
         for (int i = 0; i < entries; i++) {
             int at = ray[i];
@@ -196,39 +232,39 @@ public final class Ledger {
         blue += blue(entry);
     }
 
-    public int entries() {
+    public final int entries() {
         return entries;
     }
 
     /** Where the light of an entry comes from: the number of a light, {@link #SKY}, {@link #AMBIENT} or {@link #EMISSION}. */
-    public int source(int entry) {
+    public final int source(int entry) {
         return source[entry];
     }
 
-    public double red(int entry) {
+    public final double red(int entry) {
         return light[CHANNELS * entry];
     }
 
-    public double green(int entry) {
+    public final double green(int entry) {
         return light[CHANNELS * entry + 1];
     }
 
-    public double blue(int entry) {
+    public final double blue(int entry) {
         return light[CHANNELS * entry + 2];
     }
 
     /** The ray whose light an entry is added to. */
-    public int ray(int entry) {
+    public final int ray(int entry) {
         return ray[entry];
     }
 
     /** The ray that a ray goes on from; below 0 for that from the eye. */
-    public int parent(int number) {
+    public final int parent(int number) {
         return parent[number];
     }
 
     /** The part of an object that a ray hits; below 0 if it ends at a light, or at the sky. */
-    public int part(int number) {
+    public final int part(int number) {
         return part[number];
     }
 }
