@@ -33,7 +33,7 @@ public final class ElementTable {
     }
 
     /** {@code refractiveIndex} and {@code RefractiveIndex} as files have them: {@code refractive-index}. */
-    static String hyphenated(String name) {
+    public static String hyphenated(String name) {
         return name.replaceAll("(?<=.)([A-Z])", "-$1").toLowerCase(Locale.ROOT);
     }
 }

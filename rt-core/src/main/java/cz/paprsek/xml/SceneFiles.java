@@ -1,8 +1,10 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.formula.Written;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.xml.bind.RootElement;
 import cz.paprsek.xml.format.SceneFormat;
 import cz.paprsek.xml.write.SceneWriter;
@@ -14,6 +16,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.function.DoubleFunction;
 
 /**
  * Reads and writes scene files. A file is checked against the schema whenever it is read; all its problems are reported, each with line
@@ -186,6 +190,26 @@ public final class SceneFiles {
     /** A scene with a recipe that makes just what it has now: formulas stay where their values have stayed. */
     public static Scene settled(Scene scene) {
         return Settled.of(Objects.requireNonNull(scene, "scene"));
+    }
+
+    /**
+     * A scene with a formula where a change of it puts a number.
+     *
+     * @param change puts a number there
+     * @param formula without braces; it may have the names of the scene's parameters
+     * @throws cz.paprsek.formula.FormulaException if it is none, or has no value
+     * @throws IllegalArgumentException if the change refuses the value, or what it changes is no number of a file
+     */
+    public static Scene withFormula(Scene scene, DoubleFunction<Scene> change, String formula) {
+        return Formulated.of(Objects.requireNonNull(scene, "scene"), Objects.requireNonNull(change, "change"), Objects.requireNonNull(formula, "formula"));
+    }
+
+    /**
+     * The formulas of a scene, by what has them; without a place, those of the scene itself and of what there is once in it. What has been changed since
+     * it was made or {@linkplain #settled settled} may have other values.
+     */
+    public static Map<Optional<ScenePath>, List<Written>> formulas(Scene scene) {
+        return scene.recipe().isNone() ? Map.of() : Settled.formulas(scene.recipe());
     }
 
     /**

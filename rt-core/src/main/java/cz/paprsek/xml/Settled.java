@@ -1,8 +1,10 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.formula.Written;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.xml.recipe.Script;
 import cz.paprsek.xml.text.Unpatchable;
 import cz.paprsek.xml.write.SceneForms;
@@ -11,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** Scenes that have been changed since they were made: their formulas stay where the values have stayed. */
 final class Settled {
@@ -55,6 +58,27 @@ final class Settled {
         return like(scene, made(settled.recipe(), parameters));
     }
 
+    static Map<Optional<ScenePath>, List<Written>> formulas(Recipe recipe) {
+        return script(recipe).formulas();
+    }
+
+    /**
+     * The scene with another text of how it is made.
+     *
+     * @throws IllegalArgumentException if that makes no scene, or another one
+     */
+    static Scene made(Scene wanted, String text) {
+        try {
+            Scene made = only(script(new Recipe(text, wanted.recipe().included(), List.of())));
+            if (made.withRecipe(Recipe.NONE).equals(wanted.withRecipe(Recipe.NONE))) {
+                return wanted.withRecipe(made.recipe());
+            }
+        } catch (SceneFileException | IOException | Unpatchable hopeless) {
+            throw new IllegalArgumentException("no formula can stand here", hopeless);
+        }
+        throw new IllegalArgumentException("no formula can stand here");
+    }
+
     private static Scene made(Recipe recipe, Map<String, String> parameters) throws SceneFileException, IOException {
         return SceneFiles.only(Making.of(recipe, parameters).contents(recipe.text().getBytes(StandardCharsets.UTF_8), "scene").orElseThrow(), "scene");
     }
@@ -69,7 +93,7 @@ final class Settled {
         return now.withObjects(objects);
     }
 
-    private static Script script(Recipe recipe) {
+    static Script script(Recipe recipe) {
         Making how = Making.of(recipe, Map.of());
         return Script.of(recipe.text().getBytes(StandardCharsets.UTF_8), "scene", Map.of(), how.files(), SceneFiles.LARGEST)
                 .orElseThrow(() -> new Unpatchable("nothing is made in the scene any more"));

@@ -74,7 +74,7 @@ final class Expansion {
         if (isRoot) {
             out.attribute("xmlns", SceneFormat.NAMESPACE);
         }
-        scene.attributes().forEach(one -> out.attribute(one.name(), raw(scene, one)));
+        scene.attributes().forEach(one -> out.attribute(one, raw(scene, one)));
         out.content(scene.content());
         brought.forEach(material -> guarded(() -> owned(material, () -> plain(material))));
         for (Node child : scene.children()) {
@@ -112,7 +112,7 @@ final class Expansion {
 
     private void plain(Node node) {
         out.open(node.name(), node, owner);
-        node.attributes().forEach(one -> out.attribute(one.name(), raw(node, one)));
+        node.attributes().forEach(one -> out.attribute(one, raw(node, one)));
         out.content(node.content());
         node.children().forEach(one -> owned(one, () -> plain(one)));
         out.close(node.name());
@@ -266,7 +266,7 @@ final class Expansion {
         for (Attr one : node.attributes()) {
             boolean isSaid = one.name().equals("name") || (PLACEMENT.contains(one.name()) && placed.isPresent());
             if (!isSaid) {
-                out.attribute(one.name(), raw(node, one));
+                out.attribute(one, raw(node, one));
             }
         }
         placed.ifPresent(this::placement);

@@ -1,17 +1,29 @@
 package cz.paprsek.xml.recipe;
 
 import cz.paprsek.xml.format.SceneFormat;
+import cz.paprsek.xml.recipe.Node.Attr;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /** The text of what is written out: a start tag a line, of each of which is known what it stems from. */
 final class Output {
     private final StringBuilder text = new StringBuilder();
     private Node[] lines = new Node[64];
     private Node[] owners = new Node[64];
+    private final List<Mark> marks = new ArrayList<>();
     private int count;
     private int level;
     private boolean tagIsOpen;
+
+    /**
+     * A value that has been worked out.
+     *
+     * @param line from 0
+     * @param raw as it is written out
+     */
+    record Mark(int line, Attr attribute, String raw) {}
 
     /** Where nesting has become deeper than files may have it. */
     boolean isTooDeep() {
@@ -46,6 +58,19 @@ final class Output {
     /** @param raw as it may stand between quotes */
     void attribute(String name, String raw) {
         text.append(' ').append(name).append("=\"").append(raw.indexOf('"') < 0 ? raw : raw.replace("\"", "&quot;")).append('"');
+    }
+
+    /** As the other, of an attribute of the file. */
+    void attribute(Attr given, String raw) {
+        if (given.template().isPresent()) {
+            marks.add(new Mark(count - 1, given, raw));
+        }
+        attribute(given.name(), raw);
+    }
+
+    /** What has been worked out. */
+    List<Mark> marks() {
+        return marks;
     }
 
     /** @param raw as it may stand between tags */

@@ -74,7 +74,7 @@ final class Reconciled {
             if (Objects.equals(value, old.get(one.name()))) {
                 attributes.add(one);
             } else if (value != null) {
-                attributes.add(plain(one.name(), value));
+                attributes.add(one.template().isEmpty() ? plain(one.name(), value) : changed(one, old.getOrDefault(one.name(), ""), value));
             }
         }
         fresh.forEach((name, value) -> {
@@ -83,6 +83,12 @@ final class Reconciled {
             }
         });
         return attributes;
+    }
+
+    /** The numbers that have stayed keep their formulas. */
+    private static Attr changed(Attr written, String old, String now) {
+        String raw = Tokens.of(written.raw()).changed(Tokens.of(old), Tokens.of(now));
+        return new Attr(written.name(), raw, Template.isIn(raw) ? Optional.of(Template.of(Raw.text(raw))) : Optional.empty(), -1, -1);
     }
 
     private static Attr plain(String name, String raw) {

@@ -2,8 +2,10 @@ package cz.paprsek.xml.recipe;
 
 import cz.paprsek.formula.Formula;
 import cz.paprsek.formula.Function;
+import cz.paprsek.formula.Written;
 import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.Scene.Recipe.Parameter;
+import cz.paprsek.scene.ScenePath;
 import cz.paprsek.text.Numbers;
 import cz.paprsek.text.Similar;
 import cz.paprsek.xml.format.SceneFormat;
@@ -40,6 +42,7 @@ public final class Script {
     private final IncludedFiles files;
     private final long mostCharacters;
     private @Nullable Node only;
+    private @Nullable Names names;
 
     private Script(Map<String, String> given, IncludedFiles files, long mostCharacters) {
         this.given = given;
@@ -137,6 +140,7 @@ public final class Script {
         found.names().params().forEach((name, param) -> parameter(name, param, found.names()).ifPresent(parameters::add));
         Node scene = found.scene();
         only = scene;
+        names = found.names();
         new Expansion(scene, out, found.names(), found.definitions(), found.materials(), mistakes, mostCharacters).scene(scene, isRoot);
         recipes.add(scene.isPlain() ? Recipe.NONE : new Recipe(NodeText.of(scene), found.included(), parameters));
     }
@@ -186,6 +190,29 @@ public final class Script {
      */
     public String reconciled(Form before, Form now, boolean movesInstances) {
         return NodeText.of(Reconciled.of(Objects.requireNonNull(only), out, before, now, movesInstances));
+    }
+
+    /**
+     * What a formula comes to in the scene of this file, outside of what is repeated.
+     *
+     * @throws cz.paprsek.formula.FormulaException if it is none, or has no value
+     */
+    public double value(String formula) {
+        try {
+            return Formula.of(formula).value(Objects.requireNonNull(names));
+        } catch (ToldAlready hasNone) {
+            throw new IllegalArgumentException("a parameter in it has no value", hasNone);
+        }
+    }
+
+    /** What a formula comes to where there are no parameters. */
+    public static double valueOfPlain(String formula) {
+        return Formula.of(formula).value(new Names((param, why) -> {}));
+    }
+
+    /** Where formulas stand in what is written out, by what has them; without a place, those of the scene itself and of what there is once in it. */
+    public Map<Optional<ScenePath>, List<Written>> formulas() {
+        return WrittenFormulas.of(out);
     }
 
     /** What is wrong; then there is no text. */

@@ -2,10 +2,14 @@ package cz.paprsek.fx.model;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.format.MeshFiles;
+import cz.paprsek.formula.Written;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.xml.SceneFiles;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
@@ -31,6 +35,8 @@ public final class EditorModel {
     private final ReadOnlyIntegerWrapper openings = new ReadOnlyIntegerWrapper();
     /** Where pictures come from that the scene names. */
     private Assets assets = Assets.none();
+    private Recipe recipe = Recipe.NONE;
+    private Map<Optional<ScenePath>, List<Written>> formulas = Map.of();
     private @Nullable Scene saved;
     private @Nullable Gesture gesture;
 
@@ -59,6 +65,16 @@ public final class EditorModel {
 
     public Scene scene() {
         return state().scene();
+    }
+
+    /** The formulas of the scene, by what has them, as {@link SceneFiles#formulas} finds them: once for all who ask. */
+    public Map<Optional<ScenePath>, List<Written>> formulas() {
+        Recipe now = scene().recipe();
+        if (!now.equals(recipe)) {
+            recipe = now;
+            formulas = SceneFiles.formulas(scene());
+        }
+        return formulas;
     }
 
     /** What is selected, in the order of selecting. */
@@ -119,7 +135,7 @@ public final class EditorModel {
     public void editState(Label label, UnaryOperator<EditorState> change) {
         commitGesture();
         EditorState before = state();
-        EditorState after = withMeshes(change.apply(before));
+        EditorState after = settled(before, withMeshes(change.apply(before)));
         boolean isStep = isStep(before, after);
         if (isStep) {
             history.did(label, before, after);
@@ -209,6 +225,11 @@ public final class EditorModel {
         return next.withScene(read);
     }
 
+    /** With formulas where their values have stayed, and the number where it has been changed by hand. */
+    private static EditorState settled(EditorState before, EditorState after) {
+        return after.scene().equals(before.scene()) ? after : after.withScene(SceneFiles.settled(after.scene()));
+    }
+
     boolean isOpen(Gesture candidate) {
         return gesture == candidate;
     }
@@ -219,7 +240,7 @@ public final class EditorModel {
         }
         gesture = null;
         gesturing.set(false);
-        EditorState now = state();
+        EditorState now = keep ? settled(ended.start(), state()) : state();
         boolean isStep = keep && isStep(ended.start(), now);
         if (isStep) {
             history.did(ended.label(), ended.start(), now);

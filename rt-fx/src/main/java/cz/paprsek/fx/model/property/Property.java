@@ -1,13 +1,17 @@
 package cz.paprsek.fx.model.property;
 
 import cz.paprsek.attribute.Described;
+import cz.paprsek.formula.Written;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.xml.SceneFiles;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.UnaryOperator;
@@ -54,6 +58,29 @@ public record Property(Target target, List<String> path, Class<?> type, Trait tr
             common = value;
         }
         return common;
+    }
+
+    /**
+     * The formula that its value is made of; empty if it is a number as it is, or of several things.
+     *
+     * @param formulas those of the scene, as {@link SceneFiles#formulas} has them
+     */
+    public Optional<String> formula(Scene scene, Map<Optional<ScenePath>, List<Written>> formulas) {
+        if (formulas.isEmpty()) {
+            return Optional.empty();
+        }
+        Optional<Object> value = read(scene);
+        return target.spot(scene).flatMap(spot -> formulas.getOrDefault(spot.place(), List.of()).stream()
+                .filter(one -> spot.isOf(one, path) && value.filter(number -> isSame(number, one.value())).isPresent()).map(Written::formula).findFirst());
+    }
+
+    /** Not where it has been changed since. */
+    private static boolean isSame(Object number, String written) {
+        try {
+            return ((Number) number).doubleValue() == Double.parseDouble(written);
+        } catch (NumberFormatException word) {
+            return false;
+        }
     }
 
     /** The kind of record that all values are of; empty if they differ in it. */

@@ -11,10 +11,12 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
 import cz.paprsek.scene.ScenePath.LightAt;
+import cz.paprsek.scene.ScenePath.MaterialAt;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Function;
@@ -33,6 +35,11 @@ final class Targets {
         }
 
         @Override
+        public Optional<Spot> spot(Scene scene) {
+            return places.size() == 1 ? Optional.of(Spot.of(places.get(0))) : Optional.empty();
+        }
+
+        @Override
         public Scene change(Scene scene, UnaryOperator<Record> change) {
             return scene.with(places, (at, body) -> (Body) change.apply(body));
         }
@@ -43,6 +50,11 @@ final class Targets {
         @Override
         public List<Record> read(Scene scene) {
             return places.stream().filter(at -> at.index() < scene.lights().size()).map(at -> (Record) scene.lights().get(at.index())).toList();
+        }
+
+        @Override
+        public Optional<Spot> spot(Scene scene) {
+            return places.size() == 1 ? Optional.of(Spot.of(places.get(0))) : Optional.empty();
         }
 
         @Override
@@ -58,6 +70,11 @@ final class Targets {
         @Override
         public List<Camera> read(Scene scene) {
             return places.stream().filter(at -> at.index() < scene.cameras().size()).map(at -> scene.cameras().get(at.index())).toList();
+        }
+
+        @Override
+        public Optional<Spot> spot(Scene scene) {
+            return places.size() == 1 ? Optional.of(Spot.of(places.get(0))) : Optional.empty();
         }
 
         @Override
@@ -79,6 +96,11 @@ final class Targets {
         }
 
         @Override
+        public Optional<Spot> spot(Scene scene) {
+            return Optional.of(new Spot(Optional.empty(), equals(SETTINGS) ? List.of("render") : List.of()));
+        }
+
+        @Override
         public Scene change(Scene scene, UnaryOperator<Record> change) {
             return with.apply(scene, change.apply(get.apply(scene)));
         }
@@ -94,6 +116,13 @@ final class Targets {
         }
 
         @Override
+        public Optional<Spot> spot(Scene scene) {
+            Set<String> names = Materials.names(scene, places);
+            return !names.isEmpty() ? new NamedMaterials(names).spot(scene)
+                    : places.size() == 1 ? Optional.of(new Spot(Optional.of(places.get(0)), List.of("material"))) : Optional.empty();
+        }
+
+        @Override
         public Scene change(Scene scene, UnaryOperator<Record> change) {
             Scene named = new NamedMaterials(Materials.names(scene, places)).change(scene, change);
             return named.with(places, (at, body) ->
@@ -106,6 +135,11 @@ final class Targets {
         @Override
         public List<Material> read(Scene scene) {
             return names.stream().filter(name -> scene.materials().containsKey(name) || Material.ready().containsKey(name)).map(name -> material(scene.materials(), name)).toList();
+        }
+
+        @Override
+        public Optional<Spot> spot(Scene scene) {
+            return names.size() == 1 ? Optional.of(Spot.of(new MaterialAt(names.iterator().next()))) : Optional.empty();
         }
 
         @Override

@@ -1,5 +1,7 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.formula.Formula;
+import cz.paprsek.formula.FormulaException;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.text.Numbers;
@@ -13,7 +15,7 @@ import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
-/** A field for an exposure. Up and down change it by thirds of a stop, as cameras do; what is out of range is marked, and has no value. */
+/** A field for an exposure, also as a small sum such as 4/3. Up and down change it by thirds of a stop, as cameras do; what is out of range is marked, and has no value. */
 final class StopsField extends TextField {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
     private static final int STEPS = 3;
@@ -27,10 +29,10 @@ final class StopsField extends TextField {
         setPrefColumnCount(4);
         setTooltip(new Tooltip(texts.of("render.exposure.hint")));
         setAccessibleText(texts.of("render.exposure.hint"));
-        UnaryOperator<TextFormatter.Change> numbersOnly = change -> change.getControlNewText().matches("[-+]?\\d{0,3}([.,]\\d{0,12})?") ? change : null;
-        setTextFormatter(new TextFormatter<>(numbersOnly));
+        UnaryOperator<TextFormatter.Change> sumsOnly = change -> change.getControlNewText().matches("[-+*/%^().,\\d ]{0,24}") ? change : null;
+        setTextFormatter(new TextFormatter<>(sumsOnly));
         textProperty().addListener((property, old, now) -> {
-            valid.set(now.matches(".*\\d.*") && Math.abs(get()) <= RenderSettings.MOST_STOPS);
+            valid.set(isValid());
             pseudoClassStateChanged(REFUSED, !valid.get());
         });
         addEventFilter(KeyEvent.KEY_PRESSED, this::step);
@@ -47,7 +49,15 @@ final class StopsField extends TextField {
 
     /** The number of stops; only if it is valid. */
     double get() {
-        return Double.parseDouble(getText().replace(',', '.'));
+        return Formula.value(getText().replaceFirst("^\\s*\\+", ""));
+    }
+
+    private boolean isValid() {
+        try {
+            return Math.abs(get()) <= RenderSettings.MOST_STOPS;
+        } catch (FormulaException none) {
+            return false;
+        }
     }
 
     private void step(KeyEvent event) {

@@ -1,11 +1,13 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.formula.Formula;
+import cz.paprsek.formula.FormulaException;
 import java.util.function.UnaryOperator;
 import javafx.scene.control.TextFormatter;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
-/** A field for a whole number within a range. Up and down count; what is out of range is marked, and has no value. */
+/** A field for a whole number within a range, also as a small sum such as 1920/4. Up and down count; what is out of range is marked, and has no value. */
 final class WholeNumberField extends CheckedField {
     private final int least;
     private final String name;
@@ -16,8 +18,8 @@ final class WholeNumberField extends CheckedField {
         this.least = least;
         this.most = most;
         name = hint;
-        UnaryOperator<TextFormatter.Change> digitsOnly = change -> change.getControlNewText().matches("\\d{0,7}") ? change : null;
-        setTextFormatter(new TextFormatter<>(digitsOnly));
+        UnaryOperator<TextFormatter.Change> sumsOnly = change -> change.getControlNewText().matches("[-+*/%^().\\d ]{0,24}") ? change : null;
+        setTextFormatter(new TextFormatter<>(sumsOnly));
         addEventFilter(KeyEvent.KEY_PRESSED, this::count);
         set(least);
     }
@@ -35,12 +37,17 @@ final class WholeNumberField extends CheckedField {
 
     /** The number; only if it is valid. */
     int get() {
-        return Integer.parseInt(getText());
+        return (int) Formula.value(getText());
     }
 
     @Override
     boolean isInRange(String text) {
-        return !text.isEmpty() && Integer.parseInt(text) >= least && Integer.parseInt(text) <= most;
+        try {
+            double number = Formula.value(text);
+            return number == Math.rint(number) && number >= least && number <= most;
+        } catch (FormulaException none) {
+            return false;
+        }
     }
 
     private void count(KeyEvent event) {

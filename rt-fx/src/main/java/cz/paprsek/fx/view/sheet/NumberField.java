@@ -1,32 +1,36 @@
 package cz.paprsek.fx.view.sheet;
 
-import cz.paprsek.formula.Formula;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.model.property.Trait;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import javafx.css.PseudoClass;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
 import javafx.scene.control.TextField;
+import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 
 /**
- * A number that can be typed, also as a small sum, stepped with the arrow keys, and dragged by a handle. Shows nothing if several things
- * differ; typing gives them all the same, stepping and dragging change each from where it is.
+ * A number that can be typed, also as a small sum or a formula, stepped with the arrow keys, and dragged by a handle. Shows nothing if several things
+ * differ; typing gives them all the same, stepping and dragging change each from where it is, and take the place of a formula.
  */
 final class NumberField extends TextField implements PropertyEditor {
     private static final double PIXELS_PER_STEP = 4;
+    /** Of a formula. */
+    private static final PseudoClass MADE = PseudoClass.getPseudoClass("made");
 
     private final Property property;
     private final PropertyEdit edit;
     private final Texts texts;
     private final Writer writer;
     private Optional<Double> value = Optional.empty();
+    private Optional<String> formula = Optional.empty();
     private String shown = "";
     private double arrows;
 
@@ -58,6 +62,9 @@ final class NumberField extends TextField implements PropertyEditor {
                 edit.commit();
                 enter();
             }
+            if (formula.isPresent() && (is || !isPending())) {
+                reset();
+            }
         });
         addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);
         addEventFilter(KeyEvent.KEY_RELEASED, event -> {
@@ -76,8 +83,12 @@ final class NumberField extends TextField implements PropertyEditor {
     public void show(Scene scene) {
         Optional<Double> now = property.read(scene).map(number -> ((Number) number).doubleValue());
         setPromptText(now.isEmpty() ? texts.of("sheet.mixed") : "");
-        if (!now.equals(value) || shown.isEmpty()) {
+        Optional<String> made = edit.formula(property, scene);
+        if (!now.equals(value) || !made.equals(formula) || shown.isEmpty()) {
             value = now;
+            formula = made;
+            pseudoClassStateChanged(MADE, made.isPresent());
+            setTooltip(made.map(text -> new Tooltip(TypedFormula.SIGN + text)).orElse(null));
             reset();
         }
     }
@@ -147,9 +158,9 @@ final class NumberField extends TextField implements PropertyEditor {
             return;
         }
         try {
-            Object entered = typed(Formula.value(getText()));
-            if (edit.change(scene -> writer.write(scene, old -> entered))) {
-                value = Optional.of(((Number) entered).doubleValue());
+            TypedFormula typed = TypedFormula.of(getText());
+            if (edit.change(scene -> typed.isKept() ? typed.kept(scene, number -> written(scene, number)) : written(scene, typed.value()))) {
+                show(edit.scene());
                 reset();
             }
         } catch (IllegalArgumentException refused) {
@@ -157,8 +168,15 @@ final class NumberField extends TextField implements PropertyEditor {
         }
     }
 
+    private Scene written(Scene scene, double number) {
+        Object entered = typed(number);
+        return writer.write(scene, old -> entered);
+    }
+
+    /** The formula for who is about to change it, else what it comes to. */
     private void reset() {
-        shown = value.map(number -> texts.number(Steps.text(number))).orElse("");
+        String number = value.map(known -> texts.number(Steps.text(known))).orElse("");
+        shown = formula.isEmpty() ? number : isFocused() ? TypedFormula.SIGN + formula.get() : "\u0192 " + number;
         setText(shown);
     }
 

@@ -139,6 +139,9 @@ final class ParametersPane extends TitledPane {
 
         /** Who types names wants what they stand for; a colour's name is a name as well, and stays. */
         private String formula(String typed) {
+            if (typed.startsWith(TypedFormula.SIGN)) {
+                return "{" + typed.substring(1).strip() + "}";
+            }
             try {
                 boolean isOfNames = typed.indexOf('{') < 0 && !Formula.of(typed).names().isEmpty() && typed.chars().anyMatch(c -> "+-*/^%?(".indexOf(c) >= 0);
                 return isOfNames ? "{" + typed + "}" : typed;

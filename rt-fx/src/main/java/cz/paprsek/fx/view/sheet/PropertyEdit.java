@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.scene.Scene;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -30,6 +31,11 @@ final class PropertyEdit {
     /** The scene as it is now. */
     Scene scene() {
         return model.scene();
+    }
+
+    /** The formula that a property's value is made of; empty if it is a number as it is. */
+    Optional<String> formula(Property property, Scene scene) {
+        return property.formula(scene, model.formulas());
     }
 
     /** Changes the scene in one step; whether it was not refused. */

@@ -1,6 +1,5 @@
 package cz.paprsek.fx.view.sheet;
 
-import cz.paprsek.formula.Formula;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Pattern.Stop;
@@ -76,11 +75,23 @@ final class StopsEditor implements PropertyEditor {
     }
 
     private void change(UnaryOperator<List<Stop>> change) {
-        edit.change(scene -> property.change(scene, old -> {
+        edit.change(scene -> changed(scene, change));
+    }
+
+    private Scene changed(Scene scene, UnaryOperator<List<Stop>> change) {
+        return property.change(scene, old -> {
             List<Stop> changed = new ArrayList<>(change.apply(new ArrayList<>(stops(old))));
             changed.sort(Comparator.comparingDouble(Stop::at));
             return List.copyOf(changed);
-        }));
+        });
+    }
+
+    /** With one of them at another place. */
+    private Scene placed(Scene scene, int index, double at) {
+        return changed(scene, old -> {
+            old.set(index, new Stop(at, old.get(index).color()));
+            return old;
+        });
     }
 
     private void add() {
@@ -177,7 +188,9 @@ final class StopsEditor implements PropertyEditor {
                 return;
             }
             try {
-                set(new Stop(Formula.value(at.getText()), stop().color()));
+                TypedFormula typed = TypedFormula.of(at.getText());
+                int index = index();
+                edit.change(scene -> typed.isKept() ? typed.kept(scene, number -> placed(scene, index, number)) : placed(scene, index, typed.value()));
             } catch (IllegalArgumentException refused) {
                 edit.refuse(refused);
             }
