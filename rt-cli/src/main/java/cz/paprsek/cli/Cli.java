@@ -38,7 +38,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import picocli.AutoComplete;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -51,12 +50,12 @@ import picocli.CommandLine.ParameterException;
 final class Cli {
     /** Of all commands, in the order of the help. */
     private static final List<String> NAMES = List.of(
-            "render", "validate", "info", "explain", "convert", "bench", "compare", "grade", "crosscheck", "db", "schema", "generate-completion", "help");
+            "render", "validate", "info", "explain", "convert", "bench", "compare", "grade", "crosscheck", "db", "schema", "generate-completion", "generate-man", "help");
 
     /** As wide as every terminal is. */
     private static final int WIDTH = 80;
 
-    private static final List<String> NEEDING_ALL = List.of("generate-completion", "help");
+    private static final List<String> NEEDING_ALL = List.of("generate-completion", "generate-man", "help");
 
     private final Terminal terminal;
     private final Stop stop;
@@ -106,6 +105,7 @@ final class Cli {
         register(root, Integrator.class, Integrators::parse);
         register(root, RayWishes.Sampler.class, word -> Words.constant(RayWishes.Sampler.class, word));
         register(root, ExplainCommand.When.class, word -> Words.constant(ExplainCommand.When.class, word));
+        register(root, CompletionCommand.Shell.class, word -> Words.constant(CompletionCommand.Shell.class, word));
         register(root, BenchCommand.Opponent.class, word -> Words.constant(BenchCommand.Opponent.class, word));
         register(root, Path.class, Words::file);
         register(root, Integer.class, Words::wholeNumber);
@@ -161,7 +161,8 @@ final class Cli {
             case "crosscheck" -> new CrossCheckCommand(terminal, stop);
             case "db" -> DbCommand.of(terminal, stop);
             case "schema" -> new SchemaCommand(terminal, stop);
-            case "generate-completion" -> new AutoComplete.GenerateCompletion();
+            case "generate-completion" -> new CompletionCommand(terminal);
+            case "generate-man" -> new ManCommand(terminal, stop);
             case "help" -> new CommandLine.HelpCommand();
             default -> throw new IllegalArgumentException(name);
         };

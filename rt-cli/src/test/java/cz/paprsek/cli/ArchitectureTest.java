@@ -28,6 +28,7 @@ class ArchitectureTest {
             .layer("bench").definedBy("cz.paprsek.cli.bench")
             .layer("output").definedBy("cz.paprsek.cli.output")
             .layer("describe").definedBy("cz.paprsek.cli.describe")
+            .layer("manual").definedBy("cz.paprsek.cli.manual")
             .layer("input").definedBy("cz.paprsek.cli.input")
             .layer("value").definedBy("cz.paprsek.cli.value")
             .layer("process").definedBy("cz.paprsek.cli.process")
@@ -35,6 +36,7 @@ class ArchitectureTest {
             .whereLayer("db").mayOnlyBeAccessedByLayers("commands")
             .whereLayer("bench").mayOnlyBeAccessedByLayers("commands")
             .whereLayer("describe").mayOnlyBeAccessedByLayers("commands")
+            .whereLayer("manual").mayOnlyBeAccessedByLayers("commands")
             .whereLayer("output").mayOnlyBeAccessedByLayers("commands", "db", "bench")
             .whereLayer("value").mayOnlyBeAccessedByLayers("commands", "db", "bench", "output", "input")
             .whereLayer("input").mayOnlyBeAccessedByLayers("commands", "db", "bench", "output");

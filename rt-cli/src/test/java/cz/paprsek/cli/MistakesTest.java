@@ -89,7 +89,7 @@ class MistakesTest {
     void callWithoutCommandSaysWhatThereIs() {
         Run run = Run.cli();
         assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err()).contains("say what to do: render, validate, info, explain, convert, bench, compare, grade, crosscheck, db, schema, generate-completion, help");
+        assertThat(run.err()).contains("say what to do: render, validate, info, explain, convert, bench, compare, grade, crosscheck, db, schema, generate-completion, generate-man, help");
     }
 
     @ParameterizedTest
@@ -104,7 +104,7 @@ class MistakesTest {
 
     @Test
     void theProgramExplainsItselfAndItsVersion() {
-        assertThat(Run.cli("--help").out()).contains("Commands:", "render", "validate", "info", "convert", "bench", "compare", "grade", "crosscheck", "schema", "generate-completion", "--version");
+        assertThat(Run.cli("--help").out()).contains("Commands:", "render", "validate", "info", "convert", "bench", "compare", "grade", "crosscheck", "schema", "generate-completion", "generate-man", "--version");
         assertThat(Run.cli("--version").out()).startsWith("Paprsek ").contains("Java " + Runtime.version());
     }
 
