@@ -67,6 +67,19 @@ class ModelsTest {
     }
 
     @Test
+    void coloursOfVerticesAreTold() throws IOException {
+        Path plain = Files.writeString(folder.resolve("plain.obj"), OBJ);
+        Path colored = Files.writeString(folder.resolve("colored.obj"), OBJ.replaceAll("(?m)^(v .*)$", "$1 1 0.5 0"));
+        Path scene = folder.resolve("colored.xml");
+        assertThat(Run.cli("convert", colored, scene).code()).isZero();
+        assertThat(Run.cli("info", plain).out()).doesNotContain("colour");
+        assertThat(Run.cli("info", plain, "--json").out()).contains("\"vertex-colors\":false");
+        assertThat(Run.cli("info", colored).out()).contains("  colours     at its vertices");
+        assertThat(Run.cli("info", colored, "--json").out()).contains("\"vertex-colors\":true");
+        assertThat(Run.cli("info", scene).out()).contains("area 37.36542462386205, coloured at its vertices");
+    }
+
+    @Test
     void whatIsOpenIsSaid() throws IOException {
         Path open = Files.writeString(folder.resolve("open.obj"), OBJ.replace("f 2 3 4\n", ""));
         assertThat(Run.cli("info", open).out()).contains("no, 3 edges are open").doesNotContain("volume");

@@ -30,6 +30,9 @@ public final class ModelSummary {
         lines.add("  bounds      " + Numbers.text(bounds.minX()) + " " + Numbers.text(bounds.minY()) + " " + Numbers.text(bounds.minZ())
                 + " to " + Numbers.text(bounds.maxX()) + " " + Numbers.text(bounds.maxY()) + " " + Numbers.text(bounds.maxZ()));
         lines.add("  unit        " + (unit.isEmpty() ? "not said" : unit) + ", " + (model.convention().isZUp() ? "z" : "y") + " is up");
+        if (mesh.hasColors()) {
+            lines.add("  colours     at its vertices");
+        }
         if (mesh.parts().size() > 1 || !mesh.parts().get(0).isEmpty()) {
             lines.add("  parts       " + mesh.parts().size() + ": " + String.join(", ", mesh.parts().stream().limit(MOST_PARTS).toList())
                     + (mesh.parts().size() > MOST_PARTS ? ", …" : ""));
@@ -59,12 +62,12 @@ public final class ModelSummary {
     static String line(Mesh mesh) {
         Triangles triangles = mesh.triangles();
         return (mesh.part().isEmpty() ? "" : "part " + mesh.part() + ", ") + triangles.count() + " triangles, "
-                + (triangles.isClosed() ? "closed, volume " + Numbers.text(triangles.volume()) : "open edges " + triangles.openEdges()) + ", area " + Numbers.text(triangles.area());
+                + (triangles.isClosed() ? "closed, volume " + Numbers.text(triangles.volume()) : "open edges " + triangles.openEdges()) + ", area " + Numbers.text(triangles.area()) + (triangles.hasColors() ? ", coloured at its vertices" : "");
     }
 
     private static Json measured(Json json, Triangles mesh) {
         Bounds bounds = mesh.bounds();
-        return json.with("triangles", mesh.count()).with("vertices", mesh.vertexCount()).with("closed", mesh.isClosed())
+        return json.with("triangles", mesh.count()).with("vertices", mesh.vertexCount()).with("vertex-colors", mesh.hasColors()).with("closed", mesh.isClosed())
                 .with("open-edges", mesh.openEdges()).with("volume", mesh.isClosed() ? mesh.volume() : Double.NaN).with("area", mesh.area())
                 .with("bounds", new Json().withNumbers("min", bounds.minX(), bounds.minY(), bounds.minZ()).withNumbers("max", bounds.maxX(), bounds.maxY(), bounds.maxZ()));
     }
