@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
-import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.standard.StandardScenes;
