@@ -5,7 +5,11 @@ import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Disc;
+import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Sphere;
 import java.util.Objects;
 
 /**
@@ -20,7 +24,6 @@ public record SceneObject(String name, Shape shape, Placement placement, Materia
         Objects.requireNonNull(placement, "placement");
         Objects.requireNonNull(material, "material");
     }
-
 
     public static SceneObject of(Shape shape) {
         return new SceneObject("", shape, Placement.NONE, Inherited.INHERITED);
@@ -49,6 +52,15 @@ public record SceneObject(String name, Shape shape, Placement placement, Materia
 
     public SceneObject withShape(Shape value) {
         return new SceneObject(name, value, placement, material);
+    }
+
+    /**
+     * Whether paths, if it shines, look for it as they do for lights: a ball that is not stretched, a rectangle, a disc, and a block with sharp edges. Other shapes that
+     * shine they only find by chance.
+     */
+    public boolean isSoughtIfItShines() {
+        return shape instanceof Rectangle || shape instanceof Disc || (shape instanceof Block block && block.rounding() == 0)
+                || (shape instanceof Sphere && placement.toParent().uniformScale() > 0);
     }
 
     /** Made of the given material. */

@@ -59,7 +59,7 @@ public final class SceneWarnings {
     public static List<SceneWarning> of(Scene scene) {
         SceneWarnings check = new SceneWarnings(scene);
         List<BodyAt> parts = ScenePath.bodies(scene).toList();
-        check.light();
+        check.light(parts);
         check.suns();
         check.balls();
         check.lenses();
@@ -68,7 +68,15 @@ public final class SceneWarnings {
         for (int i = 0; i < scene.objects().size(); i++) {
             check.object(ScenePath.body(i));
         }
+        check.shining();
         check.glass();
+        return check.warnings;
+    }
+
+    /** Of them those that tell why a picture of paths has grain; found at once. */
+    public static List<SceneWarning> ofPaths(Scene scene) {
+        SceneWarnings check = new SceneWarnings(scene);
+        check.shining();
         return check.warnings;
     }
 
@@ -84,16 +92,22 @@ public final class SceneWarnings {
         warnings.add(new SceneWarning(kind, object, Optional.of(place), attribute, message, false));
     }
 
-    private void light() {
+    private void light(List<BodyAt> parts) {
         boolean isLit = scene.lights().stream().anyMatch(light -> light.intensity() > 0 && !light.color().equals(Rgb.BLACK));
         for (int i = 0; i < scene.lights().size(); i++) {
             color(name(i), ScenePath.light(i), scene.lights().get(i).color());
         }
         if (scene.objects().isEmpty()) {
             add("empty", "there are no objects; the picture will be the background alone");
-        } else if (!isLit && scene.ambient().equals(Rgb.BLACK)) {
+        } else if (!isLit && scene.ambient().equals(Rgb.BLACK) && !shinesOtherwise(parts)) {
             add("dark", "there is no light and no ambient light; every surface will be black");
         }
+    }
+
+    /** Whether something other than a light is bright, or lights what paths meet. */
+    private boolean shinesOtherwise(List<BodyAt> parts) {
+        boolean hasSky = !(scene.sky() instanceof Scene.Sky.None) || !scene.background().equals(Rgb.BLACK);
+        return (scene.settings().isPath() && hasSky) || parts.stream().anyMatch(part -> part.material(scene).shines());
     }
 
     private void suns() {
@@ -252,6 +266,17 @@ public final class SceneWarnings {
             Light light = scene.lights().get(i);
             if (isOpaque && light instanceof PlacedLight lamp && extent(lamp).allMatch(placed::contains)) {
                 add("light-inside", name(i), ScenePath.light(i), name(i) + " is inside " + label + ", which is opaque; it lights nothing outside");
+            }
+        }
+    }
+
+    /** Of what shines, paths look for some shapes only. */
+    private void shining() {
+        for (int i = 0; i < scene.objects().size() && scene.settings().isPath(); i++) {
+            BodyAt object = ScenePath.body(i);
+            if (!scene.objects().get(i).isSoughtIfItShines() && object.withOperands(scene).anyMatch(part -> part.material(scene).shines())) {
+                String label = label(object);
+                add("shines-by-chance", label, object, label + " shines, but paths meet its light only by chance, which is grain; they look for balls, rectangles, discs and blocks with sharp edges that shine by themselves");
             }
         }
     }

@@ -18,7 +18,10 @@ import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Rectangle;
+import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Sphere;
 import java.util.Arrays;
 import java.util.List;
@@ -28,8 +31,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Points of a light alone (one that no ray sees), directions of surfaces alone (a body that glows in its place) and both together (a light that is seen) have the same
- * mean in every pixel: then the p-values of Welch's test are spread evenly, by the test of Kolmogorov and Smirnov. What is random is fixed, and so is the answer.
+ * Points of a light alone (one that no ray sees), directions of surfaces alone (a body that glows in its place, made such that nobody looks for it) and both together (a light that is seen, or a body that
+ * is looked for) have the same mean in every pixel: then the p-values of Welch's test are spread evenly, by the test of Kolmogorov and Smirnov. What is random is fixed, and so is the answer.
  *
  * @see <a href="https://jcgt.org/published/0009/02/01/">Jung, Hanika, Dachsbacher, Detecting Bias in Monte Carlo Renderers using Welch's t-test, JCGT 9(2), 2020</a>
  */
@@ -41,7 +44,8 @@ class WelchTest {
     private static final double AREA = 1.5;
 
     @ParameterizedTest
-    @CsvSource({"POINTS, BOTH, 0", "DIRECTIONS, BOTH, 0", "POINTS, DIRECTIONS, 0", "POINTS, BOTH, 0.6", "DIRECTIONS, BOTH, 0.6"})
+    @CsvSource({"POINTS, BOTH, 0", "DIRECTIONS, BOTH, 0", "POINTS, DIRECTIONS, 0", "POINTS, BOTH, 0.6", "DIRECTIONS, BOTH, 0.6",
+        "BALL_BY_CHANCE, BALL, 0", "BLOCK_BY_CHANCE, BLOCK, 0", "BLOCK_BY_CHANCE, BLOCK, 0.6"})
     void allWaysToFindALightHaveTheSameMean(Estimator one, Estimator other, double roughness) {
         assertThat(kolmogorov(pValues(one.means(roughness, 0), other.means(roughness, GROUPS), 1))).as("how probable even p-values are to be as uneven as these").isGreaterThan(0.001);
     }
@@ -62,7 +66,17 @@ class WelchTest {
     }
 
     enum Estimator {
-        POINTS, DIRECTIONS, BOTH;
+        POINTS, DIRECTIONS, BOTH, BALL, BALL_BY_CHANCE, BLOCK, BLOCK_BY_CHANCE;
+
+        private static final Material GLOW = Material.DEFAULT.withDiffusion(0).withHighlight(0, 1).withEmission(Rgb.WHITE, RADIANCE);
+        /** Above and behind the scene, turned and stretched. */
+        private static final SceneObject BLOCK_BODY = SceneObject.of(new Block(new Vec3(-0.4, -0.3, -0.2), new Vec3(0.2, 0.3, 0.4), 0)).scaled(1, 2, 1).rotated(20, 30, 40).at(-0.7, 1.9, 0.2).madeOf(GLOW);
+        private static final SceneObject BALL_BODY = SceneObject.of(new Sphere(0.5)).at(-0.7, 1.9, 0.2).madeOf(GLOW);
+
+        private static SceneObject byChance(SceneObject body) {
+            return body.withShape(Csg.union((Solid) body.shape()));
+        }
+
 
         private Scene scene(double roughness) {
             Material floor = roughness == 0 ? Material.DEFAULT.withDiffusion(0.8) : Material.DEFAULT.withDiffusion(0.3).withReflection(0.6).withRoughness(roughness);
@@ -73,8 +87,12 @@ class WelchTest {
             return switch (this) {
                 case POINTS -> dark.withLights(List.of(lamp.withVisible(false)));
                 case BOTH -> dark.withLights(List.of(lamp.withVisible(true)));
-                case DIRECTIONS -> dark.plus(SceneObject.of(new Rectangle(-AREA / 2, -0.5, AREA / 2, 0.5)).rotated(90, 0, 0).at(0, 3, 0)
-                        .madeOf(Material.DEFAULT.withDiffusion(0).withHighlight(0, 1).withEmission(Rgb.WHITE, RADIANCE)));
+                // A sheet as thin as nothing.
+                case DIRECTIONS -> dark.plus(byChance(SceneObject.of(new Block(new Vec3(-AREA / 2, -0.5, 0), new Vec3(AREA / 2, 0.5, 1e-6), 0)).rotated(90, 0, 0).at(0, 3, 0).madeOf(GLOW)));
+                case BALL -> dark.plus(BALL_BODY);
+                case BALL_BY_CHANCE -> dark.plus(byChance(BALL_BODY));
+                case BLOCK -> dark.plus(BLOCK_BODY);
+                case BLOCK_BY_CHANCE -> dark.plus(byChance(BLOCK_BODY));
             };
         }
 

@@ -23,6 +23,7 @@ import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.teach.PlainTracer;
 import cz.paprsek.teach.mistake.Mistakes;
+import cz.paprsek.warning.SceneWarnings;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
@@ -94,6 +95,9 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         try {
             if (target.file().isPresent()) {
                 Room.checkDisk(target.file().get(), view.written(target.format()).leastBytes(width, height));
+            }
+            if (options.isInPasses() && progress != Progress.Maker.SILENT) {
+                SceneWarnings.ofPaths(scene.withSettings(options.settings())).forEach(warning -> terminal.message(target.source().label() + ": note: " + warning.message()));
             }
             try (Tiles tiles = resume ? Tiles.kept(target, scene, assets, options, terminal) : Tiles.NOT_KEPT) {
                 if (options.isInPasses()) {

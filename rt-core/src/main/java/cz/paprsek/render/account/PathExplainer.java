@@ -9,6 +9,7 @@ import cz.paprsek.render.explain.Pixel.PathPixel.Way;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.integrate.Ledger;
 import cz.paprsek.render.integrate.Paths;
+import cz.paprsek.render.light.Emitters;
 import cz.paprsek.render.sample.PassSums;
 import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.sample.Sampler;
@@ -36,6 +37,7 @@ public final class PathExplainer {
     private static final int MOST_EXAMPLES = 12;
 
     private final World scene;
+    private final Emitters emitters;
     private final RenderSettings settings;
     private final Passes sampling;
     private final Ledger ledger = new Ledger();
@@ -47,6 +49,7 @@ public final class PathExplainer {
 
     private PathExplainer(World scene, RenderSettings settings, boolean fixed) {
         this.scene = scene;
+        emitters = Emitters.of(scene.scene());
         this.settings = settings;
         sampling = new Passes(settings, fixed, true);
         tracer = new Paths(scene, settings.maxDepth(), sampling, ledger);
@@ -106,10 +109,11 @@ public final class PathExplainer {
     private Tally.Key key(int entry) {
         int from = ledger.source(entry);
         int ray = ledger.ray(entry);
-        Source source = from >= 0 ? Source.LIGHT : from == Ledger.SKY ? Source.SKY : from == Ledger.AMBIENT ? Source.AMBIENT : Source.SURFACE;
-        int number = source == Source.LIGHT ? from : source == Source.SURFACE ? object(ray) : 0;
+        boolean isBody = emitters.has(from);
+        Source source = from >= 0 && !isBody ? Source.LIGHT : from == Ledger.SKY ? Source.SKY : from == Ledger.AMBIENT ? Source.AMBIENT : Source.SURFACE;
+        int number = source == Source.LIGHT ? from : isBody ? emitters.object(from) : source == Source.SURFACE ? object(ray) : 0;
         List<Integer> objects = new ArrayList<>();
-        for (int at = source == Source.SURFACE ? ledger.parent(ray) : ray; at >= 0; at = ledger.parent(at)) {
+        for (int at = source == Source.SURFACE && !isBody ? ledger.parent(ray) : ray; at >= 0; at = ledger.parent(at)) {
             if (ledger.part(at) >= 0) {
                 objects.add(object(at));
             }

@@ -22,6 +22,7 @@ import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.integrate.PartPaths;
 import cz.paprsek.render.integrate.ShadowWalk;
 import cz.paprsek.render.integrate.Witness;
+import cz.paprsek.render.light.Emitters;
 import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.Media;
@@ -30,6 +31,7 @@ import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.PlacedLight;
+import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Shape;
@@ -52,6 +54,7 @@ final class RayBook extends Witness {
     private static final int MOST_SHADOW_RAYS = 1_000_000;
 
     private final World scene;
+    private final Emitters emitters;
     private final int maxDepth;
     private final LinearRgb ambient;
     private final ShadowWalk shadowWalk;
@@ -78,6 +81,7 @@ final class RayBook extends Witness {
      */
     RayBook(World scene, int maxDepth, BooleanSupplier stop) {
         this.scene = scene;
+        emitters = Emitters.of(scene.scene());
         this.stop = stop;
         this.maxDepth = maxDepth;
         this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());
@@ -157,11 +161,20 @@ final class RayBook extends Witness {
         Vec3 direction = new Vec3(arrival.x, arrival.y, arrival.z);
         boolean isSent = (facing > 0 || visibility > 0) && (arrival.red > 0 || arrival.green > 0 || arrival.blue > 0);
         ShadowWalk.Start start = facing > 0 ? draft.start : draft.startBeyond;
-        draft.sought(lamp, scene.scene().lights().get(lamp).name(), new ShadowRay(target(lamp, draft, direction, arrival.distance), new LinearRgb(arrival.red, arrival.green, arrival.blue),
+        draft.sought(lamp, name(lamp), new ShadowRay(target(lamp, draft, direction, arrival.distance), new LinearRgb(arrival.red, arrival.green, arrival.blue),
                 direction, arrival.distance, facing, draft.place.mirrored().dot(direction), visibility,
                 isSent && visibility < 1 ? shadowWalk.obstacles(start, direction, arrival.distance, lamp) : List.of(),
                 left.equals(LinearRgb.WHITE) ? List.of() : shadowWalk.absorptions(start, direction, arrival.distance), left, Optional.empty(), 0, 0, LinearRgb.BLACK));
         left = LinearRgb.WHITE;
+    }
+
+    /** What a light is called, or a body that is looked for as lights are. */
+    private String name(int lamp) {
+        if (!emitters.has(lamp)) {
+            return scene.scene().lights().get(lamp).name();
+        }
+        SceneObject body = scene.scene().objects().get(emitters.object(lamp));
+        return body.name().isEmpty() ? body.shape().kind() + " " + (emitters.object(lamp) + 1) : body.name();
     }
 
     @Override
@@ -171,7 +184,7 @@ final class RayBook extends Witness {
 
     /** Of a light without a size, to the last bit where it stands. */
     private Optional<Vec3> target(int lamp, Draft draft, Vec3 direction, double distance) {
-        return scene.scene().lights().get(lamp) instanceof PlacedLight placed && scene.lamps()[lamp].samples() == 1 ? Optional.of(placed.position())
+        return !emitters.has(lamp) && scene.scene().lights().get(lamp) instanceof PlacedLight placed && scene.lamps()[lamp].samples() == 1 ? Optional.of(placed.position())
                 : Double.isFinite(distance) ? Optional.of(draft.place.point().plus(direction.times(distance))) : Optional.empty();
     }
 

@@ -183,12 +183,12 @@ public class Ledger extends Witness {
     /**
      * Sums what comes from a light, in {@link #red}, {@link #green} and {@link #blue}.
      *
-     * @param isLight whether there is a light of that number; else what comes from none is summed
+     * @param lights how many the scene has; if there is none of that number, what comes from none of them is summed, as from bodies that shine
      */
-    public final void sum(int number, boolean isLight) {
+    public final void sum(int number, int lights) {
         begin();
         for (int i = 0; i < entries; i++) {
-            if (isLight ? source[i] == number : source[i] < 0) {
+            if (number < lights ? source[i] == number : source[i] < 0 || source[i] >= lights) {
                 plus(i);
             }
         }
@@ -236,7 +236,7 @@ public class Ledger extends Witness {
         return entries;
     }
 
-    /** Where the light of an entry comes from: the number of a light, {@link #SKY}, {@link #AMBIENT} or {@link #EMISSION}. */
+    /** Where the light of an entry comes from: the number of a light, or of a body that is looked for as lights are, {@link #SKY}, {@link #AMBIENT} or {@link #EMISSION}. */
     public final int source(int entry) {
         return source[entry];
     }

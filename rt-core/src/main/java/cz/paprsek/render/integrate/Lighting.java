@@ -2,6 +2,7 @@ package cz.paprsek.render.integrate;
 
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.light.Emitters;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.light.PointLamp;
@@ -44,7 +45,9 @@ final class Lighting {
     private final Sampler sampler;
     private final Bodies bodies;
     private final PartTable parts;
-    private final Lamp[] lamps;
+    /** All that is looked for: the scene's lights, and for paths bodies that shine. */
+    final Lamp[] lamps;
+    final Emitters emitters;
     private final boolean isRandom;
     private final Glows glows;
     private final Bodies.Finder finder;
@@ -97,7 +100,8 @@ final class Lighting {
         this.sampler = sampler;
         this.bodies = scene.bodies();
         this.parts = scene.parts();
-        this.lamps = scene.lamps();
+        this.emitters = isPath ? Emitters.of(scene.scene()) : Emitters.NONE;
+        this.lamps = emitters.after(scene.lamps());
         this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1) || scene.isRough() || isPath;
         this.glows = scene.glows().forOneWorker();
         this.finder = intersector.finder;
@@ -115,7 +119,7 @@ final class Lighting {
         this.choice = new Choice(lobe);
         this.isSeen = new boolean[lamps.length];
         for (int i = 0; i < lamps.length; i++) {
-            isSeen[i] = glows.show(i);
+            isSeen[i] = glows.show(i) || emitters.has(i);
         }
     }
 

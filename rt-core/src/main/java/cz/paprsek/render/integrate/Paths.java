@@ -4,6 +4,7 @@ import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
+import cz.paprsek.render.light.Emitters;
 import cz.paprsek.render.sample.PassSums;
 import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.sample.Turn;
@@ -90,9 +91,18 @@ public class Paths extends BlockTracer {
     }
 
     @Override
+    final void emit(Level level, Finish finish) {
+        int number = level.isLit ? lighting.emitters.of(scene.index(scene.parts().object(level.ray.part))) : Emitters.NOT_SOUGHT;
+        double share = number == Emitters.NOT_SOUGHT ? 1 : unlit(level, number);
+        level.glow = share;
+        level.add(share * finish.red, share * finish.green, share * finish.blue);
+        witness.emitted(share * finish.red, share * finish.green, share * finish.blue);
+    }
+
+    @Override
     final double unlit(Level level, int lamp) {
         Ray ray = level.ray;
-        double other = scene.lamps()[lamp].density(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.max);
+        double other = lighting.lamps[lamp].density(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.max);
         // Of what it is never looked for at, such as its dark side, all comes this way.
         return other > 0 ? level.density / (level.density + other) : 1;
     }
@@ -126,7 +136,7 @@ public class Paths extends BlockTracer {
     @Override
     final void scatter(Level level, int depth, Finish finish) {
         if (depth == last) {
-            level.light(finish.red, finish.green, finish.blue);
+            level.light(level.glow * finish.red, level.glow * finish.green, level.glow * finish.blue);
             return;
         }
         Choice choice = lighting.choice;

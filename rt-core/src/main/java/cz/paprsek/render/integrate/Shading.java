@@ -146,10 +146,15 @@ abstract class Shading implements Integrator {
         level.light(ambientRed * level.colorRed, ambientGreen * level.colorGreen, ambientBlue * level.colorBlue);
         witness.met(level);
         if (finish.glows) {
-            level.add(finish.red, finish.green, finish.blue);
-            witness.emitted(finish.red, finish.green, finish.blue);
+            emit(level, finish);
         }
         return true;
+    }
+
+    /** Adds the light that the surface gives off, as far as that was not looked for. */
+    void emit(Level level, Finish finish) {
+        level.add(finish.red, finish.green, finish.blue);
+        witness.emitted(finish.red, finish.green, finish.blue);
     }
 
     /** Brings the light of a surface back along the ray. */

@@ -1,5 +1,6 @@
 package cz.paprsek.render.light;
 
+import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Arrival;
@@ -7,7 +8,7 @@ import cz.paprsek.ray.Hit;
 import cz.paprsek.scene.AreaLight;
 
 /**
- * A flat light that shines to one side. Points are chosen evenly on it; each brings I·D²·cos θ/d², with θ the angle between the way to the
+ * A flat light that shines to one side, or a body's surface that shines to both. Points are chosen evenly on it; each brings I·D²·cos θ/d², with θ the angle between the way to the
  * point and the light's normal.
  */
 abstract class AreaLamp extends Lamp {
@@ -18,6 +19,7 @@ abstract class AreaLamp extends Lamp {
     private final Vec3 along;
     private final Vec3 normal;
     private final double area;
+    private final boolean shinesToBothSides;
 
     /**
      * A light as it stands.
@@ -35,6 +37,27 @@ abstract class AreaLamp extends Lamp {
         along = toWorld.direction(Vec3.Y).times(halfHeight);
         normal = toWorld.direction(Vec3.Z);
         area = light.form().area();
+        shinesToBothSides = false;
+    }
+
+    /**
+     * A flat body that shines to both sides with the radiance L: each of its points brings L·A·cos θ/(π·d²).
+     *
+     * @param across from its middle as far as it reaches one way, world space
+     * @param along likewise the other way, not along the first
+     * @param share how large it is by a parallelogram that the two span
+     */
+    AreaLamp(Rgb color, double strength, Vec3 middle, Vec3 across, Vec3 along, double share) {
+        super(color, strength);
+        samples = BODY_SAMPLES;
+        this.middle = middle;
+        this.across = across;
+        this.along = along;
+        Vec3 upright = across.cross(along);
+        normal = upright.normalized();
+        area = share * upright.length();
+        square = area / Math.PI;
+        shinesToBothSides = true;
     }
 
     @Override
@@ -53,8 +76,14 @@ abstract class AreaLamp extends Lamp {
 
     @Override
     public final double density(double x, double y, double z, double dx, double dy, double dz, double distance) {
-        double cosine = -(dx * normal.x() + dy * normal.y() + dz * normal.z());
+        double cosine = facing(dx, dy, dz);
         return cosine > 0 ? distance * distance / (cosine * area) : 0;
+    }
+
+    /** The cosine of the angle between a direction that leads here and the side that is seen; not above 0 where that does not shine. */
+    private double facing(double dx, double dy, double dz) {
+        double cosine = -(dx * normal.x() + dy * normal.y() + dz * normal.z());
+        return shinesToBothSides ? Math.abs(cosine) : cosine;
     }
 
     @Override
@@ -64,7 +93,7 @@ abstract class AreaLamp extends Lamp {
         double q = out.y;
         out.towards(from, middle.x() + p * across.x() + q * along.x(), middle.y() + p * across.y() + q * along.y(),
                 middle.z() + p * across.z() + q * along.z());
-        double cosine = -(out.x * normal.x() + out.y * normal.y() + out.z * normal.z());
+        double cosine = facing(out.x, out.y, out.z);
         return cosine > 0 && arrives(cosine * (square / (out.distance * out.distance)), out);
     }
 }

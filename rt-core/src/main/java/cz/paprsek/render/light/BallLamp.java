@@ -1,5 +1,7 @@
 package cz.paprsek.render.light;
 
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.scene.SphereLight;
@@ -26,6 +28,17 @@ final class BallLamp extends Lamp {
         radius = light.radius();
         double by = light.referenceDistance() / radius;
         bright = by * by;
+    }
+
+    /** A body that shines with a radiance. */
+    BallLamp(Rgb color, double strength, Vec3 middle, double radius) {
+        super(color, strength);
+        samples = BODY_SAMPLES;
+        x = middle.x();
+        y = middle.y();
+        z = middle.z();
+        this.radius = radius;
+        bright = 1;
     }
 
     @Override

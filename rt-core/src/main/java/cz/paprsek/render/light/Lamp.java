@@ -17,6 +17,9 @@ public abstract class Lamp {
     /** By no more than this is light multiplied, however near: so that pictures are of finite numbers. */
     static final double MOST = 1e20;
 
+    /** More than 1: a body that shines has many points to look for. A path looks for one of them. */
+    static final int BODY_SAMPLES = 16;
+
     private final double red;
     private final double green;
     private final double blue;

@@ -57,7 +57,7 @@ class LayerSums<S extends PixelSums> {
         sumDirect();
         add(isSeen, direct, sight.red, sight.green, sight.blue, isNegative);
         for (int i = 0; i < sources.size(); i++) {
-            sight.sum(i, i < scene.lamps().length);
+            sight.sum(i, scene.lamps().length);
             add(isSeen, sources.get(i), sight.red, sight.green, sight.blue, isNegative);
         }
     }

@@ -31,6 +31,8 @@ public final class Level {
     public boolean isLit;
     /** Of such a ray of a path, how probable its direction was, per solid angle. */
     public double density;
+    /** Of such a ray of a path, which share it brings of the light that the surface it meets gives off. */
+    public double glow = 1;
     /** What the path's light is worth to its pixel so far: the largest channel. */
     public double weight = 1;
     /** How much of the light that a path's ray brings counts where it starts, by channel. */
