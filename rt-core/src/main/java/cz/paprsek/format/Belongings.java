@@ -65,7 +65,7 @@ public final class Belongings {
             } else if (!Files.exists(copy)) {
                 copies.put(copy, original.<AtomicFile.Content>map(from -> out -> Files.copy(from, out)).orElse(out -> out.write(content.orElseThrow())));
             } else if (!(original.isPresent() ? isSame(original.get(), copy) : isSame(content.orElseThrow(), copy))) {
-                throw new IOException("there is another " + (ForeignFormat.ofName(name).isPresent() ? "mesh " : "picture ") + name + " beside it; give one of them another name");
+                throw new IOException("there is another " + (ForeignFormat.ofName(name).isPresent() ? "mesh " : name.endsWith(".ttf") ? "font " : "picture ") + name + " beside it; give one of them another name");
             }
         }
         for (Map.Entry<Path, AtomicFile.Content> copy : copies.entrySet()) {

@@ -2,6 +2,7 @@ package cz.paprsek.format;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.format.model.Model;
+import cz.paprsek.io.PlainText;
 import cz.paprsek.material.Material;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -12,6 +13,8 @@ import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
+import cz.paprsek.shape.Text;
+import cz.paprsek.shape.font.Fonts;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -26,15 +29,24 @@ import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
 
-/** Reads the files of a scene's meshes. */
+/** Reads the files of a scene's meshes, and the fonts of its texts. */
 public final class MeshFiles {
+    private static final int LARGEST_FONT = 1 << 25;
+    private static final Assets.Decoder<byte[]> FONT_BYTES = (name, input, size) -> {
+        byte[] bytes = input.readNBytes(LARGEST_FONT + 1);
+        if (bytes.length > LARGEST_FONT) {
+            throw new IOException("a font must have at most " + LARGEST_FONT + " bytes");
+        }
+        return bytes;
+    };
+
     private MeshFiles() {}
 
     /**
-     * The same scene with the triangles of its meshes, as far as they can be read; itself if there is nothing to read.
+     * The same scene with the triangles of its meshes and the letters of its texts, as far as they can be read; itself if there is nothing to read.
      *
      * @param assets where files come from; each is read once, and the files within it are among them from then on
-     * @param problems told of every mesh that cannot be read, or has open edges and is an operand all the same: where it is, and why in one sentence
+     * @param problems told of every mesh or font that cannot be read, or has open edges and is an operand all the same: where it is, and why in one sentence
      */
     public static Scene read(Scene scene, Assets assets, BiConsumer<BodyAt, IOException> problems) {
         Objects.requireNonNull(assets, "assets");
@@ -43,7 +55,7 @@ public final class MeshFiles {
         for (int i = 0; i < scene.objects().size(); i++) {
             SceneObject object = scene.objects().get(i);
             Shape shape = object.shape();
-            if (shape instanceof Mesh || shape instanceof Csg) {
+            if (shape instanceof Mesh || shape instanceof Text || shape instanceof Csg) {
                 Shape read = read(shape, ScenePath.body(i), assets, problems);
                 if (read != shape) {
                     objects = objects == null ? new ArrayList<>(scene.objects()) : objects;
@@ -72,6 +84,9 @@ public final class MeshFiles {
         if (shape instanceof Mesh mesh) {
             return read(mesh, at, assets, problems);
         }
+        if (shape instanceof Text text) {
+            return read(text, at, assets, problems);
+        }
         return shape instanceof Csg csg ? read(csg, at, assets, problems) : shape;
     }
 
@@ -89,6 +104,21 @@ public final class MeshFiles {
             problems.accept(at, e);
         }
         return mesh;
+    }
+
+    private static Text read(Text text, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
+        if (text.isRead()) {
+            return text;
+        }
+        String file = text.font();
+        try {
+            return text.read(assets.decoded(file, FONT_BYTES));
+        } catch (IllegalArgumentException refused) {
+            problems.accept(at, new IOException('"' + PlainText.of(file, 100) + "\": " + refused.getMessage(), refused));
+        } catch (IOException e) {
+            problems.accept(at, file.contains(".") ? e : new IOException(e.getMessage() + "; the fonts that are shipped are " + String.join(", ", Fonts.NAMES), e));
+        }
+        return text;
     }
 
     private static Csg read(Csg csg, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {

@@ -21,6 +21,7 @@ import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Superellipsoid;
+import cz.paprsek.shape.Text;
 import cz.paprsek.shape.Torus;
 import cz.paprsek.text.MadeInCode;
 import java.util.List;
@@ -74,6 +75,9 @@ final class PovShapes {
         }
         if (shape instanceof Lathe l) {
             return PovOutlines.lathe(l);
+        }
+        if (shape instanceof Text t) {
+            return PovOutlines.letters(t);
         }
         if (shape instanceof Mesh mesh) {
             return PovMesh.of(mesh, List.of());

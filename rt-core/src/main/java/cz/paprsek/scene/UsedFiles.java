@@ -6,6 +6,7 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Text;
 import java.util.Collections;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -30,6 +31,9 @@ final class UsedFiles {
         add(material);
         if (shape instanceof Mesh mesh && !mesh.file().isEmpty()) {
             names.add(mesh.file());
+        }
+        if (shape instanceof Text text) {
+            names.addAll(text.file().stream().toList());
         }
         if (shape instanceof Csg csg) {
             for (Operand operand : csg.operands()) {

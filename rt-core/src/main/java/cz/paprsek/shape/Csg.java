@@ -132,6 +132,11 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
         }
     }
 
+    /** Solids that are one, as placed. */
+    static Volume together(List<Volume> solids, Parts parts) {
+        return solids.size() == 1 ? solids.get(0) : new Placed(Operation.UNION, solids.toArray(Volume[]::new), parts::isCancelled);
+    }
+
     private static Operand[] operands(Solid[] solids) {
         return Arrays.stream(solids).map(Operand::of).toArray(Operand[]::new);
     }

@@ -14,6 +14,10 @@ public final class Examples {
     private static final String CROSSED = "-1 -0.9 1 -0.9 1 0.9 -0.5 0.9 -0.5 -1.2 -1 -1.2";
     private static final String VASE = "0.3 -0.5 0.9 -0.5 0.5 0.2 0.9 0.9 0.3 0.9";
 
+    /** In the units of the font, as fontTools 4.68 reads them; the second begins 1141 − 282 after the first. */
+    private static final String LETTER_L = "201 1493 403 1493 403 170 1130 170 1130 0 201 0";
+    private static final String LETTER_T = "-6 1493 1257 1493 1257 1323 727 1323 727 0 524 0 524 1323 -6 1323";
+
     private Examples() {}
 
     public static final Map<Class<? extends Shape>, Shape> ALL = inOrder(
@@ -29,6 +33,7 @@ public final class Examples {
             Map.entry(Superellipsoid.class, new Superellipsoid(new Vec3(1, 0.8, 1.2), 0.5, 1.4)),
             Map.entry(Extrude.class, new Extrude("", CROSSED, 0.8, 0, 0.5)),
             Map.entry(Lathe.class, new Lathe("", VASE, 360)),
+            Map.entry(Text.class, Text.of("LT", 1.6, 1.4)),
             Map.entry(Mesh.class, Mesh.of("cube.stl").read(new Mesh.Whole("cube.stl", Meshes.cube(0.9), Map.of()))),
             Map.entry(Rectangle.class, new Rectangle(-1, -0.5, 1.2, 0.9)),
             Map.entry(Disc.class, new Disc(1.1)),
@@ -97,6 +102,9 @@ public final class Examples {
             return largest(size * beyond(e.points(), p.x() / size, p.y() / size), -p.z(), p.z() - e.height());
         } else if (solid instanceof Lathe l) {
             return beyond(l.points(), rho, p.y());
+        } else if (solid instanceof Text t) {
+            double unit = t.size() / 2048;
+            return largest(unit * Math.min(beyond(LETTER_L, p.x() / unit, p.y() / unit), beyond(LETTER_T, p.x() / unit - 859, p.y() / unit)), -p.z(), p.z() - t.depth());
         } else if (solid instanceof Mesh) {
             return largest(Math.abs(p.x()), Math.abs(p.y()), Math.abs(p.z())) - 0.9;
         }

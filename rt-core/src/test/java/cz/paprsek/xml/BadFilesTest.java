@@ -186,6 +186,8 @@ class BadFilesTest {
                 in("<block min='1 1 1' max='0 2 2'/>",
                         "3:8: block min must be below max along every axis, but min is 1 1 1 and max is 0 2 2"),
                 in("<extrude height='1'/>", "3:1: extrude needs a path, or points"),
+                in("<text value=' '/>", "3:7: text value must not be blank"),
+                in("<text value='a中'/>", "3:7: text value must have letters of the font \"sans\", but the font has no letter for \"中\" (U+4E2D)"),
                 in("<extrude height='1' points='0 0 1'/>", "3:21: extrude points must have a number from -1000000000 to 1000000000 at character 6, but has its end"),
                 in("<extrude height='1' path='M0 0L1 x'/>", "3:21: extrude path must have a number from -1000000000 to 1000000000 at character 8, but has 'x'"),
                 in("<extrude height='1' path='0 0'/>", "3:21: extrude path must have a command such as M at character 1, but has '0'"),

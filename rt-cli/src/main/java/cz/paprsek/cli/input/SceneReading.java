@@ -6,6 +6,7 @@ import cz.paprsek.format.ForeignScene;
 import cz.paprsek.format.MeshFiles;
 import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.shape.Text;
 import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
@@ -19,7 +20,7 @@ import java.util.stream.Stream;
 /**
  * What a file has in it: scenes, or problems.
  *
- * @param scenes one, or those of a database, with the triangles of their meshes; empty if the file is no scene
+ * @param scenes one, or those of a database, with the triangles of their meshes and the letters of their texts; empty if the file is no scene
  * @param problems empty if the file is valid
  * @param text empty if the file is no scene of ours
  * @param foreign what a file of another program holds
@@ -61,7 +62,7 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
         for (Scene scene : text.contents().scenes()) {
             int number = scenes.size();
             scenes.add(MeshFiles.read(scene, assets, (place, problem) ->
-                    problems.add(text.pointer().at(number, Optional.of(place), "file", String.valueOf(problem.getMessage())))));
+                    problems.add(text.pointer().at(number, Optional.of(place), place.in(scene).shape() instanceof Text ? "font" : "file", String.valueOf(problem.getMessage())))));
         }
         return new SceneReading(file, scenes, problems, Optional.of(text), Optional.empty());
     }

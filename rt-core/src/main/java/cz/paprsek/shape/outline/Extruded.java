@@ -117,6 +117,7 @@ public final class Extruded extends Volume implements Part {
         }
         outline.cross(a, b, c, 0, line);
         line.sort();
+        outline.keepRims(line);
         double p = line.ox * b - line.oy * a;
         double q = line.dx * b - line.dy * a;
         int fromLid = line.dz > 0 ? BOTTOM : BOTTOM + 1;

@@ -4,13 +4,14 @@ import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Line;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
  * Closed contours of straight pieces, arcs of ellipses and Bézier curves in the plane. A point is inside if a line from there to far away crosses
- * them an odd number of times.
+ * them an odd number of times; of those of a letter, if they do not go around it as often in one direction as in the other.
  */
 public final class Outline {
     /** The largest coordinate. */
@@ -20,6 +21,7 @@ public final class Outline {
 
     private final List<List<Piece>> contours;
     private final Piece[] pieces;
+    private final boolean isWound;
     /** Of each piece, how far around its contour it begins, what share of that it is, and whether it runs the other way. */
     private final double[] starts;
     private final double[] shares;
@@ -39,15 +41,21 @@ public final class Outline {
      */
     public static Outline of(String what, String path, String points) {
         Require.that(path.isBlank() != points.isBlank(), path.isBlank() ? what + " needs a path, or points" : what + " has either a path or points, not both; remove one of them");
-        Outline outline = new Outline(path.isBlank() ? new PathReader(what, points).points() : new PathReader(what, path).path());
-        Require.that(outline.pieces.length > 1 && outline.maxX > outline.minX && outline.maxY > outline.minY,
+        Outline outline = new Outline(path.isBlank() ? new PathReader(what, points).points() : new PathReader(what, path).path(), false);
+        Require.that(outline.isArea(),
                 what + (path.isBlank() ? " points" : " path") + " must enclose something, but is empty, a point or a line");
         Require.that(outline.pieces.length <= MOST_PIECES, what + " must have at most " + MOST_PIECES + " pieces, but has " + outline.pieces.length);
         return outline;
     }
 
-    private Outline(List<List<Piece>> contours) {
+    /** That of a letter, of lines and Bézier curves: where its contours lie over each other it is one. */
+    public static Outline wound(String path) {
+        return new Outline(new PathReader("letter", path).path(), true);
+    }
+
+    private Outline(List<List<Piece>> contours, boolean isWound) {
         this.contours = contours;
+        this.isWound = isWound;
         pieces = contours.stream().flatMap(List::stream).toArray(Piece[]::new);
         starts = new double[pieces.length];
         shares = new double[pieces.length];
@@ -74,7 +82,7 @@ public final class Outline {
 
     /** Pieces that are known to close, in any order. */
     static Outline of(List<Piece> pieces) {
-        return new Outline(List.of(pieces));
+        return new Outline(List.of(pieces), false);
     }
 
     /** A coordinate; at the ends that which the neighbours have. */
@@ -120,7 +128,13 @@ public final class Outline {
         return maxY;
     }
 
-    int count() {
+    /** Whether it can enclose anything. */
+    public boolean isArea() {
+        return pieces.length > 1 && maxX > minX && maxY > minY;
+    }
+
+    /** How many pieces it has. */
+    public int count() {
         return pieces.length;
     }
 
@@ -144,6 +158,28 @@ public final class Outline {
         }
     }
 
+    /** Keeps of a line's crossings, which are in their order, those where it goes in or out. */
+    void keepRims(Line line) {
+        if (!isWound) {
+            return;
+        }
+        int all = line.crossings();
+        line.clear();
+        int wound = 0;
+        for (int i = 0; i < all; i++) {
+            int next = wound + turn(line.face(i));
+            if (wound == 0 || next == 0) {
+                line.cross(line.t(i), line.face(i));
+            }
+            wound = next;
+        }
+    }
+
+    /** Which way round a contour goes whose crossing has this number. */
+    private static int turn(int face) {
+        return face % 2 != 0 ? 1 : -1;
+    }
+
     /** Whether a point lies inside. What the line has crossed stays as it is. */
     boolean contains(double x, double y, Line room) {
         if (!(x >= minX && x <= maxX && y >= minY && y <= maxY)) {
@@ -152,11 +188,14 @@ public final class Outline {
         int mark = room.crossings();
         cross(0, 1, -y, 0, room);
         int right = 0;
+        int wound = 0;
         for (int i = mark; i < room.crossings(); i++) {
-            right += room.t(i) > x ? 1 : 0;
+            boolean isRight = room.t(i) > x;
+            right += isRight ? 1 : 0;
+            wound += isRight ? turn(room.face(i)) : 0;
         }
         room.keep(mark);
-        return right % 2 != 0;
+        return isWound ? wound != 0 : right % 2 != 0;
     }
 
     /**
@@ -182,6 +221,26 @@ public final class Outline {
             all.add(corners);
         }
         return all;
+    }
+
+    /** Whether there are only lines. */
+    public boolean isStraight() {
+        return Arrays.stream(pieces).allMatch(Piece.Straight.class::isInstance);
+    }
+
+    /** All contours as cubic Bézier curves, four points each, those of one contour after the other; empty if there are arcs, which are none. */
+    public List<Vec3> curves() {
+        if (Arrays.stream(pieces).anyMatch(Piece.Arc.class::isInstance)) {
+            return List.of();
+        }
+        List<Vec3> points = new ArrayList<>();
+        for (Piece piece : pieces) {
+            double[] controls = piece.controls();
+            for (int i = 0; i < controls.length; i += 2) {
+                points.add(new Vec3(controls[i], controls[i + 1], 0));
+            }
+        }
+        return points;
     }
 
     /** Where a piece is cut to be straight within a tolerance, from 0 to 1. */

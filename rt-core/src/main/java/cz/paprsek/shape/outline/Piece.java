@@ -39,6 +39,11 @@ abstract class Piece {
      */
     abstract void cross(double a, double b, double c, int face, Line out);
 
+    /** Its four points as a cubic Bézier curve, x and y in turn, from its beginning to its end; empty if it is none. */
+    double[] controls() {
+        return new double[0];
+    }
+
     /** Where x or y turns round within the piece. */
     DoubleStream turns() {
         return DoubleStream.empty();
@@ -72,6 +77,11 @@ abstract class Piece {
         @Override
         double dy(double u) {
             return y1 - y0;
+        }
+
+        @Override
+        double[] controls() {
+            return new double[] {x0, y0, x(1.0 / 3), y(1.0 / 3), x(2.0 / 3), y(2.0 / 3), x1, y1};
         }
 
         @Override
@@ -256,6 +266,11 @@ abstract class Piece {
         @Override
         double dy(double u) {
             return slope(y0, ay, by, y1, u);
+        }
+
+        @Override
+        double[] controls() {
+            return new double[] {x0, y0, ax, ay, bx, by, x1, y1};
         }
 
         /** The nearest of some points, and from there by halves. */

@@ -16,6 +16,7 @@ import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Superellipsoid;
+import cz.paprsek.shape.Text;
 import cz.paprsek.shape.Torus;
 import cz.paprsek.xml.mistake.Problems;
 import jakarta.xml.bind.annotation.XmlAccessType;
@@ -191,6 +192,20 @@ final class ShapeBeans {
         @Override
         Shape toShape(Problems problems) {
             return new Lathe(path, points, angle);
+        }
+    }
+
+    @XmlRootElement(name = "text")
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class TextBean extends ShapeBean {
+        @XmlAttribute(required = true) String value = "";
+        @XmlAttribute String font = Text.USUAL_FONT;
+        @XmlAttribute double size = 1;
+        @XmlAttribute double depth = 0.2;
+
+        @Override
+        Shape toShape(Problems problems) {
+            return new Text(value, font, size, depth, Text.Content.UNREAD);
         }
     }
 

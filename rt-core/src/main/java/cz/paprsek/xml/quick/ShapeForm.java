@@ -8,6 +8,7 @@ import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
+import cz.paprsek.shape.Text;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
@@ -41,8 +42,9 @@ record ShapeForm(Name name, TagForm tag, boolean isSolid, boolean isOperation, M
                     of(Described.word(operation), List.of(), true, true, (values, operands) -> new Csg(operation, operands)));
         }
         RecordForm<? extends Record> shape = new RecordForm<>(type);
+        Object unread = type == Text.class ? Text.Content.UNREAD : Mesh.Content.UNREAD;
         return Stream.of(of(ElementTable.name(type), shape.slots(), Solid.class.isAssignableFrom(type), false,
-                (values, operands) -> (Shape) shape.make(values, MEASURES_AT, Mesh.Content.UNREAD)));
+                (values, operands) -> (Shape) shape.make(values, MEASURES_AT, unread)));
     }
 
     private static ShapeForm of(String name, List<Slot> measures, boolean isSolid, boolean isOperation, Maker maker) {

@@ -24,6 +24,7 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Text;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.io.StringReader;
@@ -159,6 +160,8 @@ class SchemaTest {
                     : component == Material.Shares.class ? Material.Shares.EVEN
                     : component == Material.Relief.class ? Material.Relief.FLAT
                     : component == Mesh.Content.class ? Mesh.Content.UNREAD
+                    : component == Text.Content.class ? Text.Content.UNREAD
+                    : components[i].getName().equals("expression") ? "x"
                     : component == Lens.class ? Lens.Perspective.DEFAULT
                     : Rgb.WHITE;
         }

@@ -7,6 +7,7 @@ import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Text;
 import cz.paprsek.text.Numbers;
 import java.lang.reflect.RecordComponent;
 import java.math.BigDecimal;
@@ -33,7 +34,7 @@ public final class Examples {
     }
 
     private static Shape make(Class<? extends Record> type, double size) {
-        Object[] values = Described.of(type).stream().flatMap(one -> values(one, size)).toArray();
+        Object[] values = Stream.concat(Described.of(type).stream().flatMap(one -> values(one, size)), type == Text.class ? Stream.of(Text.Content.UNREAD) : Stream.of()).toArray();
         try {
             Class<?>[] types = Arrays.stream(type.getRecordComponents()).map(RecordComponent::getType).toArray(Class<?>[]::new);
             return (Shape) type.getConstructor(types).newInstance(values);
@@ -49,7 +50,7 @@ public final class Examples {
         String text = !says.example().isEmpty() ? says.example() : isAsUsual ? says.otherwise() : HALF;
         Kind.Form form = says.value().form();
         if (form == Kind.Form.TEXT) {
-            return Stream.of(says.value() == Kind.POINTS ? points(text, size) : "");
+            return Stream.of(says.value() == Kind.POINTS ? points(text, size) : says.value() == Kind.LETTERS || says.value() == Kind.FONT ? text : "");
         }
         if (form == Kind.Form.WHOLE) {
             return Stream.of(Integer.valueOf(text));

@@ -25,6 +25,7 @@ public final class Icons {
             Map.entry("prism", "mdi2h-hexagon-outline"),
             Map.entry("superellipsoid", "mdi2s-square-rounded-outline"),
             Map.entry("extrude", "mdi2v-vector-polygon"),
+            Map.entry("text", "mdi2f-format-letter-case"),
             Map.entry("lathe", "mdi2c-chess-pawn"),
             Map.entry("torus", "mdi2c-circle-double"),
             Map.entry("mesh", "mdi2v-vector-triangle"),
