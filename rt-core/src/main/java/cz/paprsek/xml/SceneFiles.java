@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.formula.Maker;
 import cz.paprsek.formula.Written;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
@@ -185,6 +186,42 @@ public final class SceneFiles {
         } catch (IOException e) {
             throw new IllegalStateException("a text in memory could not be read", e);
         }
+    }
+
+    /**
+     * A changed scene in which all copies of what is repeated are as the first of them, which has been changed; else as {@link #settled}.
+     *
+     * @throws IllegalArgumentException if each copy has of its own what has been changed of the first
+     */
+    public static Scene following(Scene scene) {
+        return Settled.following(Objects.requireNonNull(scene, "scene"));
+    }
+
+    /** What is repeated in a scene, and where definitions are used. */
+    public static List<Maker> makers(Scene scene) {
+        return scene.recipe().isNone() ? List.of() : Settled.makers(scene.recipe());
+    }
+
+    /**
+     * A scene with another value of an attribute of one of its {@link #makers}.
+     *
+     * @param number that of the maker
+     * @param value as files have it, with formulas in braces; empty for none
+     * @throws IllegalArgumentException if that makes no scene, with what is wrong
+     */
+    public static Scene withMaker(Scene scene, int number, String attribute, String value) {
+        return Settled.with(scene, number, attribute, value);
+    }
+
+    /**
+     * A scene with a repeat around bodies that stand side by side.
+     *
+     * @param bodies by their numbers, as in {@link Maker}
+     * @param attributes of the repeat, as files have them
+     * @throws IllegalArgumentException if they do not stand so, or that makes no scene
+     */
+    public static Scene repeated(Scene scene, List<List<Integer>> bodies, Map<String, String> attributes) {
+        return Settled.around(scene, bodies, Maker.REPEAT, attributes);
     }
 
     /** A scene with a recipe that makes just what it has now: formulas stay where their values have stayed. */

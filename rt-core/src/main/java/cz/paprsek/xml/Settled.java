@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.formula.Maker;
 import cz.paprsek.formula.Written;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Recipe;
@@ -56,6 +57,52 @@ final class Settled {
             throw new IllegalArgumentException("the scene has no parameters");
         }
         return like(scene, made(settled.recipe(), parameters));
+    }
+
+    /** The scene where what has become of a first copy becomes of all copies; else as {@link #of}. */
+    static Scene following(Scene scene) {
+        Recipe recipe = scene.recipe();
+        if (!recipe.text().contains("<repeat")) {
+            return of(scene);
+        }
+        try {
+            Script script = script(recipe);
+            Scene made = only(script).withRecipe(Recipe.NONE);
+            Scene plain = scene.withRecipe(Recipe.NONE);
+            Optional<String> text = made.equals(plain) ? Optional.empty() : script.following(SceneForms.file(made), SceneForms.file(plain));
+            return text.isEmpty() ? of(scene) : like(scene, remade(scene, text.get()));
+        } catch (SceneFileException | IOException | Unpatchable hopeless) {
+            return of(scene);
+        }
+    }
+
+    /** What is repeated, and where definitions are used. */
+    static List<Maker> makers(Recipe recipe) {
+        return script(recipe).makers();
+    }
+
+    /** The scene with another value of an attribute of one of its makers, as it is written; without it for none. */
+    static Scene with(Scene scene, int maker, String attribute, String value) {
+        Scene settled = of(scene);
+        return like(scene, remade(settled, script(settled.recipe()).with(maker, attribute, value)));
+    }
+
+    /** The scene with an element around bodies. */
+    static Scene around(Scene scene, List<List<Integer>> bodies, String element, Map<String, String> attributes) {
+        Scene settled = of(scene);
+        Making how = Making.of(settled.recipe(), Map.of());
+        Script script = Script.ofAny(SceneFiles.format(settled).getBytes(StandardCharsets.UTF_8), how.files(), SceneFiles.LARGEST).orElseThrow();
+        return like(scene, remade(settled, script.around(bodies, element, attributes)));
+    }
+
+    private static Scene remade(Scene scene, String text) {
+        try {
+            return only(script(new Recipe(text, scene.recipe().included(), List.of())));
+        } catch (SceneFileException refused) {
+            throw new IllegalArgumentException(refused.problems().get(0).message(), refused);
+        } catch (IOException e) {
+            throw new IllegalStateException("a text in memory could not be read", e);
+        }
     }
 
     static Map<Optional<ScenePath>, List<Written>> formulas(Recipe recipe) {

@@ -1,7 +1,7 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.file.Document;
-import cz.paprsek.fx.view.sheet.FileFinder;
+import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.Failures;
 import java.io.IOException;

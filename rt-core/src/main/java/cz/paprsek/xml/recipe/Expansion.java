@@ -36,6 +36,8 @@ final class Expansion {
     private final Deque<String> open = new ArrayDeque<>();
     /** What is being written is there for this element of the file. */
     private Node owner;
+    /** The use of a definition, outermost, that is being written. */
+    private Node site;
     private int copies;
 
     /**
@@ -48,6 +50,7 @@ final class Expansion {
      */
     Expansion(Node scene, Output out, Names names, Map<String, Node> definitions, List<Node> brought, Mistakes mistakes, long mostCharacters) {
         owner = scene;
+        site = scene;
         this.out = out;
         this.names = names;
         this.definitions = definitions;
@@ -70,7 +73,7 @@ final class Expansion {
     }
 
     void scene(Node scene, boolean isRoot) {
-        out.open("scene", scene, scene);
+        out.open("scene", scene, scene, scene);
         if (isRoot) {
             out.attribute("xmlns", SceneFormat.NAMESPACE);
         }
@@ -111,7 +114,7 @@ final class Expansion {
     }
 
     private void plain(Node node) {
-        out.open(node.name(), node, owner);
+        out.open(node.name(), node, owner, owner);
         node.attributes().forEach(one -> out.attribute(one, raw(node, one)));
         out.content(node.content());
         node.children().forEach(one -> owned(one, () -> plain(one)));
@@ -132,6 +135,7 @@ final class Expansion {
     private void repeat(Node repeat, Around around) {
         check(repeat, Set.of("name", "count", "index", "position", "rotation", "scale", "material"));
         int count = count(repeat);
+        out.counted(repeat, count);
         Composed.Steps steps = new Composed.Steps(placement(repeat));
         String index = repeat.attribute("index").map(Attr::text).orElse(INDEX);
         if (!Script.isName(index)) {
@@ -152,7 +156,7 @@ final class Expansion {
                 throw wrong(repeat, "count", "a repeat in an operation needs a copy at least, but its count is 0");
             }
             // One solid, wherever it stands.
-            out.open("union", repeat, owner);
+            out.open("union", repeat, owner, site(repeat));
             nameAndPlace(name(repeat, around), around.placement);
             made.ifPresent(this::material);
         }
@@ -239,12 +243,19 @@ final class Expansion {
         String given = instance.attribute("name").map(Attr::text).orElse("");
         String name = around.isRenamed ? around.name : !given.isEmpty() ? given : !around.name.isEmpty() ? around.name : around.suffix.isEmpty() ? "" : of;
         Optional<Node> made = isMade(instance) ? Optional.of(instance) : around.made;
+        Node outer = site;
+        site = site(instance);
         open.addLast(of);
         try {
             child(body, new Around(placement.get(), name, true, around.suffix, made, around.isOperand));
         } finally {
             open.removeLast();
+            site = outer;
         }
+    }
+
+    private Node site(Node node) {
+        return open.isEmpty() ? node : site;
     }
 
     private static boolean isMade(Node node) {
@@ -255,10 +266,10 @@ final class Expansion {
         Optional<Placement> placed = around.placement.equals(Placement.NONE) ? Optional.empty() : placed(node, () -> Composed.of(around.placement, placement(node)));
         boolean isSkew = !around.placement.equals(Placement.NONE) && placed.isEmpty();
         if (isSkew) {
-            out.open("union", node, owner);
+            out.open("union", node, owner, site(node));
             nameAndPlace(name(node, around), around.placement);
         }
-        out.open(node.name(), node, isSkew ? node : owner);
+        out.open(node.name(), node, isSkew ? node : owner, site(node));
         String name = isSkew ? "" : name(node, around);
         if (!name.isEmpty()) {
             out.attribute("name", Raw.of(name));

@@ -5,6 +5,7 @@ import cz.paprsek.xml.recipe.Node.Attr;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.IdentityHashMap;
 import java.util.List;
 
 /** The text of what is written out: a start tag a line, of each of which is known what it stems from. */
@@ -12,6 +13,8 @@ final class Output {
     private final StringBuilder text = new StringBuilder();
     private Node[] lines = new Node[64];
     private Node[] owners = new Node[64];
+    private Node[] sites = new Node[64];
+    private final IdentityHashMap<Node, Integer> counts = new IdentityHashMap<>();
     private final List<Mark> marks = new ArrayList<>();
     private int count;
     private int level;
@@ -38,14 +41,17 @@ final class Output {
      * Begins an element on a line of its own.
      *
      * @param owner the element of the file, inside that from which the element around stems, that it is there for
+     * @param site the element of the file that it stands for outside of definitions
      */
-    void open(String element, Node from, Node owner) {
+    void open(String element, Node from, Node owner, Node site) {
         endTag();
         if (count == lines.length) {
             lines = Arrays.copyOf(lines, count * 2);
             owners = Arrays.copyOf(owners, count * 2);
+            sites = Arrays.copyOf(sites, count * 2);
         }
         owners[count] = owner;
+        sites[count] = site;
         if (count > 0) {
             text.append('\n');
         }
@@ -105,6 +111,20 @@ final class Output {
     /** By line, from 0: what it stems from. */
     Node[] lines() {
         return Arrays.copyOf(lines, count);
+    }
+
+    /** Notes how often something is repeated; the first time counts. */
+    void counted(Node repeat, int copies) {
+        counts.putIfAbsent(repeat, copies);
+    }
+
+    int count(Node repeat) {
+        return counts.getOrDefault(repeat, 0);
+    }
+
+    /** By line, from 0: what it stands for outside of definitions. */
+    Node[] sites() {
+        return Arrays.copyOf(sites, count);
     }
 
     /** By line, from 0: what it is there for. */

@@ -1,10 +1,13 @@
 package cz.paprsek.xml.recipe;
 
+import cz.paprsek.formula.Formula;
 import cz.paprsek.xml.recipe.Node.Attr;
 import cz.paprsek.xml.text.Alignment;
 import cz.paprsek.xml.text.Form;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,49 +15,73 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 
 /**
  * What becomes of the elements of a file when what came of them has been changed: formulas stay where their values have stayed, and copies stay repeated if
  * none was touched; what was touched is written down.
  */
 final class Reconciled {
+    private static final Set<String> PLACEMENT = Set.of("position", "rotation", "scale");
+    /** What is not written if nothing else is there. */
+    private static final Map<String, String> USUAL = Map.of("position", "0 0 0", "rotation", "0 0 0", "scale", "1 1 1");
+    private static final Pattern NUMBERS = Pattern.compile("(\\[\\d+\\])+$");
     private static final Set<String> OF_INSTANCE = Set.of("name", "position", "rotation", "scale", "material");
 
     private final IdentityHashMap<Form, Node> stemming = new IdentityHashMap<>();
     private final IdentityHashMap<Form, Node> owners = new IdentityHashMap<>();
+    private final IdentityHashMap<Form, Node> sites = new IdentityHashMap<>();
+    private final Node written;
+    private final Form plain;
     private final boolean movesInstances;
+    private final boolean follows;
     private final Origin origin;
+    /** The names that number the copies within which one is. */
+    private final Deque<String> indices = new ArrayDeque<>();
+    private boolean isFollowed;
 
     /** An element, and which of the new ones it is, or the last of them. */
     private record Kept(Node node, int number) {}
 
-    private Reconciled(Origin origin, boolean movesInstances) {
-        this.origin = origin;
+    /**
+     * What finds out how a scene is to be written.
+     *
+     * @param written the scene with its formulas
+     * @param out what it was written out as
+     * @param movesInstances whether what is placed anew where a definition was used is taken for that use placed anew
+     * @param follows whether what has become of a first copy is to become of all copies
+     */
+    Reconciled(Node written, Output out, boolean movesInstances, boolean follows) {
+        this.written = written;
+        this.origin = written.origin();
         this.movesInstances = movesInstances;
+        this.follows = follows;
+        plain = Form.parse(out.text());
+        number(plain, out.lines(), out.owners(), out.sites(), 0);
     }
 
     /**
      * The scene as it is to be written.
      *
-     * @param written the scene with its formulas
-     * @param out what it was written out as
-     * @param before the same as it is written canonically
+     * @param before the scene as it is written canonically
      * @param now what that has become
-     * @param movesInstances whether what is placed anew where a definition was used is taken for that use placed anew
      */
-    static Node of(Node written, Output out, Form before, Form now, boolean movesInstances) {
-        Reconciled reconciled = new Reconciled(written.origin(), movesInstances);
-        Form plain = Form.parse(out.text());
-        reconciled.number(plain, out.lines(), out.owners(), 0);
-        return reconciled.node(written, plain, before, now);
+    Node of(Form before, Form now) {
+        return node(written, plain, before, now);
     }
 
-    private int number(Form form, Node[] lines, Node[] owner, int first) {
+    /** Whether all copies have followed one. */
+    boolean isFollowed() {
+        return isFollowed;
+    }
+
+    private int number(Form form, Node[] lines, Node[] owner, Node[] site, int first) {
         stemming.put(form, lines[first]);
         owners.put(form, owner[first]);
+        sites.put(form, site[first]);
         int next = first + 1;
         for (Form child : form.body().children()) {
-            next = number(child, lines, owner, next);
+            next = number(child, lines, owner, site, next);
         }
         return next;
     }
@@ -64,7 +91,7 @@ final class Reconciled {
                 before.body().content().equals(now.body().content()) ? written.content() : now.body().content(), origin, written.at());
     }
 
-    private static List<Attr> attributes(Node written, Form before, Form now) {
+    private List<Attr> attributes(Node written, Form before, Form now) {
         Map<String, String> old = before.body().attributes();
         Map<String, String> fresh = new LinkedHashMap<>(now.body().attributes());
         fresh.remove("xmlns");
@@ -73,8 +100,11 @@ final class Reconciled {
             String value = fresh.remove(one.name());
             if (Objects.equals(value, old.get(one.name()))) {
                 attributes.add(one);
+            } else if (one.template().isPresent() && (value != null || USUAL.containsKey(one.name()))) {
+                String usual = USUAL.getOrDefault(one.name(), "");
+                attributes.add(changed(one, old.getOrDefault(one.name(), usual), value == null ? usual : value));
             } else if (value != null) {
-                attributes.add(one.template().isEmpty() ? plain(one.name(), value) : changed(one, old.getOrDefault(one.name(), ""), value));
+                attributes.add(plain(one.name(), value));
             }
         }
         fresh.forEach((name, value) -> {
@@ -86,9 +116,20 @@ final class Reconciled {
     }
 
     /** The numbers that have stayed keep their formulas. */
-    private static Attr changed(Attr written, String old, String now) {
+    private Attr changed(Attr written, String old, String now) {
         String raw = Tokens.of(written.raw()).changed(Tokens.of(old), Tokens.of(now));
+        refuseOfEach(written, Tokens.of(written.raw()), Tokens.of(raw));
         return new Attr(written.name(), raw, Template.isIn(raw) ? Optional.of(Template.of(Raw.text(raw))) : Optional.empty(), -1, -1);
+    }
+
+    /** One number instead of a formula that says another one for each copy would put all of them into one place. */
+    private void refuseOfEach(Attr attribute, Tokens written, Tokens now) {
+        for (int i = 0; i < written.texts().size() && !indices.isEmpty(); i++) {
+            String token = written.texts().get(i);
+            if (token.startsWith("{") && !now.texts().contains(token) && Formula.of(Raw.text(token.substring(1, token.length() - 1))).names().stream().anyMatch(indices::contains)) {
+                throw new IllegalArgumentException("each copy has a " + attribute.name() + " of its own, by " + Raw.text(token) + "; change that formula instead");
+            }
+        }
     }
 
     private static Attr plain(String name, String raw) {
@@ -161,6 +202,9 @@ final class Reconciled {
         if (isSame) {
             return List.of(new Kept(child, last));
         }
+        if (follows && child.name().equals(Node.REPEAT)) {
+            return followed(child, run, new Level(places, Arrays.stream(fates).boxed().toList(), olds, nows), last);
+        }
         Form first = run.get(0);
         int place = places.getOrDefault(first, -1);
         boolean isOne = run.size() == 1 && place >= 0 && fates[place] >= 0;
@@ -181,6 +225,101 @@ final class Reconciled {
             }
         }
         return written;
+    }
+
+    /** What has become of some elements beside each other. */
+    private record Level(IdentityHashMap<Form, Integer> places, List<Integer> fates, List<Form> olds, List<Form> nows) {
+        Optional<Form> before(Form plain) {
+            return Optional.ofNullable(places.get(plain)).map(olds::get);
+        }
+
+        Optional<Form> now(Form plain) {
+            return Optional.ofNullable(places.get(plain)).filter(place -> fates.get(place) >= 0).map(place -> nows.get(fates.get(place)));
+        }
+    }
+
+    private static Level level(Form plain, Form before, Form now) {
+        List<Form> olds = before.body().children();
+        List<Form> nows = now.body().children();
+        int[] fates = new int[olds.size()];
+        Arrays.fill(fates, -1);
+        int[] origins = Alignment.of(olds, nows);
+        for (int j = 0; j < origins.length; j++) {
+            if (origins[j] >= 0) {
+                fates[origins[j]] = j;
+            }
+        }
+        return new Level(places(plain.body().children(), olds), Arrays.stream(fates).boxed().toList(), olds, nows);
+    }
+
+    /** A repeat with what has become of its first copy, which all others follow; gone if that has gone. */
+    private List<Kept> followed(Node repeat, List<Form> run, Level level, int last) {
+        isFollowed = true;
+        return repeated(repeat, run, level).stream().map(node -> new Kept(node, last)).toList();
+    }
+
+    private List<Node> repeated(Node repeat, List<Form> run, Level level) {
+        Form first = run.get(0);
+        boolean isOne = repeat.equals(stemming.get(first));
+        if (!isOne) {
+            return around(repeat, repeat.attributes(), originals(repeat, run, level));
+        }
+        Optional<Form> now = level.now(first);
+        if (now.isEmpty()) {
+            return List.of();
+        }
+        Form before = level.before(first).orElseThrow();
+        Map<String, String> fresh = now.get().body().attributes();
+        Node renamed = repeat;
+        for (String own : List.of("name", "material")) {
+            String value = fresh.getOrDefault(own, "");
+            renamed = value.equals(before.body().attributes().getOrDefault(own, "")) ? renamed : Rewritten.with(renamed, own, Raw.text(value));
+        }
+        List<Node> inside = around(renamed, renamed.attributes(), originals(repeat, first.body().children(), level(first, before, now.get())));
+        List<Attr> placed = fresh.entrySet().stream().filter(one -> PLACEMENT.contains(one.getKey())).map(one -> plain(one.getKey(), one.getValue())).toList();
+        // What a repeat says of places is that of its copies to each other: as a whole it stands in something.
+        return placed.isEmpty() || inside.isEmpty() ? inside : List.of(new Node("union", placed, inside, "", origin, repeat.at()));
+    }
+
+    private List<Node> around(Node repeat, List<Attr> attributes, List<Node> bodies) {
+        boolean isEmpty = bodies.stream().allMatch(one -> one.name().equals("material"));
+        return isEmpty ? List.of() : List.of(new Node(repeat.name(), attributes, bodies, repeat.content(), origin, repeat.at()));
+    }
+
+    private List<Node> originals(Node repeat, List<Form> run, Level level) {
+        indices.push(repeat.attribute("index").map(Attr::text).orElse("i"));
+        List<Node> fresh = new ArrayList<>();
+        for (Node child : repeat.children()) {
+            List<Form> own = run.stream().filter(form -> isWithin(child, Objects.requireNonNull(sites.get(form)))).toList();
+            if (own.isEmpty()) {
+                fresh.add(child);
+            } else if (child.name().equals(Node.REPEAT)) {
+                fresh.addAll(repeated(child, own, level));
+            } else {
+                original(child, own.get(0), level).ifPresent(fresh::add);
+            }
+        }
+        indices.pop();
+        return fresh;
+    }
+
+    private static boolean isWithin(Node node, Node site) {
+        return node.equals(site) || node.children().stream().anyMatch(child -> isWithin(child, site));
+    }
+
+    private Optional<Node> original(Node child, Form plain, Level level) {
+        Optional<Form> now = level.now(plain);
+        if (now.isEmpty()) {
+            return Optional.empty();
+        }
+        Form before = level.before(plain).orElseThrow();
+        if (before.equals(now.get())) {
+            return Optional.of(child);
+        }
+        Node fresh = child.name().equals(Node.INSTANCE) ? instance(child, before, now.get()).orElseGet(() -> node(now.get())) : node(child, plain, before, now.get());
+        // It is the copies that are numbered.
+        Optional<String> name = fresh.attribute("name").map(Attr::text).filter(text -> !child.attribute("name").map(Attr::text).equals(Optional.of(text)));
+        return Optional.of(name.isEmpty() ? fresh : Rewritten.with(fresh, "name", NUMBERS.matcher(name.get()).replaceAll("")));
     }
 
     /** The use of a definition, if nothing but what it says itself has changed. */

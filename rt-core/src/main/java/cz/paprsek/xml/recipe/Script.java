@@ -2,6 +2,7 @@ package cz.paprsek.xml.recipe;
 
 import cz.paprsek.formula.Formula;
 import cz.paprsek.formula.Function;
+import cz.paprsek.formula.Maker;
 import cz.paprsek.formula.Written;
 import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.Scene.Recipe.Parameter;
@@ -19,6 +20,7 @@ import cz.paprsek.xml.text.Unpatchable;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -95,12 +97,21 @@ public final class Script {
      * @return empty if there is nothing to be written out, or it is no scene file
      */
     public static Optional<Script> of(byte[] utf8, String file, Map<String, String> given, IncludedFiles files, long mostCharacters) {
+        return of(utf8, file, given, files, mostCharacters, false);
+    }
+
+    /** As the other, also of a scene with nothing to be written out. */
+    public static Optional<Script> ofAny(byte[] utf8, IncludedFiles files, long mostCharacters) {
+        return of(utf8, "scene", Map.of(), files, mostCharacters, true);
+    }
+
+    private static Optional<Script> of(byte[] utf8, String file, Map<String, String> given, IncludedFiles files, long mostCharacters, boolean isAny) {
         Objects.requireNonNull(file, "file");
         Objects.requireNonNull(files, "files");
         Script script = new Script(Map.copyOf(given), files, mostCharacters);
         try {
             Node root = NodeReader.read(utf8, file, script.mistakes::add);
-            if (root.isPlain() && script.mistakes.isEmpty() && given.isEmpty()) {
+            if (root.isPlain() && script.mistakes.isEmpty() && given.isEmpty() && !isAny) {
                 return Optional.empty();
             }
             script.run(root);
@@ -114,7 +125,7 @@ public final class Script {
 
     private void run(Node root) {
         if (root.name().equals("database")) {
-            out.open("database", root, root);
+            out.open("database", root, root, root);
             out.attribute("xmlns", SceneFormat.NAMESPACE);
             root.attributes().forEach(one -> out.attribute(one.name(), one.raw()));
             for (Node scene : root.children()) {
@@ -189,7 +200,55 @@ public final class Script {
      * @param movesInstances as in {@link Reconciled}
      */
     public String reconciled(Form before, Form now, boolean movesInstances) {
-        return NodeText.of(Reconciled.of(Objects.requireNonNull(only), out, before, now, movesInstances));
+        return NodeText.of(new Reconciled(Objects.requireNonNull(only), out, movesInstances, false).of(before, now));
+    }
+
+    /**
+     * As the other, but what has become of a first copy becomes of all copies.
+     *
+     * @return empty if nothing that is repeated has been changed
+     * @throws IllegalArgumentException if each copy has of its own what has been changed
+     */
+    public Optional<String> following(Form before, Form now) {
+        Reconciled all = new Reconciled(Objects.requireNonNull(only), out, true, true);
+        Node scene = all.of(before, now);
+        return all.isFollowed() ? Optional.of(NodeText.of(scene)) : Optional.empty();
+    }
+
+    /** What makes bodies of the scene of this file. */
+    public List<Maker> makers() {
+        return Makers.of(Objects.requireNonNull(only), out);
+    }
+
+    /** The text of the scene with another value of an attribute of one of its {@link #makers()}; without it for none. */
+    public String with(int maker, String attribute, String value) {
+        Node scene = Objects.requireNonNull(only);
+        Node node = Makers.nodes(scene).get(maker);
+        IdentityHashMap<Node, List<Node>> others = new IdentityHashMap<>();
+        others.put(node, List.of(Rewritten.with(node, attribute, value)));
+        return NodeText.of(Rewritten.of(scene, others));
+    }
+
+    /**
+     * The text of the scene with an element around bodies that stand beside each other.
+     *
+     * @param bodies by their numbers, as in {@link Maker}
+     * @throws IllegalArgumentException if they do not stand beside each other, or are no elements of the file
+     */
+    public String around(List<List<Integer>> bodies, String element, Map<String, String> attributes) {
+        Node scene = Objects.requireNonNull(only);
+        Map<List<Integer>, Node> sites = Makers.sites(out);
+        List<Node> nodes = new ArrayList<>();
+        for (List<Integer> body : bodies) {
+            Node node = sites.get(body);
+            if (node != null && !nodes.contains(node)) {
+                nodes.add(node);
+            }
+        }
+        if (nodes.isEmpty() || !Rewritten.areSiblings(scene, nodes)) {
+            throw new IllegalArgumentException("what is to be repeated must stand side by side, in the scene or in one operation");
+        }
+        return NodeText.of(Rewritten.around(scene, nodes, element, attributes));
     }
 
     /**

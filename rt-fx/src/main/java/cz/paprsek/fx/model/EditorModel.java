@@ -3,6 +3,7 @@ package cz.paprsek.fx.model;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.format.MeshFiles;
 import cz.paprsek.formula.Written;
+import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.ScenePath;
@@ -26,6 +27,9 @@ import org.jspecify.annotations.Nullable;
  * the same; all changes go through here. For JavaFX's thread only.
  */
 public final class EditorModel {
+    /** What takes copies apart, or is about each of them. */
+    private static final Set<Edit> OF_ALL_COPIES = Set.of(Edit.COMBINE, Edit.GROUP, Edit.DISSOLVE, Edit.REORDER, Edit.HIDE, Edit.SHOW, Edit.LOCK, Edit.UNLOCK);
+
     private final History<EditorState> history = new History<>(EditorModel::step);
     private final ReadOnlyObjectWrapper<EditorState> state;
     private final ReadOnlyObjectWrapper<Scene> scene;
@@ -37,6 +41,7 @@ public final class EditorModel {
     private Assets assets = Assets.none();
     private Recipe recipe = Recipe.NONE;
     private Map<Optional<ScenePath>, List<Written>> formulas = Map.of();
+    private Copies copies = Copies.NONE;
     private @Nullable Scene saved;
     private @Nullable Gesture gesture;
 
@@ -69,12 +74,22 @@ public final class EditorModel {
 
     /** The formulas of the scene, by what has them, as {@link SceneFiles#formulas} finds them: once for all who ask. */
     public Map<Optional<ScenePath>, List<Written>> formulas() {
-        Recipe now = scene().recipe();
-        if (!now.equals(recipe)) {
-            recipe = now;
-            formulas = SceneFiles.formulas(scene());
-        }
+        lookThrough(scene());
         return formulas;
+    }
+
+    /** Which bodies of the scene are copies of others. */
+    public Copies copies() {
+        lookThrough(scene());
+        return copies;
+    }
+
+    private void lookThrough(Scene now) {
+        if (!now.recipe().equals(recipe)) {
+            recipe = now.recipe();
+            formulas = SceneFiles.formulas(now);
+            copies = new Copies(SceneFiles.makers(now));
+        }
     }
 
     /** What is selected, in the order of selecting. */
@@ -135,7 +150,9 @@ public final class EditorModel {
     public void editState(Label label, UnaryOperator<EditorState> change) {
         commitGesture();
         EditorState before = state();
-        EditorState after = settled(before, withMeshes(change.apply(before)));
+        boolean isOfAll = OF_ALL_COPIES.contains(label.edit());
+        EditorState changed = withMeshes(change.apply(isOfAll ? before.withSelection(copies().all(before.selection())) : before));
+        EditorState after = isOfAll ? settled(before, changed) : following(before, changed);
         boolean isStep = isStep(before, after);
         if (isStep) {
             history.did(label, before, after);
@@ -155,7 +172,7 @@ public final class EditorModel {
     /** Selects items and no others; no step of the history. Places that lead nowhere are left out. */
     public void select(Set<? extends ScenePath> items) {
         EditorState now = state();
-        EditorState next = now.withSelection(items);
+        EditorState next = original(now.withSelection(items));
         if (!List.copyOf(next.selection()).equals(List.copyOf(now.selection()))) {
             show(next);
         }
@@ -230,6 +247,17 @@ public final class EditorModel {
         return after.scene().equals(before.scene()) ? after : after.withScene(SceneFiles.settled(after.scene()));
     }
 
+    /** As the other, where copies follow the first. */
+    private EditorState following(EditorState before, EditorState after) {
+        return copies().isNone() || after.scene().equals(before.scene()) ? settled(before, after) : after.withScene(SceneFiles.following(after.scene()));
+    }
+
+    /** Shows what has become of a scene so far. */
+    void preview(EditorState start, Scene changed) {
+        boolean isRepeated = !copies().isNone() && !changed.equals(start.scene());
+        show(start.withScene(isRepeated ? SceneFiles.following(changed) : changed));
+    }
+
     boolean isOpen(Gesture candidate) {
         return gesture == candidate;
     }
@@ -249,7 +277,8 @@ public final class EditorModel {
     }
 
     /** Sets all properties, the state first, from which the methods above answer: whoever hears of any change finds all of it. */
-    void show(EditorState next) {
+    void show(EditorState shown) {
+        EditorState next = original(shown);
         boolean selectsOthers = !List.copyOf(next.selection()).equals(List.copyOf(selection.get()));
         state.set(next);
         history.tell();
@@ -258,6 +287,13 @@ public final class EditorModel {
         if (selectsOthers) {
             selection.set(next.selection());
         }
+    }
+
+    /** With the first in place of any copy that is selected. */
+    private EditorState original(EditorState next) {
+        lookThrough(next.scene());
+        Set<ScenePath> originals = copies.originals(next.selection());
+        return originals.equals(next.selection()) ? next : next.withSelection(originals);
     }
 
     private void commitGesture() {

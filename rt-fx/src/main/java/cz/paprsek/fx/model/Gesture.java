@@ -32,7 +32,7 @@ public final class Gesture {
      */
     public void preview(UnaryOperator<Scene> change) {
         if (isOpen()) {
-            model.show(start.withScene(change.apply(start.scene())));
+            model.preview(start, change.apply(start.scene()));
         }
     }
 

@@ -14,6 +14,7 @@ import cz.paprsek.fx.model.edit.Softness;
 import cz.paprsek.fx.model.edit.Structure;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
@@ -23,11 +24,16 @@ import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.text.Numbers;
 import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
@@ -90,6 +96,32 @@ public final class Edits {
     void group() {
         edit(Edit.GROUP, model.selection(), state ->
                 Structure.combine(state, Places.bodies(state.selection()), Csg.Operation.UNION, texts.of("name.group")));
+    }
+
+    /**
+     * Repeats what is selected: beside each other, or around the middle of what it stands in. How often, and how far apart, the sheet and the handles say.
+     *
+     * @param isRound whether around
+     */
+    void repeat(boolean isRound) {
+        List<BodyAt> bodies = Places.outermost(model.selection());
+        Map<String, String> attributes = isRound ? Map.of("count", "6", "rotation", "0 60 0") : Map.of("count", "5", "position", Numbers.text(wide(bodies)) + " 0 0");
+        String name = texts.of(isRound ? "object.repeat-round" : "object.repeat");
+        edit(Label.of(Edit.CHANGE, name), state -> state.withScene(SceneFiles.repeated(state.scene(), bodies.stream().map(BodyAt::numbers).toList(), attributes)));
+    }
+
+    /** How far apart copies of bodies stand without touching: their width, and a little more. */
+    private double wide(List<BodyAt> bodies) {
+        Scene scene = model.scene();
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        for (BodyAt at : bodies) {
+            Bounds box = at.in(scene).shape().bounds().transformed(at.in(scene).placement().toParent());
+            least = Math.min(least, box.minX());
+            most = Math.max(most, box.maxX());
+        }
+        double width = most > least && Double.isFinite(most - least) ? (most - least) * 1.25 : 1;
+        return Double.parseDouble(Numbers.text(new BigDecimal(width).round(new MathContext(2)).doubleValue()));
     }
 
     /** Puts what the selected operations are made of in their place. */

@@ -41,6 +41,8 @@ public final class SelectionCommands {
     private final Command intersection;
     private final Command group;
     private final Command dissolve;
+    private final Command repeat;
+    private final Command repeatRound;
     private final Command hide;
     private final Command showAll;
     private final Command lock;
@@ -71,6 +73,9 @@ public final class SelectionCommands {
         group = command("object.group", several, edits::group).keys("Shortcut+G");
         dissolve = command("object.dissolve", items -> !Places.bodies(items).isEmpty(), edits::dissolve).keys("Shortcut+Shift+G")
                 .icon(MaterialDesignU.UNGROUP);
+        Predicate<Set<ScenePath>> bodies = items -> !Places.bodies(items).isEmpty();
+        repeat = command("object.repeat", bodies, () -> edits.repeat(false)).keys("Shortcut+Shift+R");
+        repeatRound = command("object.repeat-round", bodies, () -> edits.repeat(true));
         hide = either(command("object.hide", any, edits::hideOrShow).keys("Shortcut+H").icon(MaterialDesignE.EYE_OFF_OUTLINE),
                 edits::isHidden, "object.show");
         showAll = command("object.show-all", items -> true, edits::showAll).keys("Shortcut+Shift+H");
@@ -114,7 +119,7 @@ public final class SelectionCommands {
 
     /** Names, operations, lights and cameras, hiding and locking. */
     public List<MenuItem> objectItems() {
-        List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve));
+        List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve, repeat, repeatRound));
         items.add(new SeparatorMenuItem());
         items.addAll(items(soften, look, makeFirst, addCamera));
         items.add(new SeparatorMenuItem());

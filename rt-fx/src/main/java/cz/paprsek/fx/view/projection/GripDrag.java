@@ -33,7 +33,11 @@ final class GripDrag extends Drag.Changing {
         if (grip instanceof Grip.Dial dial) {
             double value = dial.at(dial.place().plus(axes.vector(byU, byV)), dial.isAngle() ? keys.free() ? FINE_DEGREES : DEGREES : snap ? step : step / FINE);
             gesture.preview(scene -> dial.changed().apply(scene, value));
-            figures = texts.of(dial.text(), dial.isAngle() ? String.format(texts.locale(), "%.1f°", value) : Lengths.text(value, view, texts.locale()));
+            figures = texts.of(dial.text(), dial.isAngle() ? String.format(texts.locale(), "%.1f°", value) : view.text(value, texts.locale()));
+        } else if (grip instanceof Grip.Count count) {
+            int many = count.at(axes.vector(byU, byV));
+            gesture.preview(scene -> count.changed().apply(scene, many));
+            figures = texts.of("figure.count", many);
         } else if (grip instanceof Grip.Aim aim) {
             double u = axes.u(aim.place());
             double v = axes.v(aim.place());

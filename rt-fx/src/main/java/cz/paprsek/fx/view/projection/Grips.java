@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.projection;
 
+import cz.paprsek.fx.model.Copies;
 import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.math.Angles;
@@ -9,6 +10,7 @@ import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
 import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.scene.SpotLight;
@@ -61,13 +63,30 @@ final class Grips {
                 return Math.max(isAngle ? least : step, Math.min(most, Snapping.toGrid(pulled, step)));
             }
         }
+
+        /**
+         * How many copies there are.
+         *
+         * @param read by how many a movement changes that
+         * @param changed the scene with another number of them
+         */
+        record Count(ScenePath item, Vec3 place, int value, ToDoubleFunction<Vec3> read, BiFunction<Scene, Integer, Scene> changed) implements Grip {
+            private static final int MOST = 10_000;
+
+            /** How many there are after a movement, two at least: of one nobody sees where the next would be. */
+            int at(Vec3 movement) {
+                return (int) Math.max(2, Math.min(MOST, value + Math.rint(read.applyAsDouble(movement))));
+            }
+        }
     }
 
     private final Scene scene;
     private final Axes axes;
     private final double apart;
+    private final Copies copies;
 
-    Grips(Scene scene, Axes axes, Viewport view) {
+    Grips(Scene scene, Axes axes, Viewport view, Copies copies) {
+        this.copies = copies;
         this.scene = scene;
         this.axes = axes;
         this.apart = APART / view.scale();
@@ -75,7 +94,8 @@ final class Grips {
 
     List<Grip> of(ScenePath item) {
         return item instanceof LightAt at && at.isIn(scene) ? of(at, scene.lights().get(at.index()))
-                : item instanceof CameraAt at && at.isIn(scene) ? of(at, scene.cameras().get(at.index())) : List.of();
+                : item instanceof CameraAt at && at.isIn(scene) ? of(at, scene.cameras().get(at.index()))
+                : item instanceof BodyAt at && !copies.isNone() && at.isIn(scene) ? new RepeatGrips(scene, axes).of(at, copies) : List.of();
     }
 
     private List<Grip> of(LightAt at, Light light) {

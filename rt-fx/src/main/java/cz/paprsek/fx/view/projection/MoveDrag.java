@@ -59,8 +59,8 @@ final class MoveDrag extends Drag.Changing {
 
     @Override
     public String figures(Locale locale) {
-        return axes.right().letter() + " " + Lengths.signed(axes.worldU(byU), view, locale) + "   "
-                + axes.up().letter() + " " + Lengths.signed(axes.worldV(byV), view, locale);
+        return axes.right().letter() + " " + view.signed(axes.worldU(byU), locale) + "   "
+                + axes.up().letter() + " " + view.signed(axes.worldV(byV), locale);
     }
 
     @Override

@@ -10,6 +10,7 @@ import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -158,7 +159,7 @@ final class PaneMouse {
         }
         Optional<Grip> grip = gripAt(pressX, pressY);
         if (grip.isPresent()) {
-            Label label = label(grip.get() instanceof Grip.Aim ? Edit.ROTATE : Edit.CHANGE, Set.of(grip.get().item()));
+            Label label = label(grip.get() instanceof Grip.Aim && !(grip.get().item() instanceof BodyAt) ? Edit.ROTATE : Edit.CHANGE, Set.of(grip.get().item()));
             return new GripDrag(model.begin(label), grip.get(), pane.axes(), pane.view(), pane.texts(), pane.snaps(), pressX, pressY);
         }
         if (pressedOn.isEmpty()) {

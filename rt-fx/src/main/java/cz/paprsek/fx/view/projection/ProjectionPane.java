@@ -124,8 +124,8 @@ public final class ProjectionPane extends Region {
 
     /** The two coordinates of a point that this projection shows, to a pixel: "x 1.25   z −3". */
     public String describe(Vec3 point, Locale locale) {
-        return axes.right().letter() + " " + Lengths.text(axes.right().of(point), view, locale) + "   "
-                + axes.up().letter() + " " + Lengths.text(axes.up().of(point), view, locale);
+        return axes.right().letter() + " " + view.text(axes.right().of(point), locale) + "   "
+                + axes.up().letter() + " " + view.text(axes.up().of(point), locale);
     }
 
     /** Shows everything that has an end. */
@@ -251,7 +251,7 @@ public final class ProjectionPane extends Region {
     /** What is grabbed to change the selected cameras, and a light that is the only thing selected. */
     List<Grip> grips() {
         Set<ScenePath> items = movable();
-        Grips grips = new Grips(model.scene(), axes, view);
+        Grips grips = new Grips(model.scene(), axes, view, model.copies());
         return items.stream().filter(item -> item instanceof CameraAt || items.size() == 1).filter(item -> !model.state().isHidden(item))
                 .flatMap(item -> grips.of(item).stream()).toList();
     }

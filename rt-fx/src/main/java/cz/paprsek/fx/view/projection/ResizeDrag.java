@@ -52,7 +52,7 @@ final class ResizeDrag extends Drag.Changing {
 
     @Override
     public String figures(Locale locale) {
-        return Lengths.text(width, view, locale) + " × " + Lengths.text(height, view, locale);
+        return view.text(width, locale) + " × " + view.text(height, locale);
     }
 
     private double factor(int side, double min, double max, double by, boolean snap) {

@@ -1,5 +1,9 @@
 package cz.paprsek.fx.view.projection;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.Locale;
+
 /**
  * Which part of a projection's plane is shown how large.
  *
@@ -12,6 +16,7 @@ package cz.paprsek.fx.view.projection;
 record Viewport(double centreU, double centreV, double scale, double width, double height) {
     static final double LEAST_SCALE = 1e-6;
     static final double LARGEST_SCALE = 1e9;
+    private static final int MOST_DECIMALS = 12;
 
     Viewport withSize(double newWidth, double newHeight) {
         return new Viewport(centreU, centreV, scale, newWidth, newHeight);
@@ -60,5 +65,22 @@ record Viewport(double centreU, double centreV, double scale, double width, doub
     /** Whether a box is in sight at all. */
     boolean shows(Box box) {
         return x(box.maxU()) >= 0 && x(box.minU()) <= width && y(box.minV()) >= 0 && y(box.maxV()) <= height;
+    }
+
+    /** A length as it is read from a projection: as fine as a pixel shows. */
+    String text(double length, Locale locale) {
+        return text("", length, locale);
+    }
+
+    /** With + or − before it. */
+    String signed(double length, Locale locale) {
+        return text("+", length, locale);
+    }
+
+    private String text(String flag, double length, Locale locale) {
+        int decimals = Math.max(0, Math.min(MOST_DECIMALS, (int) Math.ceil(Math.log10(scale))));
+        // Not as a double, which would show the rest of a rounding as −0.00.
+        BigDecimal shown = new BigDecimal(length).setScale(decimals, RoundingMode.HALF_EVEN);
+        return String.format(locale, "%" + flag + "." + decimals + "f", shown);
     }
 }

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.property.Alternatives;
 import cz.paprsek.fx.model.property.Property;
+import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.List;
 import java.util.Locale;

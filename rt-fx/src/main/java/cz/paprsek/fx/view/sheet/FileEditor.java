@@ -1,7 +1,8 @@
 package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.property.Property;
-import cz.paprsek.fx.view.sheet.FileFinder.Kind;
+import cz.paprsek.fx.view.command.FileFinder;
+import cz.paprsek.fx.view.command.FileFinder.Kind;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import java.util.Set;

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.model.property.Trait;
+import cz.paprsek.fx.model.property.TypedFormula;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import java.util.Optional;

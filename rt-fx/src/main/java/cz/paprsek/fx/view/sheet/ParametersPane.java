@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.formula.Formula;
 import cz.paprsek.formula.FormulaException;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.property.TypedFormula;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Recipe.Parameter;

@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.property.Section;
 import cz.paprsek.fx.model.property.Sections;
+import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.fx.view.texts.Titles;
@@ -38,6 +39,7 @@ public final class PropertySheet extends BorderPane {
     private final MaterialsPane materials;
     private final ReadyPane ready;
     private final ParametersPane parameters;
+    private final MakersPane makers;
     /** Held here, for the model, which outlives the window's content, holds it weakly. */
     private final InvalidationListener onChange = property -> later();
     private List<Section> sections = List.of();
@@ -55,6 +57,7 @@ public final class PropertySheet extends BorderPane {
         materials = new MaterialsPane(model, texts, editors);
         ready = new ReadyPane(model, texts);
         parameters = new ParametersPane(model, texts);
+        makers = new MakersPane(model, texts);
         setId("property-sheet");
         getStyleClass().add("property-sheet");
         getStylesheets().add(Objects.requireNonNull(PropertySheet.class.getResource("sheet.css")).toExternalForm());
@@ -96,6 +99,7 @@ public final class PropertySheet extends BorderPane {
         panes.forEach(pane -> pane.show(state.scene()));
         materials.show(state.scene());
         parameters.show(state.scene());
+        makers.show(state.selection());
     }
 
     private void rebuild(EditorState state) {
@@ -108,7 +112,7 @@ public final class PropertySheet extends BorderPane {
             panes.add(pane);
         }
         content.getChildren().setAll(panes);
-        content.getChildren().add(0, parameters);
+        content.getChildren().addAll(0, List.of(parameters, makers));
         if (state.selection().isEmpty()) {
             content.getChildren().add(materials);
         }

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.property.Property;
+import cz.paprsek.fx.model.property.TypedFormula;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Pattern.Stop;
 import cz.paprsek.material.Rgb;

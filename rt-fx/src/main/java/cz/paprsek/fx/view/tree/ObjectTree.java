@@ -157,7 +157,7 @@ public final class ObjectTree extends BorderPane {
         isStale = false;
         shown = model.scene();
         expansion.follow(model.scene());
-        List<TreeRow> now = new TreeRows(texts, expansion.open(), find.getText()).of(model.scene());
+        List<TreeRow> now = new TreeRows(texts, expansion.open(), model.copies(), find.getText()).of(model.scene());
         if (!now.equals(list.getItems())) {
             list.getItems().setAll(now);
         }

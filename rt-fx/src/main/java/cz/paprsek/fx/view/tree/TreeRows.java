@@ -1,5 +1,7 @@
 package cz.paprsek.fx.view.tree;
 
+import cz.paprsek.formula.Maker;
+import cz.paprsek.fx.model.Copies;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Body;
@@ -10,16 +12,25 @@ import cz.paprsek.shape.Operand;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 
 /** Lays a scene out as lines: the cameras, the lights, the objects, and within expanded operations their operands. */
 final class TreeRows {
+    /** Which copies they are, the first of all. */
+    private static final Pattern NUMBERS = Pattern.compile("(\\[\\d+\\])+$");
     private final Texts texts;
     private final Set<BodyAt> expanded;
     private final String wanted;
+    private final Copies copies;
 
-    /** @param wanted what a name or kind must contain to be shown, with all that is around it; empty for everything */
-    TreeRows(Texts texts, Set<BodyAt> expanded, String wanted) {
+    /**
+     * @param copies of what is repeated the first is shown
+     * @param wanted what a name or kind must contain to be shown, with all that is around it; empty for everything
+     */
+    TreeRows(Texts texts, Set<BodyAt> expanded, Copies copies, String wanted) {
+        this.copies = copies;
         this.texts = texts;
         this.expanded = expanded;
         this.wanted = wanted.strip().toLowerCase(Locale.ROOT);
@@ -45,11 +56,18 @@ final class TreeRows {
 
     /** Adds a body and what is shown of what is within; if something is wanted, only with that. */
     private boolean addBody(List<TreeRow> rows, BodyAt at, Body body) {
+        if (copies.isCopy(at)) {
+            return false;
+        }
         List<Operand> operands = body.operands();
         String kind = texts.kind(body.shape());
         boolean open = !operands.isEmpty() && (expanded.contains(at) || !wanted.isEmpty());
         int mark = rows.size();
-        rows.add(new TreeRow(at, at.depth(), body.name().isEmpty() ? kind : body.name(), !body.name().isEmpty(),
+        Optional<Maker> repeat = copies.repeat(at);
+        String name = repeat.isEmpty() ? body.name() : NUMBERS.matcher(body.name()).replaceAll("");
+        // The number stands at what is all of them.
+        String times = repeat.filter(one -> one.whole().isEmpty() || one.whole().equals(at.numbers())).map(one -> " \u00d7 " + one.count()).orElse("");
+        rows.add(new TreeRow(at, at.depth(), (name.isEmpty() ? kind : name) + times, !body.name().isEmpty(),
                 Icons.of(body.shape()), !operands.isEmpty(), open));
         boolean shown = wanted.isEmpty() || matches(body.name()) || matches(kind);
         if (open) {

@@ -1,4 +1,4 @@
-package cz.paprsek.fx.view.sheet;
+package cz.paprsek.fx.view.command;
 
 import java.util.Optional;
 import javafx.stage.Window;

@@ -1,4 +1,4 @@
-package cz.paprsek.fx.view.sheet;
+package cz.paprsek.fx.model.property;
 
 import cz.paprsek.formula.Formula;
 import cz.paprsek.formula.FormulaException;
@@ -10,9 +10,9 @@ import java.util.function.DoubleFunction;
  * What has been typed where a number stands. A sum of numbers is worked out at once. What begins with an equals sign, stands in braces or has names of
  * parameters is a formula, which is kept.
  */
-final class TypedFormula {
+public final class TypedFormula {
     /** What a formula begins with in a field. */
-    static final String SIGN = "=";
+    public static final String SIGN = "=";
 
     private final String text;
     /** How many characters stand before the formula. */
@@ -26,7 +26,7 @@ final class TypedFormula {
     }
 
     /** @throws IllegalArgumentException that names the column if it is none */
-    static TypedFormula of(String typed) {
+    public static TypedFormula of(String typed) {
         int blanks = typed.length() - typed.stripLeading().length();
         String stripped = typed.strip();
         boolean isSigned = stripped.startsWith(SIGN) && !stripped.startsWith("==");
@@ -37,17 +37,23 @@ final class TypedFormula {
         return new TypedFormula(text.strip(), before + text.length() - text.stripLeading().length(), isSigned || isBraced || !formula.names().isEmpty());
     }
 
-    boolean isKept() {
+    /** Without braces or sign. */
+    public String text() {
+        return text;
+    }
+
+    /** Whether it is to stay a formula. */
+    public boolean isKept() {
         return isKept;
     }
 
     /** What it comes to if it is not kept. */
-    double value() {
+    public double value() {
         return told(before, () -> Formula.value(text));
     }
 
     /** The scene with it where a change puts a number. */
-    Scene kept(Scene scene, DoubleFunction<Scene> change) {
+    public Scene kept(Scene scene, DoubleFunction<Scene> change) {
         return told(before, () -> SceneFiles.withFormula(scene, change, text));
     }
 
