@@ -7,6 +7,7 @@ import cz.paprsek.xml.SceneFiles.Contents;
 import cz.paprsek.xml.bind.ThoroughReader;
 import cz.paprsek.xml.format.FileScenes;
 import cz.paprsek.xml.mistake.Mistake;
+import cz.paprsek.xml.quick.PlainMarkup;
 import cz.paprsek.xml.quick.QuickReader;
 import cz.paprsek.xml.recipe.IncludedFiles;
 import cz.paprsek.xml.recipe.Script;
@@ -69,7 +70,7 @@ record Making(Map<String, String> parameters, IncludedFiles files) {
     }
 
     private static byte[] utf8(byte[] file, String name) throws IOException {
-        if (!ThoroughReader.isWellFormed(file)) {
+        if (!isWellFormed(file)) {
             throw new IOException("\"" + name + "\" is no XML; what is wrong with it, validate tells");
         }
         try {
@@ -77,6 +78,11 @@ record Making(Map<String, String> parameters, IncludedFiles files) {
         } catch (Unpatchable unknown) {
             throw new IOException("\"" + name + "\": " + unknown.getMessage(), unknown);
         }
+    }
+
+    /** As for plain files, the parser of the Java platform is for unusual ones. */
+    private static boolean isWellFormed(byte[] file) throws IOException {
+        return PlainMarkup.isIn(file) || ThoroughReader.isWellFormed(file);
     }
 
     /** What is in a file; empty if there is nothing in it that must be made. */
@@ -87,7 +93,7 @@ record Making(Map<String, String> parameters, IncludedFiles files) {
         } catch (Unpatchable unknown) {
             return Optional.empty();
         }
-        if ((parameters.isEmpty() && !Script.mayBeIn(utf8)) || !ThoroughReader.isWellFormed(file)) {
+        if ((parameters.isEmpty() && !Script.mayBeIn(utf8)) || !isWellFormed(file)) {
             return Optional.empty();
         }
         Optional<Script> script = Script.of(utf8, name, parameters, files, SceneFiles.LARGEST);

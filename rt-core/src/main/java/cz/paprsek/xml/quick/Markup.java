@@ -73,6 +73,11 @@ final class Markup {
         return nameTo - nameFrom == name.length && Arrays.equals(buffer, nameFrom, nameTo, name, 0, name.length);
     }
 
+    /** The name of the tag or the attribute at hand. */
+    byte[] nameBytes() {
+        return Arrays.copyOfRange(buffer, nameFrom, nameTo);
+    }
+
     /** Ends the end tag at hand, which must have this name. */
     void endTag(byte[] name) {
         Unusual.unless(isNamed(name));

@@ -1,0 +1,72 @@
+package cz.paprsek.xml;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.image.Image;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Scene.Recipe.Parameter;
+import cz.paprsek.scene.SceneDatabase;
+import cz.paprsek.text.Numbers;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.util.HexFormat;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Scenes that were written by hand, copy for copy, and are made by repetition and definitions now. */
+@Timeout(60)
+class RepeatedScenesTest {
+    private static final SceneDatabase DATABASE = SceneFiles.examples();
+
+    /** The digests are those of the pictures, 32 × 18, when every copy was written down. */
+    @ParameterizedTest
+    @CsvSource({
+        "Brick, 36d0dbb3c1bb361413731c7691c35c3b0416deaea9634aaaa493af42a2691f5e",
+        "Castle, 6d4a53f3d51dd129378386c5c31ebecf762160797b125bb83b7ec79a24910c64",
+        "Chess set, ec2c9653ff6c2088a984fd376b32873d1aa5090cfa07bcd56242e8f3268614bc",
+        "Drawing board, 5e607e7eff834e8c945204a6fb586021f54a8b3d498069c701b7f03c08caceda",
+        "Evening sun, b8b82543a0ed68f3e4fddef7302155164391801f5f585f417aa960a82a47a8cf",
+        "Gears, 8f80d48b247fdf6d12e5cd5485bb6274e898adf8320014c03b759d393f77e7c3",
+        "Iced water, df1e67f521b17d6beefbaaae83ebbb4a3dc0b54706869d4a9b578ac1381a461d",
+        "Puzzle cube, a97ece540ba488c4372fd4f2e40c5fd20f04ac23893c3d7f0f136d51e1aeeb87",
+        "Temple, 93620349dcfe26b9304a534436b12f6a4b0a8b9a7c4dd4d889f551ea9ab05c4e"})
+    void thePictureIsTheSameToTheLastBit(String name, String digest) throws Exception {
+        Scene scene = DATABASE.get(name);
+        assertThat(scene.recipe().isNone()).isFalse();
+        Image image = Renderer.render(scene.withSettings(scene.settings().withSize(32, 18).withSamples(1)));
+        ByteBuffer bits = ByteBuffer.allocate(12 * 32 * 18);
+        for (int y = 0; y < 18; y++) {
+            for (int x = 0; x < 32; x++) {
+                bits.putFloat(image.red(x, y)).putFloat(image.green(x, y)).putFloat(image.blue(x, y));
+            }
+        }
+        assertThat(HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bits.array()))).isEqualTo(digest);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"gear", "brick", "chess-set", "stair", "forest"})
+    void oneSliderMakesAnotherSceneOfAtMostFortyLines(String name) throws Exception {
+        Path file = Path.of("../scenes", name + ".xml");
+        assertThat(Files.readAllLines(file)).hasSizeLessThanOrEqualTo(40);
+        Scene scene = SceneFiles.read(file);
+        Parameter parameter = scene.recipe().parameters().stream().filter(one -> one.least().isPresent() && one.most().isPresent()).findFirst().orElseThrow();
+        Scene least = SceneFiles.with(scene, Map.of(parameter.name(), Numbers.text(parameter.least().getAsDouble())));
+        assertThat(least.objects()).isNotEqualTo(scene.objects());
+        assertThat(SceneFiles.parse(SceneFiles.format(least))).isEqualTo(least);
+    }
+
+    @Test
+    void theDatabaseHasTheScenesOfTheseFiles() throws Exception {
+        for (String name : new String[] {"gear", "brick", "chess-set", "stair", "forest"}) {
+            Scene scene = SceneFiles.read(Path.of("../scenes", name + ".xml"));
+            assertThat(DATABASE.get(scene.name())).isEqualTo(scene);
+        }
+    }
+}
