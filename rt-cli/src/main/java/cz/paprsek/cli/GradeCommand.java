@@ -91,14 +91,12 @@ final class GradeCommand implements Callable<Integer> {
             throw new WrongUsage("--csv and --json are two forms of the same; say one");
         }
         List<Path> files = GradedPictures.files(words);
-        if (files.size() > 1 && evidence.isPresent() && !evidence.get().endsWith("/")) {
-            throw new WrongUsage("evidence of " + files.size() + " pictures does not fit into " + evidence.get() + "; name a directory that ends in /");
-        }
+        Evidence drawn = new Evidence(evidence, files);
         try {
             Scene scene = ChosenScene.of(file, name, camera, given);
             Assets assets = pictures.read(file, scene);
             RenderSettings settings = samples.map(scene.settings()::withSamples).orElse(scene.settings());
-            GradeReport report = new GradeReport(terminal, stop, csv, json, files.size() > 1, evidence);
+            GradeReport report = new GradeReport(terminal, stop, csv, json, files.size() > 1, drawn);
             report.begin();
             Grading grading = new Grading(scene.withSettings(settings), assets, samples.isPresent(), stop);
             int worst = ExitCode.DONE;

@@ -4,7 +4,6 @@ import cz.paprsek.cli.Grading.Graded;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
-import cz.paprsek.cli.value.Words;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageComparison;
 import cz.paprsek.image.ImageFiles;
@@ -20,16 +19,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
  * Tells how pictures are graded.
  *
  * @param several whether each line of words begins with the picture's name
- * @param evidence a file for a picture of four, or a directory, which ends in /
+ * @param evidence where a picture of four is drawn
  */
-record GradeReport(Terminal terminal, Stop stop, boolean csv, boolean json, boolean several, Optional<String> evidence) {
+record GradeReport(Terminal terminal, Stop stop, boolean csv, boolean json, boolean several, Evidence evidence) {
     private static final List<String> COLUMNS = List.of("picture", "verdict", "mistakes", "beyond", "largest", "mean", "explained", "left");
 
     /** Begins. */
@@ -48,12 +46,8 @@ record GradeReport(Terminal terminal, Stop stop, boolean csv, boolean json, bool
         } else {
             lines(picture, graded);
         }
-        boolean isDrawn = evidence.isEmpty() || draw(evidence.get().endsWith("/") ? Path.of(evidence.get(), name(picture) + ".png") : Words.path(evidence.get()), graded);
+        boolean isDrawn = evidence.of(picture).map(target -> draw(target, graded)).orElse(true);
         return isDrawn && graded.grade().verdict() == Verdict.RIGHT ? ExitCode.DONE : ExitCode.FAILED;
-    }
-
-    private static String name(Path picture) {
-        return String.valueOf(picture.getFileName());
     }
 
     private void print(String line) {

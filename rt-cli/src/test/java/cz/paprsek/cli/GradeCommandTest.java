@@ -77,6 +77,16 @@ class GradeCommandTest {
     }
 
     @Test
+    void evidenceHasTheNameOfItsPictureAndIsWrittenOverNoneOfThem() {
+        Path picture = picture("a.ppm", "flip-y");
+        assertThat(Run.cli("grade", scene, picture, "--evidence", folder.resolve("why") + "/").code()).isEqualTo(1);
+        assertThat(folder.resolve("why/a.png")).exists();
+        picture("a.png", "flip-x");
+        assertThat(Run.cli("grade", scene, folder, "--evidence", folder.resolve("both") + "/").err()).contains("would both be", "a.png; grade them one by one\n");
+        assertThat(Run.cli("grade", scene, folder.resolve("a.png"), "--evidence", folder + "/").err()).contains("evidence would be written over " + folder.resolve("a.png") + "; name another place\n");
+    }
+
+    @Test
     void whatNothingExplainsIsNotExplained() throws IOException {
         Image noise = new Image(48, 32);
         for (int i = 0; i < 48 * 32; i++) {

@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
@@ -49,10 +50,16 @@ public final class PlainTracer {
         return Unknown.in(Objects.requireNonNull(scene, "scene"), Objects.requireNonNull(settings, "settings"));
     }
 
-    /** The light of a pixel, linear: red, green, blue. What goes wrong after that is not in it. */
-    public double[] light(int column, int row) {
-        Vec light = tracer.pixel(column, row);
-        return new double[] {light.x(), light.y(), light.z()};
+    /**
+     * The light of a pixel, linear: red, green, blue. What goes wrong after that is not in it.
+     *
+     * @param mostRays how many rays it may take, from the eye and from surfaces; shadow rays are not counted
+     * @return empty if it takes more
+     */
+    public Optional<double[]> light(int column, int row, int mostRays) {
+        Allowance allowed = new Allowance(mostRays);
+        Vec light = tracer.pixel(column, row, allowed);
+        return allowed.isExceeded() ? Optional.empty() : Optional.of(new double[] {light.x(), light.y(), light.z()});
     }
 
     /** The light that a right picture would have to show the numbers that come of some light with mistakes. */
@@ -74,7 +81,7 @@ public final class PlainTracer {
                 if (stop.getAsBoolean()) {
                     throw new CancellationException("asked to stop");
                 }
-                Vec light = development.of(tracer.pixel(column, row));
+                Vec light = development.of(tracer.pixel(column, row, Allowance.unlimited()));
                 image.set(column, row, light.x(), light.y(), light.z());
             }
         });
@@ -90,7 +97,7 @@ public final class PlainTracer {
         Require.that(column >= 0 && row >= 0 && column < settings.width() && row < settings.height(),
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
         Notes.Written written = new Notes.Written();
-        Vec light = development.of(new Tracer(scene, settings.withSamples(1), made, written).pixel(column, row));
+        Vec light = development.of(new Tracer(scene, settings.withSamples(1), made, written).pixel(column, row, Allowance.unlimited()));
         written.put("B", light);
         return new LinkedHashMap<>(written.values);
     }

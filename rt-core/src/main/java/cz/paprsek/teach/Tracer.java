@@ -77,21 +77,21 @@ final class Tracer {
         return made.has(FIRST_LIGHT_ONLY) && !lamps.isEmpty() ? lamps.subList(0, 1) : lamps;
     }
 
-    /** The light of a pixel: the mean of a grid of rays. */
-    Vec pixel(int column, int row) {
+    /** The light of a pixel: the mean of a grid of rays. Less than that if it takes more rays than are allowed. */
+    Vec pixel(int column, int row, Allowance allowed) {
         int n = raysAlongASide;
         Vec sum = Vec.ZERO;
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < n; j++) {
-                sum = sum.plus(trace(eye.ray(column + (j + 0.5) / n, row + (i + 0.5) / n), 1, Media.NONE));
+                sum = sum.plus(trace(eye.ray(column + (j + 0.5) / n, row + (i + 0.5) / n), 1, Media.NONE, allowed));
             }
         }
         return sum.times(1.0 / (n * n));
     }
 
     /** The light that a ray brings. */
-    private Vec trace(Ray ray, int depth, Media media) {
-        if (depth > maxDepth) {
+    private Vec trace(Ray ray, int depth, Media media, Allowance allowed) {
+        if (depth > maxDepth || !allowed.take()) {
             return Vec.ZERO;
         }
         Optional<Met> met = bodies.first(ray, media);
@@ -104,7 +104,7 @@ final class Tracer {
         if (depth == maxDepth || (material.reflection() == 0 && material.transparency() == 0)) {
             return local;
         }
-        return follow(hit, material, made.has(MIRROR_BLENDS) ? local.times(1 - material.reflection()) : local, depth);
+        return follow(hit, material, made.has(MIRROR_BLENDS) ? local.times(1 - material.reflection()) : local, depth, allowed);
     }
 
     private Hit hit(Ray ray, Media media, Met met) {
@@ -190,7 +190,7 @@ final class Tracer {
      * Adds what is mirrored and what shines through. With e = n₁/n₂ and t = 1 + e²(c² − 1), the refracted direction is e·d + (e·c − √t)·N; if t is
      * negative all light is mirrored.
      */
-    private Vec follow(Hit hit, Material material, Vec light, int depth) {
+    private Vec follow(Hit hit, Material material, Vec light, int depth, Allowance allowed) {
         Vec d = hit.ray().direction();
         Vec n = hit.normal();
         double reflection = material.reflection();
@@ -207,11 +207,11 @@ final class Tracer {
         }
         Vec sum = light;
         if (reflection > 0 && !made.has(NO_REFLECTION)) {
-            sum = sum.plus(trace(made.has(ACNE) ? Ray.fromEye(hit.point(), mirrored(d, n)) : hit.back(mirrored(d, n)), depth + 1, media).times(reflection));
+            sum = sum.plus(trace(made.has(ACNE) ? Ray.fromEye(hit.point(), mirrored(d, n)) : hit.back(mirrored(d, n)), depth + 1, media, allowed).times(reflection));
         }
         if (refracts && !made.has(NO_TRANSPARENCY)) {
             Vec through = d.times(e).plus(n.times(e * c - Math.sqrt(t)));
-            sum = sum.plus(trace(made.has(ACNE) ? Ray.fromEye(hit.point(), through) : hit.on(through), depth + 1, beyond).times(material.transparency()));
+            sum = sum.plus(trace(made.has(ACNE) ? Ray.fromEye(hit.point(), through) : hit.on(through), depth + 1, beyond, allowed).times(material.transparency()));
         }
         return sum;
     }

@@ -13,6 +13,9 @@ import java.util.function.BooleanSupplier;
 
 /** What pictures with mistakes look like at some places; each place is traced once for each mistake, however many pictures it is compared with. */
 final class Attempts {
+    /** More rays are not followed, for each ray through a pixel: what is seen at the few places that take more is left open. */
+    private static final int RAYS = 64;
+
     private final Scene scene;
     private final RenderSettings settings;
     private final Places places;
@@ -33,7 +36,7 @@ final class Attempts {
         return places;
     }
 
-    /** The numbers at some places. What goes wrong when light becomes numbers needs no rays of its own. */
+    /** The numbers at some places; unknown where light takes too many rays. What goes wrong when light becomes numbers needs no rays of its own. */
     Sheet with(Mistakes made, int[] at, boolean isGrey) {
         Attempt attempt = light.computeIfAbsent(made.without(Part.PICTURE), rays ->
                 new Attempt(PlainTracer.of(scene, settings, rays), new AtomicReferenceArray<>(places.count())));
@@ -49,7 +52,7 @@ final class Attempts {
         if (stop.getAsBoolean()) {
             throw new CancellationException("asked to stop");
         }
-        double[] traced = attempt.tracer.light(places.column(place), places.row(place));
+        double[] traced = attempt.tracer.light(places.column(place), places.row(place), RAYS * settings.samples() * settings.samples()).orElse(Sheet.UNKNOWN);
         attempt.light.set(place, traced);
         return traced;
     }

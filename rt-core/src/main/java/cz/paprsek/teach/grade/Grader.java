@@ -4,6 +4,10 @@ import cz.paprsek.image.Image;
 import cz.paprsek.image.StoredImage;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Shape;
 import cz.paprsek.teach.PlainTracer;
 import cz.paprsek.teach.grade.Grade.Verdict;
 import cz.paprsek.teach.mistake.Mistake;
@@ -20,11 +24,18 @@ import java.util.stream.Stream;
 
 /**
  * Says which mistakes explain a picture of a scene best, one or two of them. Every mistake is rendered once, at a few hundred pixels of the very size of the
- * picture, among them some that are wrong; what comes near is looked at at more. Of two mistakes, one at least explains something by itself: the five best are tried with all others.
+ * picture, among them some that are wrong; what comes near is looked at at more. Of two mistakes, one at least explains something by itself: the five best are
+ * tried with all others. Where light takes hundreds of rays, nothing is looked at,
+ * and of scenes with many bodies fewer pixels are.
  */
 public final class Grader {
     private static final int FEW = 150;
+    /** Of pairs, which are thousands, some are left after a glance at so many pixels of each kind. */
+    private static final int GLANCE = 25;
+    private static final int GLANCED = 60;
     private static final int MANY = 1500;
+    /** Of scenes with more primitives, each of which every ray of the plain tracer is tried with, fewer pixels are looked at. */
+    private static final int SMALL = 40;
     /** So many mistakes are tried together with all others. */
     private static final int LIKELY = 5;
     private static final int REFINED = 10;
@@ -49,9 +60,18 @@ public final class Grader {
 
         Look(Scene scene, RenderSettings settings, BooleanSupplier stop) {
             samples = settings.samples();
-            attempts = new Attempts(scene, settings, Places.of(settings.width(), settings.height(), MANY), stop);
+            int most = MANY * SMALL / Math.max(SMALL, Math.min(5 * SMALL, primitives(scene)));
+            attempts = new Attempts(scene, settings, Places.of(settings.width(), settings.height(), most), stop);
             many = IntStream.range(0, attempts.places().count()).toArray();
         }
+    }
+
+    private static int primitives(Scene scene) {
+        return scene.objects().stream().map(SceneObject::shape).mapToInt(Grader::primitives).sum();
+    }
+
+    private static int primitives(Shape shape) {
+        return shape instanceof Csg csg ? csg.operands().stream().map(Operand::solid).mapToInt(Grader::primitives).sum() : 1;
     }
 
     private record Candidate(Mistakes made, double left) {}
@@ -113,15 +133,23 @@ public final class Grader {
         /** Some pixels all over the picture, and some of those that are wrong. */
         private final int[] telling;
         private final Sheet few;
+        private final int[] glanced;
+        private final Sheet glance;
 
         Judging(Look look, Image image, boolean isGrey) {
             this.look = look;
             this.isGrey = isGrey;
             this.many = Sheet.of(image, look.attempts.places(), look.many, isGrey);
             Sheet right = look.attempts.with(Mistakes.NONE, look.many, isGrey);
-            this.telling = IntStream.concat(IntStream.range(0, Math.min(FEW, look.many.length)),
-                    IntStream.of(look.many).filter(i -> many.distance(right, i) > 0).limit(FEW)).distinct().toArray();
+            this.telling = telling(right, FEW);
             this.few = Sheet.of(image, look.attempts.places(), telling, isGrey);
+            this.glanced = telling(right, GLANCE);
+            this.glance = Sheet.of(image, look.attempts.places(), glanced, isGrey);
+        }
+
+        private int[] telling(Sheet right, int each) {
+            return IntStream.concat(IntStream.range(0, Math.min(each, look.many.length)),
+                    IntStream.of(look.many).filter(i -> many.distance(right, i) > 0).limit(each)).distinct().toArray();
         }
 
         Grade grade() {
@@ -160,7 +188,8 @@ public final class Grader {
             IntStream.range(0, singles.size()).forEach(i -> singles.subList(i + 1, singles.size()).stream().map(Candidate::made)
                     .filter(other -> i < LIKELY || isCheap(other) || isCheap(singles.get(i).made) || (isOfEye(other) && isOfEye(singles.get(i).made)))
                     .forEach(other -> pairs.add(singles.get(i).made.and(other.all().iterator().next()))));
-            return pairs.stream().parallel().map(this::rough).sorted(Comparator.comparingDouble(Candidate::left)).toList();
+            List<Candidate> likely = pairs.stream().parallel().map(this::glanced).sorted(Comparator.comparingDouble(Candidate::left)).limit(GLANCED).toList();
+            return likely.stream().parallel().map(one -> rough(one.made)).sorted(Comparator.comparingDouble(Candidate::left)).toList();
         }
 
         private static boolean isCheap(Mistakes one) {
@@ -169,6 +198,10 @@ public final class Grader {
 
         private static boolean isOfEye(Mistakes one) {
             return one.all().iterator().next().part() == Part.EYE;
+        }
+
+        private Candidate glanced(Mistakes made) {
+            return new Candidate(made, look.attempts.with(made, glanced, isGrey).distance(glance));
         }
 
         private Candidate rough(Mistakes made) {
