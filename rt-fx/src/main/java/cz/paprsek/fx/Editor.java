@@ -48,6 +48,7 @@ final class Editor implements Notices {
     private final RenderWindow renders;
     private final LibraryWindow library;
     private final MistakesWindow mistakes;
+    private final PresenterWindow presenter;
     private final ObjectProperty<Theme> theme;
     private final ObjectProperty<Texts> texts;
     private final BooleanProperty snapping = new SimpleBooleanProperty(true);
@@ -73,6 +74,7 @@ final class Editor implements Notices {
         this.renders = new RenderWindow(this, dialogs);
         this.library = new LibraryWindow(this, document, dialogs);
         this.mistakes = new MistakesWindow(this);
+        this.presenter = new PresenterWindow(this);
         stage.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1280, 800));
         stage.setMinWidth(LEAST_WIDTH);
         stage.setMinHeight(LEAST_HEIGHT);
@@ -170,6 +172,10 @@ final class Editor implements Notices {
         return mistakes;
     }
 
+    PresenterWindow presenter() {
+        return presenter;
+    }
+
     /** Changes the language of the window, now and for later. */
     void setLanguage(Locale language) {
         settings.set("language", language.toLanguageTag());
@@ -199,6 +205,7 @@ final class Editor implements Notices {
         renders.close();
         library.close();
         mistakes.close();
+        presenter.close();
         if (window != null) {
             window.close();
         }

@@ -57,11 +57,12 @@ final class LibraryWindow implements Desk {
     void show() {
         Stage open = stage;
         if (open == null) {
-            open = new Stage();
+            Stage shown = new Stage();
+            open = shown;
             open.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1160, 740));
             open.focusedProperty().addListener((property, old, now) -> store.checkDisk());
             stage = open;
-            WindowPlace.keep(open, editor.settings(), "window.library", () -> {});
+            WindowPlace.keep(open, editor.settings(), "window.library", () -> Sizes.opened(shown, 1160, 740, Optional.empty()));
             fill();
         }
         if (library.file().isEmpty()) {

@@ -154,6 +154,7 @@ final class Menus {
                 command("view-menu.zoom-in", () -> views.zoom(pane -> pane.zoom(1.25))).keys("Shortcut+Plus").menuItem(),
                 command("view-menu.zoom-out", () -> views.zoom(pane -> pane.zoom(0.8))).keys("Shortcut+Minus").menuItem(), fitAll.menuItem(),
                 command("view-menu.fit-selection", views::fitSelection).keys("Shortcut+Shift+0").menuItem(), new SeparatorMenuItem(), explain,
+                command("view-menu.present", views::present).keys("Shortcut+Shift+E").menuItem(),
                 views.cameras().menu(), new SeparatorMenuItem(), theme, language);
     }
 

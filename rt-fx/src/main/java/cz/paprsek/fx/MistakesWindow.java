@@ -23,9 +23,10 @@ final class MistakesWindow {
     void show() {
         Stage open = stage;
         if (open == null) {
-            open = new Stage();
+            Stage shown = new Stage();
+            open = shown;
             open.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1280, 720));
-            WindowPlace.keep(open, editor.settings(), "window.mistakes", () -> {});
+            WindowPlace.keep(open, editor.settings(), "window.mistakes", () -> Sizes.mostOfTheScreen(shown, 1280, 720));
             stage = open;
         }
         fill();

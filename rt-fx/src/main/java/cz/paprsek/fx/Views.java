@@ -22,8 +22,10 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
+import javafx.scene.control.Button;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
+import javafx.scene.layout.Region;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 
@@ -37,6 +39,7 @@ final class Views {
     private final PaneGrid grid;
     private final ExplainMode explaining;
     private final CameraCommands cameras;
+    private final Runnable present;
     private Node last;
     private Optional<ProjectionPane> active = Optional.empty();
 
@@ -55,6 +58,8 @@ final class Views {
                 titled("front", texts.of("view.front"), texts, front), titled("right", texts.of("view.right"), texts, right));
         grid = new PaneGrid(titled);
         explaining = new ExplainMode(model, camera, projections, new ExplainPane(texts, theme, editor.treeChooser()));
+        present = () -> editor.presenter().show(explaining.pane().explained());
+        explaining.pane().addTool(presentButton(texts));
         cameras = new CameraCommands(commands.edits(), () -> focus(editor));
         titled.get(1).addTool(cameras.chooser());
         titled.get(1).addFoldingTool(explainButton(texts));
@@ -89,6 +94,20 @@ final class Views {
         button.setFocusTraversable(false);
         button.selectedProperty().bindBidirectional(explaining.onProperty());
         return button;
+    }
+
+    private Button presentButton(Texts texts) {
+        Button button = new Button(texts.of("explain.present"));
+        button.setId("explain-present");
+        button.setTooltip(new Tooltip(texts.of("explain.present-hint")));
+        button.setMinWidth(Region.USE_PREF_SIZE);
+        button.setOnAction(event -> present());
+        return button;
+    }
+
+    /** Explains the pixel, or the one in the middle, before a class. */
+    void present() {
+        present.run();
     }
 
     /** Through which camera the user looks. */

@@ -14,10 +14,12 @@ import javafx.scene.input.KeyEvent;
 /** While it is on, the camera's picture tells why its pixels have their colours, and all views draw the rays. */
 public final class ExplainMode {
     private final BooleanProperty on = new SimpleBooleanProperty();
+    private final EditorModel model;
     private final CameraPane camera;
     private final ExplainPane pane;
 
     public ExplainMode(EditorModel model, CameraPane camera, List<ProjectionPane> projections, ExplainPane pane) {
+        this.model = model;
         this.camera = camera;
         this.pane = pane;
         on.addListener((property, old, now) -> pane.clear());
@@ -35,7 +37,7 @@ public final class ExplainMode {
         camera.setOnRefreshed(this::explainAgain);
         camera.pointedProperty().addListener((property, old, now) -> {
             if (on.get()) {
-                pane.hover(now);
+                pane.hover(now.map(this::ofThePicture));
             }
         });
         camera.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
@@ -64,15 +66,20 @@ public final class ExplainMode {
         }
     }
 
+    /** The pixel of the full picture, by the numbers that the command line has for it, rather than one of the preview. */
+    private PicturePoint ofThePicture(PicturePoint previewed) {
+        return previewed.in(model.state().seen().settings());
+    }
+
     private boolean clicked(PicturePoint point) {
         if (on.get()) {
-            pane.click(point);
+            pane.click(ofThePicture(point));
         }
         return on.get();
     }
 
     /** The same place of the picture, when the scene has changed or the picture has another size. */
     private void explainAgain() {
-        pane.explained().flatMap(was -> camera.at(was.x() / was.settings().width(), was.y() / was.settings().height())).ifPresent(pane::show);
+        pane.explained().flatMap(was -> camera.at(was.x() / was.settings().width(), was.y() / was.settings().height())).map(this::ofThePicture).ifPresent(pane::show);
     }
 }

@@ -24,6 +24,7 @@ import javafx.beans.value.ObservableValue;
 import javafx.concurrent.Task;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
+import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.SplitPane;
@@ -50,6 +51,7 @@ public final class ExplainPane extends BorderPane {
     private final Words words;
     private final Label title = new Label();
     private final Label message = new Label();
+    private final HBox top = new HBox(10);
     private final Slider grown = new Slider(1, 1, 1);
     private final TreeView<Outline> tree = new TreeView<>();
     private final StepTable steps;
@@ -90,7 +92,7 @@ public final class ExplainPane extends BorderPane {
         HBox.setHgrow(grown, Priority.ALWAYS);
         Label growing = new Label(texts.of("explain.rays"));
         growing.setMinWidth(Region.USE_PREF_SIZE);
-        HBox top = new HBox(10, title, growing, grown, new TreeExport(this, texts, chooser, message::setText));
+        top.getChildren().addAll(title, growing, grown, new TreeExport(this, texts, chooser, message::setText));
         top.setAlignment(Pos.CENTER_LEFT);
         top.getStyleClass().add("explain-top");
         samples = new SampleList(words);
@@ -104,6 +106,11 @@ public final class ExplainPane extends BorderPane {
         setCenter(parts);
         setBottom(new VBox(message, new RayLegend(words, theme)));
         clear();
+    }
+
+    /** Adds something that can be done with the pixel. */
+    public void addTool(Node tool) {
+        top.getChildren().add(tool);
     }
 
     /** Adds the rays in three projections below, where no other window part draws them. */

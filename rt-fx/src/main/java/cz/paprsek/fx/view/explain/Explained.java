@@ -16,7 +16,7 @@ import cz.paprsek.render.explain.text.TreeText;
 import cz.paprsek.words.Words;
 
 /** A pixel that is explained, by what is listed of it: its rays, or typical paths by which its light came. */
-sealed interface Explained {
+public sealed interface Explained {
     /** Explains the pixel at a point of a picture. */
     static Explained of(PicturePoint point) {
         RenderOptions options = RenderOptions.of(point.settings());

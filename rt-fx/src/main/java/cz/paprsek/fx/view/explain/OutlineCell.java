@@ -3,11 +3,13 @@ package cz.paprsek.fx.view.explain;
 import cz.paprsek.render.explain.text.Outline;
 import cz.paprsek.words.Words;
 import java.util.function.Predicate;
+import javafx.css.PseudoClass;
 import javafx.scene.control.TreeCell;
 import javafx.scene.shape.Rectangle;
 
-/** A ray in the outline: the colour of its light, its name, and what it meets; faint if it is still to come. */
+/** A ray in the outline: the colour of its light, its name, and what it meets; in italics, as dark as can be read with ease, if it is still to come. */
 final class OutlineCell extends TreeCell<Outline> {
+    private static final PseudoClass TO_COME = PseudoClass.getPseudoClass("to-come");
     private static final double FAINT = 0.35;
 
     private final Words words;
@@ -22,7 +24,9 @@ final class OutlineCell extends TreeCell<Outline> {
     @Override
     protected void updateItem(Outline outline, boolean empty) {
         super.updateItem(outline, empty);
-        setOpacity(empty || isShown.test(outline) ? 1 : FAINT);
+        boolean isToCome = !empty && !isShown.test(outline);
+        pseudoClassStateChanged(TO_COME, isToCome);
+        patch.setOpacity(isToCome ? FAINT : 1);
         if (empty) {
             setText("");
             setGraphic(null);

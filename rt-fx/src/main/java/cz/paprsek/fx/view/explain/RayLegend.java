@@ -7,6 +7,7 @@ import cz.paprsek.fx.view.rays.RayPainter;
 import cz.paprsek.words.Words;
 import java.util.List;
 import javafx.beans.value.ObservableValue;
+import javafx.scene.Node;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.control.Label;
@@ -14,7 +15,7 @@ import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.Region;
 
 /** What colours and dashes mean. */
-final class RayLegend extends FlowPane {
+public final class RayLegend extends FlowPane {
     private static final double LENGTH = 40;
     private static final double HEIGHT = 12;
 
@@ -23,13 +24,18 @@ final class RayLegend extends FlowPane {
         setId("explain-legend");
         getStyleClass().add("explain-legend");
         for (RayLine.Style style : RayLine.Style.values()) {
-            Canvas line = new Canvas(LENGTH, HEIGHT);
-            Label label = new Label(style.title(words), line);
+            Label label = new Label(style.title(words), line(style, theme));
             label.setMinWidth(Region.USE_PREF_SIZE);
             getChildren().add(label);
-            paint(line, style, theme.getValue());
-            theme.addListener((property, old, now) -> paint(line, style, now));
         }
+    }
+
+    /** A piece of a line as it is drawn. */
+    public static Node line(RayLine.Style style, ObservableValue<Theme> theme) {
+        Canvas line = new Canvas(LENGTH, HEIGHT);
+        paint(line, style, theme.getValue());
+        theme.addListener((property, old, now) -> paint(line, style, now));
+        return line;
     }
 
     private static void paint(Canvas line, RayLine.Style style, Theme theme) {

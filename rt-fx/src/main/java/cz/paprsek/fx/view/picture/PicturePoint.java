@@ -26,6 +26,11 @@ public record PicturePoint(RenderScene scene, RenderSettings settings, double x,
         return Math.min((int) y, settings.height() - 1);
     }
 
+    /** The same place in a picture with other settings, such as one of another size. */
+    public PicturePoint in(RenderSettings other) {
+        return new PicturePoint(scene, other, x / settings.width() * other.width(), y / settings.height() * other.height());
+    }
+
     /** What is seen there; empty for the background. */
     public Optional<Pick> pick() {
         return Pick.at(scene, settings, x, y);

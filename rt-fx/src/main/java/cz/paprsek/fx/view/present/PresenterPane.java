@@ -1,0 +1,394 @@
+package cz.paprsek.fx.view.present;
+
+import cz.paprsek.asset.Assets;
+import cz.paprsek.drawing.RayLine;
+import cz.paprsek.drawing.RayLine.Style;
+import cz.paprsek.fx.view.explain.Explained;
+import cz.paprsek.fx.view.explain.RayLegend;
+import cz.paprsek.fx.view.library.Worker;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.picture.PictureBuffer;
+import cz.paprsek.fx.view.picture.PicturePoint;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageOptions;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Tile;
+import cz.paprsek.render.explain.text.Outline;
+import cz.paprsek.render.explain.text.Step;
+import cz.paprsek.render.live.LiveListener;
+import cz.paprsek.render.live.LivePass;
+import cz.paprsek.render.live.LiveRender;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+import javafx.animation.Animation;
+import javafx.animation.KeyFrame;
+import javafx.animation.Timeline;
+import javafx.application.Platform;
+import javafx.beans.binding.Bindings;
+import javafx.beans.value.ObservableValue;
+import javafx.geometry.Pos;
+import javafx.scene.control.Button;
+import javafx.scene.control.ButtonBase;
+import javafx.scene.control.CheckBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.ColumnConstraints;
+import javafx.scene.layout.FlowPane;
+import javafx.scene.layout.GridPane;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.RowConstraints;
+import javafx.util.Duration;
+
+/**
+ * Why a pixel has its colour, told to a class: its rays come one after the other, by keys or by themselves, each with its exercise in large type. The pixel is one
+ * of the full picture, by the numbers that the command line has for it. What the mouse is at, a ray or a line of the exercise, lights up in both.
+ */
+public final class PresenterPane extends BorderPane {
+    private static final Duration EACH = Duration.seconds(3);
+    /** Lines of the exercise that fit above each other. */
+    private static final double LINES = 40;
+    private static final double SMALLEST_TYPE = 17;
+
+    private final Texts texts;
+    private final Scene scene;
+    private final RenderSettings settings;
+    private final LiveRender live = new LiveRender(Runtime.getRuntime().availableProcessors());
+    private final ExecutorService explainer = Worker.named("present-pixel");
+    private final CompletableFuture<RenderScene> ready;
+    private final StagePicture picture;
+    private final Label title = new Label();
+    private final Label progress = new Label();
+    private final Label sum = new Label();
+    private final ListView<Step> steps = new ListView<>();
+    private final ToggleButton playing;
+    private final ToggleButton zoomed;
+    private final ToggleButton blank;
+    private final Timeline play;
+    private final Set<Style> hidden = EnumSet.noneOf(Style.class);
+    private Optional<Telling> telling = Optional.empty();
+    private Optional<RayLine> pointed = Optional.empty();
+    private Optional<Step> meant = Optional.empty();
+    private String light = "";
+    private int column;
+    private int row;
+    /** Counts the pixels asked for. */
+    private final AtomicInteger turn = new AtomicInteger();
+    private volatile boolean closed;
+
+    /** Of a scene as it is now. */
+    public PresenterPane(Scene scene, Assets assets, Texts texts, ObservableValue<Theme> theme) {
+        this.texts = texts;
+        this.scene = scene;
+        this.settings = scene.settings();
+        setId("present-pane");
+        getStylesheets().add(Objects.requireNonNull(PresenterPane.class.getResource("present.css")).toExternalForm());
+        PictureBuffer buffer = new PictureBuffer(settings.width(), settings.height());
+        picture = new StagePicture(buffer);
+        picture.setOnPixel(point -> show((int) point.getX(), (int) point.getY()));
+        picture.setOnRay(line -> go(told -> told.go(line.ray())));
+        picture.setOnPointed(this::point);
+        playing = toggle("present.play", "Space");
+        zoomed = toggle("present.zoom", "Z");
+        blank = toggle("present.blank", "B");
+        play = new Timeline(new KeyFrame(EACH, event -> step(1)));
+        play.setCycleCount(Animation.INDEFINITE);
+        playing.selectedProperty().addListener((property, old, now) -> play(now));
+        zoomed.selectedProperty().addListener((property, old, now) -> picture.zoom(now));
+        blank.selectedProperty().addListener((property, old, now) -> {
+            telling.ifPresent(Telling::forgetAsked);
+            steps.refresh();
+            showSum();
+        });
+        title.setId("present-title");
+        progress.setId("present-progress");
+        sum.setId("present-sum");
+        sum.setWrapText(true);
+        sum.setMinHeight(Region.USE_PREF_SIZE);
+        fillSteps();
+        FlowPane tools = new FlowPane(8, 4, title, button("present.back", "Left", () -> step(-1)), progress, button("present.next", "Right", () -> step(1)), playing, zoomed, blank);
+        tools.setId("present-tools");
+        tools.setAlignment(Pos.CENTER_LEFT);
+        setTop(tools);
+        setCenter(stage());
+        setBottom(kinds(theme));
+        addEventFilter(KeyEvent.KEY_PRESSED, this::key);
+        styleProperty().bind(Bindings.createStringBinding(() -> "-fx-font-size: " + Math.max(SMALLEST_TYPE, Math.rint(getHeight() / LINES)) + "px", heightProperty()));
+        ready = CompletableFuture.supplyAsync(() -> RenderScene.of(scene, assets, RenderMonitor.NONE), explainer);
+        live.show(scene, assets, settings, new Painter(buffer));
+    }
+
+    /** Picture and exercise beside each other, the picture larger. */
+    private GridPane stage() {
+        GridPane stage = new GridPane();
+        for (double share : new double[] {58, 42}) {
+            ColumnConstraints constraints = new ColumnConstraints();
+            constraints.setPercentWidth(share);
+            stage.getColumnConstraints().add(constraints);
+        }
+        RowConstraints all = new RowConstraints();
+        all.setVgrow(Priority.ALWAYS);
+        stage.getRowConstraints().addAll(all, new RowConstraints());
+        stage.add(picture, 0, 0);
+        stage.add(steps, 1, 0);
+        stage.add(sum, 0, 1, 2, 1);
+        GridPane.setVgrow(steps, Priority.ALWAYS);
+        steps.setMaxHeight(Double.MAX_VALUE);
+        return stage;
+    }
+
+    private void fillSteps() {
+        steps.setId("present-steps");
+        steps.setPlaceholder(new Label(""));
+        steps.setCellFactory(view -> {
+            StepCell cell = new StepCell(line -> blank.isSelected() && telling.filter(told -> told.isAsked(line)).isEmpty(), this::isLinked);
+            cell.setOnMouseEntered(event -> mean(Optional.ofNullable(cell.getItem())));
+            cell.setOnMouseExited(event -> mean(Optional.ofNullable(steps.getSelectionModel().getSelectedItem())));
+            cell.setOnMouseClicked(event -> ask(cell.getIndex()));
+            return cell;
+        });
+        steps.getSelectionModel().selectedItemProperty().addListener((property, old, now) -> mean(Optional.ofNullable(now)));
+    }
+
+    /** Ends what is being computed. */
+    public void close() {
+        closed = true;
+        turn.incrementAndGet();
+        play.stop();
+        live.close();
+        explainer.shutdown();
+    }
+
+    /** Tells of a pixel of the full picture, counted from 0; one beyond its edge is that at the edge. */
+    public void show(int atColumn, int atRow) {
+        column = Math.max(0, Math.min(settings.width() - 1, atColumn));
+        row = Math.max(0, Math.min(settings.height() - 1, atRow));
+        title.setText(texts.of("present.pixel", column, row, settings.width(), settings.height()));
+        int mine = turn.incrementAndGet();
+        double x = column + 0.5;
+        double y = row + 0.5;
+        explainer.execute(() -> {
+            try {
+                if (mine == turn.get()) {
+                    Explained explained = Explained.of(new PicturePoint(ready.join(), settings, x, y));
+                    Platform.runLater(() -> tell(mine, explained));
+                }
+            } catch (RuntimeException failed) {
+                say(failed);
+            }
+        });
+    }
+
+    /** Tells of the pixel in the middle. */
+    public void showMiddle() {
+        show(settings.width() / 2, settings.height() / 2);
+    }
+
+    /** The pixel that is told of, in words: which, of how large a picture. */
+    public String title() {
+        return title.getText();
+    }
+
+    private void say(Throwable failed) {
+        Throwable cause = failed instanceof CompletionException && failed.getCause() != null ? failed.getCause() : failed;
+        if (!closed) {
+            Platform.runLater(() -> sum.setText(texts.sentence(String.valueOf(cause.getMessage()))));
+        }
+    }
+
+    private void tell(int mine, Explained explained) {
+        if (mine != turn.get()) {
+            return;
+        }
+        light = explained.sum(texts.words());
+        showSum();
+        telling = explained.size() == 0 ? Optional.empty() : Optional.of(new Telling(scene, Outline.of(explained.ray(explained.typical())).pruned(explained.smallestShare())));
+        refresh();
+    }
+
+    private void showSum() {
+        sum.setText(blank.isSelected() ? texts.of("present.hidden") : light);
+    }
+
+    /** Shows the ray that has come. */
+    private void refresh() {
+        pointed = Optional.empty();
+        steps.getItems().setAll(telling.map(told -> told.steps(texts.words())).orElse(List.of()));
+        steps.scrollTo(0);
+        progress.setText(telling.map(told -> texts.of("present.ray", told.now() + 1, told.rays().size(), told.ray().name(), told.ray().percent())).orElse(""));
+        mean(Optional.empty());
+    }
+
+    private void go(Consumer<Telling> where) {
+        telling.ifPresent(told -> {
+            where.accept(told);
+            refresh();
+        });
+    }
+
+    private void step(int rays) {
+        go(told -> told.go(told.now() + rays));
+        if (telling.map(Telling::isLast).orElse(true)) {
+            playing.setSelected(false);
+        }
+    }
+
+    private void play(boolean on) {
+        if (on) {
+            if (telling.map(Telling::isLast).orElse(false)) {
+                go(told -> told.go(0));
+            }
+            play.playFromStart();
+        } else {
+            play.stop();
+        }
+    }
+
+    /** The line of the exercise whose rays and body light up. */
+    private void mean(Optional<Step> step) {
+        meant = step;
+        draw();
+    }
+
+    private void draw() {
+        picture.show(telling.map(told -> told.drawn(hidden)), line -> meant.isPresent() && telling.filter(told -> told.isAbout(line, meant.get().topic())).isPresent(),
+                meant.isPresent() ? telling.flatMap(Telling::body) : Optional.empty());
+    }
+
+    /** The mouse is at a ray: the lines of the exercise that speak of it light up. */
+    private void point(Optional<RayLine> at) {
+        if (!at.equals(pointed)) {
+            pointed = at;
+            steps.refresh();
+        }
+    }
+
+    private boolean isLinked(Step step) {
+        return pointed.isPresent() && telling.filter(told -> told.isAbout(pointed.get(), step.topic())).isPresent();
+    }
+
+    private void ask(int line) {
+        telling.ifPresent(told -> told.ask(line));
+        steps.refresh();
+    }
+
+    /** The numbers of the next line; after the last ray's last one, the pixel's. */
+    private void askNext() {
+        Optional<Integer> next = telling.flatMap(told -> told.nextToAsk(steps.getItems()));
+        next.ifPresentOrElse(line -> {
+            ask(line);
+            steps.getSelectionModel().select(line);
+            steps.scrollTo(Math.max(0, line - 3));
+        }, () -> sum.setText(light));
+    }
+
+    private FlowPane kinds(ObservableValue<Theme> theme) {
+        FlowPane boxes = new FlowPane(14, 2);
+        boxes.setId("present-kinds");
+        for (Style style : Style.values()) {
+            CheckBox box = new CheckBox(style.title(texts.words()));
+            box.setId("present-kind-" + style.name().toLowerCase(Locale.ROOT).replace('_', '-'));
+            box.setGraphic(RayLegend.line(style, theme));
+            box.setSelected(true);
+            box.setFocusTraversable(false);
+            box.setMinWidth(Region.USE_PREF_SIZE);
+            box.selectedProperty().addListener((property, old, now) -> {
+                if (now) {
+                    hidden.remove(style);
+                } else {
+                    hidden.add(style);
+                }
+                draw();
+            });
+            boxes.getChildren().add(box);
+        }
+        return boxes;
+    }
+
+    private void key(KeyEvent event) {
+        if (event.isShortcutDown() || event.isAltDown()) {
+            return;
+        }
+        if (event.isShiftDown()) {
+            switch (event.getCode()) {
+                case LEFT -> show(column - 1, row);
+                case RIGHT -> show(column + 1, row);
+                case UP -> show(column, row - 1);
+                case DOWN -> show(column, row + 1);
+                default -> {
+                    return;
+                }
+            }
+        } else {
+            switch (event.getCode()) {
+                case RIGHT, PAGE_DOWN -> step(1);
+                case LEFT, PAGE_UP -> step(-1);
+                case HOME -> go(told -> told.go(0));
+                case END -> go(told -> told.go(told.rays().size()));
+                case SPACE -> playing.fire();
+                case Z -> zoomed.fire();
+                case B -> blank.fire();
+                case ENTER -> askNext();
+                default -> {
+                    return;
+                }
+            }
+        }
+        event.consume();
+    }
+
+    private Button button(String key, String keys, Runnable action) {
+        Button button = new Button();
+        button.setOnAction(event -> action.run());
+        return tool(button, key, keys);
+    }
+
+    private ToggleButton toggle(String key, String keys) {
+        return tool(new ToggleButton(), key, keys);
+    }
+
+    private <T extends ButtonBase> T tool(T button, String key, String keys) {
+        button.setText(texts.of(key));
+        button.setId(key.replace('.', '-'));
+        button.setTooltip(new Tooltip(keys));
+        button.setFocusTraversable(false);
+        button.setMinWidth(Region.USE_PREF_SIZE);
+        return button;
+    }
+
+    /** Paints coarsely first. */
+    private final class Painter implements LiveListener {
+        private final PictureBuffer buffer;
+
+        Painter(PictureBuffer buffer) {
+            this.buffer = buffer;
+        }
+
+        @Override
+        public void painted(LivePass pass, Image image, Tile tile) {
+            buffer.paint(image, tile, pass.step(), ImageOptions.shown(pass.settings().exposure(), pass.settings().tone()));
+        }
+
+        @Override
+        public void failed(Throwable fault) {
+            say(fault);
+        }
+    }
+}

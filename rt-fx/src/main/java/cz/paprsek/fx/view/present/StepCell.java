@@ -1,0 +1,45 @@
+package cz.paprsek.fx.view.present;
+
+import cz.paprsek.render.explain.text.Step;
+import java.util.function.IntPredicate;
+import java.util.function.Predicate;
+import javafx.css.PseudoClass;
+import javafx.scene.control.ListCell;
+import javafx.scene.text.Text;
+import javafx.scene.text.TextFlow;
+
+/** A line of the exercise in large type, broken where it must; blank, only its formula. */
+final class StepCell extends ListCell<Step> {
+    private static final PseudoClass LINKED = PseudoClass.getPseudoClass("linked");
+    private static final double PADDING = 40;
+
+    private final Text name = new Text();
+    private final Text equation = new Text();
+    private final TextFlow both = new TextFlow(name, equation);
+    private final IntPredicate isHidden;
+    private final Predicate<Step> isLinked;
+
+    /** @param isLinked whether a line speaks of what the mouse is at */
+    StepCell(IntPredicate isHidden, Predicate<Step> isLinked) {
+        this.isHidden = isHidden;
+        this.isLinked = isLinked;
+        name.getStyleClass().add("present-name");
+        equation.getStyleClass().add("present-equation");
+        setPrefWidth(0);
+        both.maxWidthProperty().bind(widthProperty().subtract(PADDING));
+        both.prefWidthProperty().bind(widthProperty().subtract(PADDING));
+    }
+
+    @Override
+    protected void updateItem(Step step, boolean empty) {
+        super.updateItem(step, empty);
+        boolean isShown = !empty && step != null;
+        setGraphic(isShown ? both : null);
+        pseudoClassStateChanged(LINKED, isShown && isLinked.test(step));
+        if (isShown) {
+            name.setText(step.name().isEmpty() ? "" : step.name() + "  ");
+            String text = isHidden.test(getIndex()) && !step.result().isEmpty() ? step.formula() + " = ……" : step.equation();
+            equation.setText(text.replace(", ", ",\u00a0").replace("+ ", "+\u00a0").replace("= ", "=\u00a0"));
+        }
+    }
+}
