@@ -50,7 +50,7 @@ import picocli.CommandLine.ParameterException;
 final class Cli {
     /** Of all commands, in the order of the help. */
     private static final List<String> NAMES = List.of(
-            "render", "validate", "info", "explain", "convert", "bench", "compare", "grade", "crosscheck", "db", "schema", "generate-completion", "generate-man", "help");
+            "render", "validate", "info", "explain", "convert", "bench", "compare", "grade", "worksheet", "crosscheck", "db", "schema", "generate-completion", "generate-man", "help");
 
     /** As wide as every terminal is. */
     private static final int WIDTH = 80;
@@ -106,6 +106,7 @@ final class Cli {
         register(root, RayWishes.Sampler.class, word -> Words.constant(RayWishes.Sampler.class, word));
         register(root, ExplainCommand.When.class, word -> Words.constant(ExplainCommand.When.class, word));
         register(root, CompletionCommand.Shell.class, word -> Words.constant(CompletionCommand.Shell.class, word));
+        register(root, WorksheetCommand.Language.class, word -> Words.constant(WorksheetCommand.Language.class, word));
         register(root, BenchCommand.Opponent.class, word -> Words.constant(BenchCommand.Opponent.class, word));
         register(root, Path.class, Words::file);
         register(root, Integer.class, Words::wholeNumber);
@@ -158,6 +159,7 @@ final class Cli {
             case "bench" -> new BenchCommand(terminal, stop);
             case "compare" -> new CompareCommand(terminal, stop);
             case "grade" -> new GradeCommand(terminal, stop);
+            case "worksheet" -> new WorksheetCommand(terminal, stop);
             case "crosscheck" -> new CrossCheckCommand(terminal, stop);
             case "db" -> DbCommand.of(terminal, stop);
             case "schema" -> new SchemaCommand(terminal, stop);

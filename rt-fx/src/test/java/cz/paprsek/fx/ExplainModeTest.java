@@ -151,11 +151,11 @@ class ExplainModeTest {
         startExplaining();
         click(0.5, 0.5);
         MenuButton export = (MenuButton) editor.gui.node("#explain-export");
-        for (String kind : java.util.List.of("txt", "json", "svg")) {
+        for (String kind : java.util.List.of("txt", "json", "html", "svg")) {
             Path file = folder.resolve("tree." + kind);
             editor.dialogs.tree = Optional.of(file);
             editor.gui.act(() -> export.getItems().stream().filter(item -> ("explain-save-" + kind).equals(item.getId())).findFirst().orElseThrow().fire());
-            assertThat(Files.readString(file)).contains(kind.equals("svg") ? "<svg" : kind.equals("json") ? "\"kind\":\"refracted\"" : "E  from the eye");
+            assertThat(Files.readString(file)).contains(kind.equals("svg") ? "<svg" : kind.equals("html") ? "<h1>Worksheet" : kind.equals("json") ? "\"kind\":\"refracted\"" : "E  from the eye");
         }
         assertThat(editor.dialogs.asked).last().asString().startsWith("tree ").endsWith(".svg");
         assertThat(editor.text("#explain-message")).isEqualTo("tree.svg saved");

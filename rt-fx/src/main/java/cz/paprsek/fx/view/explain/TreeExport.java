@@ -47,6 +47,8 @@ final class TreeExport extends MenuButton {
             message.accept(texts.of("render.saved", file.getFileName()));
         } catch (IOException e) {
             message.accept(texts.of("render.not-saved", file.getFileName(), Failures.sentence(e)));
+        } catch (IllegalArgumentException notOfPaths) {
+            message.accept(texts.of("render.not-saved", file.getFileName(), texts.sentence(String.valueOf(notOfPaths.getMessage()))));
         }
     }
 }

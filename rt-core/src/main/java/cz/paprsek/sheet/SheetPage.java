@@ -1,0 +1,92 @@
+package cz.paprsek.sheet;
+
+import cz.paprsek.sheet.Worksheet.Task;
+import cz.paprsek.words.Words;
+import java.util.List;
+import java.util.OptionalLong;
+
+/** Writes a worksheet as HTML, to be printed on A4 or letter. */
+final class SheetPage {
+    private static final String STYLE = """
+            body { font: 11pt/1.35 sans-serif; color: #000; background: #fff; max-width: 190mm; margin: 8mm auto; padding: 0 4mm; }
+            h1 { font-size: 16pt; margin: 0 0 2mm; } h2 { font-size: 13pt; margin: 6mm 0 2mm; } h3 { font-size: 11pt; margin: 4mm 0 1mm; }
+            .who { display: flex; gap: 8mm; margin: 0 0 4mm; } .who span { flex: 1; border-bottom: 0.3mm solid #000; }
+            svg { width: 100%; height: auto; border: 0.2mm solid #bbb; break-inside: avoid; }
+            table { border-collapse: collapse; width: 100%; } td { padding: 0.6mm 2mm 0.6mm 0; vertical-align: bottom; } tr { break-inside: avoid; }
+            td.f { white-space: nowrap; width: 1%; } td.blank { border-bottom: 0.3mm solid #000; height: 7.5mm; }
+            .solution { break-before: page; } .result { font-weight: bold; } .remark { font-size: 9.5pt; }
+            @page { margin: 14mm; } @media print { body { margin: 0; max-width: none; padding: 0; } }
+            """;
+
+    private final String title;
+    private final OptionalLong seed;
+    private final Words words;
+    private final StringBuilder html = new StringBuilder();
+
+    SheetPage(String sceneName, OptionalLong seed, Words words) {
+        this.title = words.of("sheet.title") + (sceneName.isBlank() ? "" : ": " + sceneName) + (seed.isPresent() ? ", " + words.of("sheet.variant", seed.getAsLong()) : "");
+        this.seed = seed;
+        this.words = words;
+    }
+
+    String page(List<Task> tasks) {
+        html.append("<!DOCTYPE html>\n<html lang=\"").append(words.of("sheet.language")).append("\">\n<head>\n<meta charset=\"utf-8\">\n<title>").append(escaped(title))
+                .append("</title>\n<style>\n").append(STYLE).append("</style>\n</head>\n<body>\n");
+        element("h1", "", title);
+        html.append("<p class=\"who\">").append(escaped(words.of("sheet.name"))).append(" <span></span>").append(escaped(words.of("sheet.date"))).append(" <span></span></p>\n");
+        element("p", "remark", words.of("sheet.how"));
+        for (int i = 0; i < tasks.size(); i++) {
+            task(i + 1, tasks.get(i), false);
+        }
+        html.append("<div class=\"solution\">\n");
+        element("h1", "", words.of("sheet.solution") + (seed.isPresent() ? ", " + words.of("sheet.variant", seed.getAsLong()) : ""));
+        for (int i = 0; i < tasks.size(); i++) {
+            task(i + 1, tasks.get(i), true);
+        }
+        return html.append("</div>\n</body>\n</html>\n").toString();
+    }
+
+    private void task(int number, Task task, boolean isSolved) {
+        element("h2", "", number + ". " + words.of("sheet.pixel", task.pixel().column(), task.pixel().row()));
+        if (!isSolved) {
+            html.append(task.sketch());
+        }
+        for (RayExercise ray : task.rays()) {
+            element("h3", "", ray.name() + "  " + ray.headline());
+            html.append("<table>\n");
+            for (Line line : ray.lines()) {
+                if (!isSolved || !line.isGiven()) {
+                    line(line, isSolved);
+                }
+            }
+            html.append("</table>\n");
+        }
+        html.append("<table>\n");
+        line(new Line("v = 255·(1.055·B^(1/2.4) − 0.055)", Pocket.text(task.reckoned()), "sRGB " + Pocket.shown(task.reckoned()), false), isSolved);
+        html.append("</table>\n");
+        if (isSolved) {
+            element("p", "remark", words.of("sheet.all-digits", Pocket.text(task.pixel().light()), Pocket.shown(task.pixel().light())));
+        }
+    }
+
+    private void line(Line line, boolean isSolved) {
+        html.append("<tr><td class=\"f\">").append(escaped(line.formula())).append("</td>");
+        if (line.isGiven()) {
+            // What begins with a letter says itself what is equal to what.
+            html.append("<td>").append(Character.isLetter(line.result().charAt(0)) ? "" : "= ").append(escaped(line.result())).append("</td>");
+        } else if (isSolved) {
+            html.append("<td>").append(line.numbers().isEmpty() ? "" : "= " + escaped(line.numbers()) + " ").append("= <span class=\"result\">").append(escaped(line.result())).append("</span></td>");
+        } else {
+            html.append("<td class=\"blank\">=</td>");
+        }
+        html.append("</tr>\n");
+    }
+
+    private void element(String name, String kind, String text) {
+        html.append('<').append(name).append(kind.isEmpty() ? "" : " class=\"" + kind + "\"").append('>').append(escaped(text)).append("</").append(name).append(">\n");
+    }
+
+    private static String escaped(String text) {
+        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+    }
+}
