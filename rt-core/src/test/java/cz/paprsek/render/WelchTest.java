@@ -3,6 +3,9 @@ package cz.paprsek.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFiles;
+import cz.paprsek.image.ImageFormat;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
@@ -23,10 +26,15 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Sphere;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -45,9 +53,18 @@ class WelchTest {
 
     @ParameterizedTest
     @CsvSource({"POINTS, BOTH, 0", "DIRECTIONS, BOTH, 0", "POINTS, DIRECTIONS, 0", "POINTS, BOTH, 0.6", "DIRECTIONS, BOTH, 0.6",
-        "BALL_BY_CHANCE, BALL, 0", "BLOCK_BY_CHANCE, BLOCK, 0", "BLOCK_BY_CHANCE, BLOCK, 0.6"})
+        "BALL_BY_CHANCE, BALL, 0", "BLOCK_BY_CHANCE, BLOCK, 0", "BLOCK_BY_CHANCE, BLOCK, 0.6",
+        "SKY_BY_CHANCE, SKY, 0", "SKY_BY_CHANCE, SKY, 0.5"})
     void allWaysToFindALightHaveTheSameMean(Estimator one, Estimator other, double roughness) {
         assertThat(kolmogorov(pValues(one.means(roughness, 0), other.means(roughness, GROUPS), 1))).as("how probable even p-values are to be as uneven as these").isGreaterThan(0.001);
+    }
+
+    /** A sun of one point of the sky's picture, which few paths meet. */
+    @Test
+    void aSkyThatIsLookedForHasFarLessGrain() {
+        double[][] sought = Estimator.SKY.means(0, 0);
+        double[][] met = Estimator.SKY_BY_CHANCE.means(0, 0);
+        assertThat(Arrays.stream(sought).mapToDouble(WelchTest::variance).sum()).isLessThan(0.06 * Arrays.stream(met).mapToDouble(WelchTest::variance).sum());
     }
 
     /** The same test finds a light that is a fiftieth too bright: it can fail. */
@@ -66,12 +83,34 @@ class WelchTest {
     }
 
     enum Estimator {
-        POINTS, DIRECTIONS, BOTH, BALL, BALL_BY_CHANCE, BLOCK, BLOCK_BY_CHANCE;
+        POINTS, DIRECTIONS, BOTH, BALL, BALL_BY_CHANCE, BLOCK, BLOCK_BY_CHANCE, SKY, SKY_BY_CHANCE;
 
         private static final Material GLOW = Material.DEFAULT.withDiffusion(0).withHighlight(0, 1).withEmission(Rgb.WHITE, RADIANCE);
         /** Above and behind the scene, turned and stretched. */
         private static final SceneObject BLOCK_BODY = SceneObject.of(new Block(new Vec3(-0.4, -0.3, -0.2), new Vec3(0.2, 0.3, 0.4), 0)).scaled(1, 2, 1).rotated(20, 30, 40).at(-0.7, 1.9, 0.2).madeOf(GLOW);
         private static final SceneObject BALL_BODY = SceneObject.of(new Sphere(0.5)).at(-0.7, 1.9, 0.2).madeOf(GLOW);
+
+        private static final Assets SKY_PICTURE = skyPicture();
+
+        private static Assets skyPicture() {
+            Image picture = new Image(32, 16);
+            for (int i = 0; i < 32 * 16; i++) {
+                double light = i == 32 * 3 + 20 ? 200 : 0.2 + 0.01 * (i % 32);
+                picture.set(i % 32, i / 32, light, light, light);
+            }
+            ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+            try {
+                ImageFiles.write(picture, bytes, ImageFormat.PFM);
+            } catch (IOException impossible) {
+                throw new UncheckedIOException(impossible);
+            }
+            return Assets.of(Map.of("sky.pfm", bytes.toByteArray()));
+        }
+
+        /** The floor alone: where footprints are small, the picture is looked up the same way by all. */
+        private static Scene underSky(Scene scene) {
+            return scene.withObjects(scene.objects().subList(0, 1)).withSky(new Scene.Sky.Picture("sky.pfm", 40, 1.5));
+        }
 
         private static SceneObject byChance(SceneObject body) {
             return body.withShape(Csg.union((Solid) body.shape()));
@@ -92,6 +131,9 @@ class WelchTest {
                 case BALL -> dark.plus(BALL_BODY);
                 case BALL_BY_CHANCE -> dark.plus(byChance(BALL_BODY));
                 case BLOCK -> dark.plus(BLOCK_BODY);
+                case SKY -> underSky(dark);
+                // Behind glass that leaves all as it is, paths find light alone.
+                case SKY_BY_CHANCE -> underSky(dark).plus(SceneObject.of(new Sphere(50)).madeOf(Material.DEFAULT.withDiffusion(0).withTransparency(1, 1).withThin(true)));
                 case BLOCK_BY_CHANCE -> dark.plus(byChance(BLOCK_BODY));
             };
         }
@@ -104,7 +146,7 @@ class WelchTest {
         double[][] means(double roughness, int first) {
             RenderSettings settings = new RenderSettings(SIDE, SIDE, 2, 1).withIntegrator(Integrator.PATH).withSamples(PATHS);
             Scene scene = scene(roughness);
-            Paths paths = new Paths(new World(scene, new Textures(Assets.none()), () -> false), 2, new Passes(settings, false));
+            Paths paths = new Paths(new World(scene, new Textures(SKY_PICTURE), () -> false), this == SKY_BY_CHANCE ? 3 : 2, new Passes(settings, false));
             paths.begin(() -> false);
             Eye eye = Eye.of(scene.camera(), SIDE, SIDE);
             double[][] means = new double[SIDE * SIDE][GROUPS];

@@ -110,7 +110,7 @@ public final class PathExplainer {
         int from = ledger.source(entry);
         int ray = ledger.ray(entry);
         boolean isBody = emitters.has(from);
-        Source source = from >= 0 && !isBody ? Source.LIGHT : from == Ledger.SKY ? Source.SKY : from == Ledger.AMBIENT ? Source.AMBIENT : Source.SURFACE;
+        Source source = from >= 0 && from < scene.lamps().length ? Source.LIGHT : from == Ledger.SKY || (from >= 0 && !isBody) ? Source.SKY : from == Ledger.AMBIENT ? Source.AMBIENT : Source.SURFACE;
         int number = source == Source.LIGHT ? from : isBody ? emitters.object(from) : source == Source.SURFACE ? object(ray) : 0;
         List<Integer> objects = new ArrayList<>();
         for (int at = source == Source.SURFACE && !isBody ? ledger.parent(ray) : ray; at >= 0; at = ledger.parent(at)) {

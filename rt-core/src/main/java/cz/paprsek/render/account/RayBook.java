@@ -168,10 +168,13 @@ final class RayBook extends Witness {
         left = LinearRgb.WHITE;
     }
 
-    /** What a light is called, or a body that is looked for as lights are. */
+    /** What a light is called, or a body or a sky that is looked for as lights are. */
     private String name(int lamp) {
-        if (!emitters.has(lamp)) {
+        if (lamp < scene.lamps().length) {
             return scene.scene().lights().get(lamp).name();
+        }
+        if (!emitters.has(lamp)) {
+            return "sky";
         }
         SceneObject body = scene.scene().objects().get(emitters.object(lamp));
         return body.name().isEmpty() ? body.shape().kind() + " " + (emitters.object(lamp) + 1) : body.name();
@@ -184,7 +187,7 @@ final class RayBook extends Witness {
 
     /** Of a light without a size, to the last bit where it stands. */
     private Optional<Vec3> target(int lamp, Draft draft, Vec3 direction, double distance) {
-        return !emitters.has(lamp) && scene.scene().lights().get(lamp) instanceof PlacedLight placed && scene.lamps()[lamp].samples() == 1 ? Optional.of(placed.position())
+        return lamp < scene.lamps().length && scene.scene().lights().get(lamp) instanceof PlacedLight placed && scene.lamps()[lamp].samples() == 1 ? Optional.of(placed.position())
                 : Double.isFinite(distance) ? Optional.of(draft.place.point().plus(direction.times(distance))) : Optional.empty();
     }
 

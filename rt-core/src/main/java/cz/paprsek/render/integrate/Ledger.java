@@ -236,7 +236,7 @@ public class Ledger extends Witness {
         return entries;
     }
 
-    /** Where the light of an entry comes from: the number of a light, or of a body that is looked for as lights are, {@link #SKY}, {@link #AMBIENT} or {@link #EMISSION}. */
+    /** Where the light of an entry comes from: the number of a light, or of a body or the sky's picture that are looked for as lights are, {@link #SKY}, {@link #AMBIENT} or {@link #EMISSION}. */
     public final int source(int entry) {
         return source[entry];
     }

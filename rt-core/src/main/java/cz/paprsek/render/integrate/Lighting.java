@@ -6,6 +6,8 @@ import cz.paprsek.render.light.Emitters;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.light.PointLamp;
+import cz.paprsek.render.light.SkyLamp;
+import cz.paprsek.render.light.SkyLight;
 import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Contacts;
@@ -19,6 +21,7 @@ import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import java.util.stream.Stream;
@@ -45,9 +48,10 @@ final class Lighting {
     private final Sampler sampler;
     private final Bodies bodies;
     private final PartTable parts;
-    /** All that is looked for: the scene's lights, and for paths bodies that shine. */
+    /** All that is looked for: the scene's lights, and for paths bodies that shine, and last a picture that is the sky. */
     final Lamp[] lamps;
     final Emitters emitters;
+    final Optional<SkyLight> sky;
     private final boolean isRandom;
     private final Glows glows;
     private final Bodies.Finder finder;
@@ -101,7 +105,8 @@ final class Lighting {
         this.bodies = scene.bodies();
         this.parts = scene.parts();
         this.emitters = isPath ? Emitters.of(scene.scene()) : Emitters.NONE;
-        this.lamps = emitters.after(scene.lamps());
+        this.sky = isPath ? scene.sky().picture() : Optional.empty();
+        this.lamps = Stream.concat(Stream.of(emitters.after(scene.lamps())), sky.stream().map(picture -> new SkyLamp(picture, scene.glows()))).toArray(Lamp[]::new);
         this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1) || scene.isRough() || isPath;
         this.glows = scene.glows().forOneWorker();
         this.finder = intersector.finder;
@@ -119,7 +124,7 @@ final class Lighting {
         this.choice = new Choice(lobe);
         this.isSeen = new boolean[lamps.length];
         for (int i = 0; i < lamps.length; i++) {
-            isSeen[i] = glows.show(i) || emitters.has(i);
+            isSeen[i] = i >= scene.lamps().length || glows.show(i);
         }
     }
 

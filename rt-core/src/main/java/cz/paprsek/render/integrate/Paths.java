@@ -100,6 +100,18 @@ public class Paths extends BlockTracer {
     }
 
     @Override
+    final void seeSky(Level level) {
+        if (level.isLit && lighting.sky.isPresent()) {
+            Hit hit = level.hit;
+            lighting.sky.get().look(level.ray.dx, level.ray.dy, level.ray.dz, hit);
+            double share = unlit(level, lighting.lamps.length - 1);
+            level.light(share * hit.red, share * hit.green, share * hit.blue);
+        } else {
+            super.seeSky(level);
+        }
+    }
+
+    @Override
     final double unlit(Level level, int lamp) {
         Ray ray = level.ray;
         double other = lighting.lamps[lamp].density(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.max);

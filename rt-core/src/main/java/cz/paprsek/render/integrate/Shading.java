@@ -243,13 +243,18 @@ abstract class Shading implements Integrator {
         if (isBlind) {
             level.light(0, 0, 0);
         } else {
-            backdrop.look(level);
-            level.light(level.hit.red, level.hit.green, level.hit.blue);
+            seeSky(level);
         }
         if (dims) {
             dim(level);
         }
         witness.missed(level);
+    }
+
+    /** The ray sees what is behind everything, as far as that was not looked for. */
+    void seeSky(Level level) {
+        backdrop.look(level);
+        level.light(level.hit.red, level.hit.green, level.hit.blue);
     }
 
     private void see(Level level, int lamp) {

@@ -2,10 +2,12 @@ package cz.paprsek.render.surface;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.light.SkyLight;
 import cz.paprsek.render.texture.Texture;
 import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Sky;
+import java.util.Optional;
 
 /** What rays see that hit nothing: the sky, ready to be asked, or one colour. */
 public abstract class Backdrop {
@@ -25,6 +27,11 @@ public abstract class Backdrop {
      * picture, if there is one.
      */
     public abstract void look(Level level);
+
+    /** The picture that it is, ready to be looked for; empty if it is none, or black. */
+    public Optional<SkyLight> picture() {
+        return Optional.empty();
+    }
 
     /** Whether it asks for the footprint of the ray. */
     boolean isPicture() {
@@ -88,11 +95,15 @@ public abstract class Backdrop {
         }
 
         @Override
+        public Optional<SkyLight> picture() {
+            return Optional.of(new SkyPicture(texture, turned, intensity)).filter(SkyPicture::shines).map(found -> found);
+        }
+
+        @Override
         public void look(Level level) {
             Hit hit = level.hit;
-            hit.u = StrictMath.atan2(level.ray.dz, level.ray.dx) / (2 * Math.PI) + turned;
-            hit.u -= Math.floor(hit.u);
-            hit.v = 0.5 + StrictMath.asin(Math.max(-1, Math.min(1, level.ray.dy))) / Math.PI;
+            hit.u = SkyPicture.u(level.ray.dx, level.ray.dz, turned);
+            hit.v = SkyPicture.v(level.ray.dy);
             double across = level.ray.dx * level.ray.dx + level.ray.dz * level.ray.dz;
             double perU = 1 / (2 * Math.PI * Math.max(ZENITH, across));
             double perV = 1 / (Math.PI * Math.sqrt(Math.max(ZENITH, across)));

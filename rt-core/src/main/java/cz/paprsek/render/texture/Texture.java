@@ -5,6 +5,7 @@ import cz.paprsek.image.StoredImage;
 import cz.paprsek.image.StoredImage.Precision;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.ray.Hit;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A picture that is looked up by u, which grows to the right, and v, which grows upwards; both are 0–1 within the picture, which repeats beyond.
@@ -17,6 +18,7 @@ public final class Texture {
     private static final double FARTHEST = 1e9;
 
     private final Raster[] rasters;
+    private @Nullable Brightness brightness;
 
     private Texture(Raster[] rasters) {
         this.rasters = rasters;
@@ -35,6 +37,16 @@ public final class Texture {
 
     private static boolean isEncoded(StoredImage picture) {
         return picture.precision() == Precision.EIGHT_BIT || picture.precision() == Precision.SIXTEEN_BIT;
+    }
+
+    /** Where it is bright, if it is one of everything around; found out when it is first asked for. */
+    public synchronized Brightness brightness() {
+        Brightness known = brightness;
+        if (known == null) {
+            known = Brightness.of(this);
+            brightness = known;
+        }
+        return known;
     }
 
     public int width() {
