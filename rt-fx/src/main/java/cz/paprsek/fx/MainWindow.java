@@ -167,7 +167,7 @@ final class MainWindow {
         root.setOnDragDropped(event -> {
             List<File> files = event.getDragboard().getFiles();
             if (event.getDragboard().hasFiles() && !files.isEmpty()) {
-                dropped(files.get(0).toPath(), event.getPickResult().getIntersectedNode(), meshes);
+                dropped(files.stream().map(File::toPath).toList(), event.getPickResult().getIntersectedNode(), meshes);
                 event.setDropCompleted(true);
             } else if (event.getDragboard().hasString()) {
                 edits.paste(event.getDragboard().getString());
@@ -176,15 +176,16 @@ final class MainWindow {
         });
     }
 
-    private void dropped(Path file, @Nullable Node on, SceneMeshes meshes) {
+    /** On the views all meshes are added, and a scene among them is passed over; elsewhere the first file takes the place of all. */
+    private void dropped(List<Path> files, @Nullable Node on, SceneMeshes meshes) {
         Node node = on;
         while (node != null && node != views.root()) {
             node = node.getParent();
         }
-        if (node != null && SceneMeshes.isMesh(file)) {
-            meshes.bring(file, views.sight());
+        if (node != null && SceneMeshes.isMesh(files.get(0))) {
+            meshes.bring(files, views.sight());
         } else {
-            editor.files().open(file);
+            editor.files().open(files.get(0));
         }
     }
 }

@@ -17,16 +17,21 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Mesh;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 
 /** Brings meshes into the scene: from its folder or below, or from elsewhere, copied there. They stand upright, and in a size that is seen. */
 record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts texts, Edits edits) {
+    /** Pieces of a circle, more than those with which a mesh is drawn roughly. */
+    private static final int DRAWN = 72;
+
 
     /** Asks for a file and brings it in. */
     void choose(Sight sight) {
         Optional<Path> folder = document.sourceProperty().get().flatMap(source -> Optional.ofNullable(source.file().toAbsolutePath().getParent()));
-        dialogs.meshToOpen(folder).ifPresent(file -> bring(file, sight));
+        dialogs.meshToOpen(folder).ifPresent(file -> bring(List.of(file), sight));
     }
 
     /** Whether a file is one of triangles, which can be part of a scene. */
@@ -43,28 +48,49 @@ record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts te
 
     /** Finds the lines of meshes: large ones take a second, in which the window is not to stand still. */
     static Scene drawable(Scene read) {
-        ScenePath.bodies(read).map(place -> place.in(read).shape()).filter(Mesh.class::isInstance).forEach(mesh -> mesh.outline(Vec3.Z, 1));
+        ScenePath.bodies(read).map(place -> place.in(read).shape()).filter(Mesh.class::isInstance).forEach(mesh -> mesh.outline(Vec3.Z, DRAWN));
         return read;
     }
 
-    /** Adds what a file holds, with its middle where the user looks. */
-    void bring(Path file, Sight sight) {
-        try {
-            Optional<String> name = name(file);
-            Optional<ForeignFormat> format = ForeignFormat.ofName(String.valueOf(file.getFileName())).filter(ForeignFormat::isMesh);
-            if (name.isEmpty() || format.isEmpty()) {
-                notices.say(name.isEmpty() ? texts.of("mesh.unsaved") : texts.of("mesh.other", file.getFileName()));
-                return;
+    /** Meshes that have been read, and sentences about those that cannot be. */
+    private record Brought(List<SceneObject> meshes, List<String> faults) {}
+
+    /** Adds what files hold, each with its middle where the user looks; what is wrong with some does not keep the others away. */
+    void bring(List<Path> files, Sight sight) {
+        Brought brought = new Brought(new ArrayList<>(), new ArrayList<>());
+        List<String> names = new ArrayList<>();
+        for (Path file : files) {
+            if (isMesh(file)) {
+                try {
+                    name(file).ifPresentOrElse(names::add, () -> brought.faults.add(texts.of("mesh.unsaved")));
+                } catch (IOException unreadable) {
+                    brought.faults.add(Failures.sentence(unreadable));
+                }
+            } else {
+                brought.faults.add(texts.of("mesh.other", file.getFileName()));
             }
-            Assets assets = document.model().assets();
-            notices.say(texts.of("file.opening", file.getFileName()));
-            Background.run("paprsek-mesh", () -> brought(name.get(), format.get(), assets).scene().objects().get(0), object -> {
-                notices.say("");
-                edits.add(seen(object, sight), sight);
-            }, fault -> notices.say(fault instanceof Exception known ? Failures.sentence(known) : String.valueOf(fault)));
-        } catch (IOException unreadable) {
-            notices.say(Failures.sentence(unreadable));
         }
+        if (names.isEmpty()) {
+            notices.say(String.join("; ", brought.faults));
+            return;
+        }
+        Assets assets = document.model().assets();
+        notices.say(texts.of("file.opening", String.join(", ", names)));
+        Background.run("paprsek-mesh", () -> read(names, assets, brought), all -> {
+            notices.say(String.join("; ", all.faults));
+            all.meshes.forEach(object -> edits.add(seen(object, sight), sight));
+        }, fault -> notices.say(fault instanceof Exception known ? Failures.sentence(known) : String.valueOf(fault)));
+    }
+
+    private static Brought read(List<String> names, Assets assets, Brought into) {
+        for (String name : names) {
+            try {
+                into.meshes.add(brought(name, ForeignFormat.ofName(name).orElseThrow(), assets).scene().objects().get(0));
+            } catch (IOException unreadable) {
+                into.faults.add(Failures.sentence(unreadable));
+            }
+        }
+        return into;
     }
 
     /** The name by which the scene can have a file; empty if it can have none. */
