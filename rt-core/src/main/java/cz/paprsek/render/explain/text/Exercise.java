@@ -108,7 +108,8 @@ final class Exercise {
     private void place(Encounter.Place place, boolean isMapped) {
         say(Topic.POINT, words.of("name.hits"), words.surface(place.surface()) + words.face(place.face())
                 + (place.flipped() ? words.of("hole") : "") + words.of(place.fromInside() ? "from-inside" : "from-outside"));
-        place.triangle().ifPresent(triangle -> step(Topic.POINT, words.of("name.triangle", triangle.number()), "a, b, c", triangle.part(), Figures.of(triangle.shares())));
+        place.triangle().ifPresent(triangle -> step(Topic.POINT, words.of("name.triangle", triangle.number()) + (triangle.part().isEmpty() ? "" : " (" + triangle.part() + ")"), "a, b, c", "",
+                Figures.of(triangle.shares())));
         step(Topic.POINT, words.of("name.distance"), "t", "", Figures.of(place.distance()));
         step(Topic.POINT, words.of("name.point"), "P = o + t·d",
                 Figures.of(ray.origin()) + " + " + Figures.of(place.distance()) + "·" + Figures.of(ray.direction()), Figures.of(place.point()));
