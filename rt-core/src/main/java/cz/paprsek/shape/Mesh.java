@@ -43,6 +43,8 @@ public record Mesh(
     /** As far as numbers of six digits are apart that should be the same. */
     public static final double USUAL_WELD = 1e-5;
 
+    private static final int ROUGH = 20;
+
     public Mesh {
         Objects.requireNonNull(file, "file");
         Objects.requireNonNull(part, "part");
@@ -129,10 +131,11 @@ public record Mesh(
         return isRead() ? triangles().bounds() : Bounds.EMPTY;
     }
 
+    /** {@inheritDoc} Of many triangles it is drawn roughly if a circle is to have fewer than {@value #ROUGH} pieces. */
     @Override
     public List<Curve> outline(Vec3 along, int steps) {
         Objects.requireNonNull(along, "along");
-        return isRead() ? triangles().outline(along).stream().map(Curve::new).toList() : List.of();
+        return isRead() ? triangles().outline(along, steps < ROUGH).stream().map(Curve::new).toList() : List.of();
     }
 
     /** @throws IllegalStateException if the triangles have not been read */

@@ -26,7 +26,7 @@ class SketchTest {
 
     private static List<Piece> pieces(Triangles mesh, Vec3 along) {
         List<Piece> pieces = new ArrayList<>();
-        for (List<Vec3> line : mesh.outline(along)) {
+        for (List<Vec3> line : mesh.outline(along, false)) {
             for (int i = 1; i < line.size(); i++) {
                 pieces.add(new Piece(line.get(i - 1), line.get(i)));
             }
@@ -46,6 +46,20 @@ class SketchTest {
             Vec3 onRim = right.times(Math.cos(Math.toRadians(i))).plus(up.times(Math.sin(Math.toRadians(i))));
             assertThat(pieces).anyMatch(piece -> piece.distance(onRim) < 0.02);
         }
+    }
+
+    /** Within a cell of the grid of what it is, by fewer pieces, whose ends need not be vertices. */
+    @Test
+    void whatIsBeingTurnedIsDrawnRoughly() {
+        Triangles ball = Meshes.ball(1, 200);
+        Vec3 along = new Vec3(1, 2, 3).normalized();
+        List<Vec3> rough = ball.outline(along, true).stream().flatMap(List::stream).toList();
+        assertThat(rough).hasSizeBetween(30, pieces(ball, along).size()).allSatisfy(p -> {
+            assertThat(p.length()).isBetween(0.95, 1.01);
+            assertThat(Math.abs(p.dot(along))).isLessThan(0.15);
+        });
+        Triangles few = Meshes.ball(1, 20);
+        assertThat(few.outline(along, true)).as("few triangles are drawn as they are").isSameAs(few.outline(along, false));
     }
 
     /** As told by going over all edges one by one: the ends of those that are drawn are near lines, and lines lead from one to another. */
@@ -100,6 +114,6 @@ class SketchTest {
         }
         Triangles mesh = rubble.build();
         assertThat(pieces(mesh, Vec3.X).size()).isBetween(500, 3 * 1200);
-        assertThat(mesh.outline(Vec3.X)).isSameAs(mesh.outline(new Vec3(1, 0, 0)));
+        assertThat(mesh.outline(Vec3.X, false)).isSameAs(mesh.outline(new Vec3(1, 0, 0), false));
     }
 }

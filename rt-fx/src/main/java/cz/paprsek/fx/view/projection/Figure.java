@@ -5,6 +5,7 @@ import cz.paprsek.math.Curve;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Shape;
@@ -20,23 +21,35 @@ import java.util.List;
  * @param box around the lines, its own and those of operands that add; empty for what has no end
  */
 record Figure(List<double[]> lines, List<Figure> operands, boolean ghost, Box box) {
-    /** Straight pieces of a circle. */
-    private static final int FINE = 72;
-    private static final int COARSE = 24;
+    /** How fine lines are, by the straight pieces of a circle: of all shapes, and of meshes. */
+    enum Fineness {
+        FINE(72, 72),
+        /** If there are so many that speed counts more than smoothness. */
+        COARSE(24, 24),
+        /** While a hand moves it: what turns is drawn anew each time, and a large mesh could not follow. */
+        MOVING(72, 12);
 
-    /** @param coarse if there are so many that speed counts more than smoothness */
-    static Figure of(Body body, Axes axes, boolean coarse) {
-        return of(body, Affine.IDENTITY, axes, coarse, false);
+        private final int steps;
+        private final int ofMeshes;
+
+        Fineness(int steps, int ofMeshes) {
+            this.steps = steps;
+            this.ofMeshes = ofMeshes;
+        }
     }
 
-    private static Figure of(Body body, Affine parentToWorld, Axes axes, boolean coarse, boolean ghost) {
+    static Figure of(Body body, Axes axes, Fineness fineness) {
+        return of(body, Affine.IDENTITY, axes, fineness, false);
+    }
+
+    private static Figure of(Body body, Affine parentToWorld, Axes axes, Fineness fineness, boolean ghost) {
         Affine toWorld = parentToWorld.after(body.placement().toParent());
-        List<double[]> lines = lines(body.shape(), toWorld, axes, coarse);
+        List<double[]> lines = lines(body.shape(), toWorld, axes, fineness);
         List<Figure> operands = new ArrayList<>();
         if (body.shape() instanceof Csg csg) {
             for (Operand operand : csg.operands()) {
                 boolean takesAway = csg.operation() == Csg.Operation.DIFFERENCE && !operands.isEmpty();
-                operands.add(of(Body.of(operand), toWorld, axes, coarse, ghost != takesAway));
+                operands.add(of(Body.of(operand), toWorld, axes, fineness, ghost != takesAway));
             }
         }
         Box box = body.shape() instanceof Plane ? Box.EMPTY : box(lines);
@@ -48,10 +61,10 @@ record Figure(List<double[]> lines, List<Figure> operands, boolean ghost, Box bo
         return new Figure(lines, operands, ghost, box);
     }
 
-    private static List<double[]> lines(Shape shape, Affine toWorld, Axes axes, boolean coarse) {
+    private static List<double[]> lines(Shape shape, Affine toWorld, Axes axes, Fineness fineness) {
         Vec3 along = toWorld.inverse().direction(axes.along());
         List<double[]> lines = new ArrayList<>();
-        for (Curve curve : shape.outline(along, coarse ? COARSE : FINE)) {
+        for (Curve curve : shape.outline(along, shape instanceof Mesh ? fineness.ofMeshes : fineness.steps)) {
             double[] line = new double[2 * curve.points().size()];
             int i = 0;
             for (Vec3 p : curve.points()) {

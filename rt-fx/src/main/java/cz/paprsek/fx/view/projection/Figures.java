@@ -24,13 +24,22 @@ final class Figures {
 
     private final Axes axes;
     private final IdentityHashMap<SceneObject, Figure> known = new IdentityHashMap<>();
+    /** Those of them that are drawn as they are while a hand moves them. */
+    private final Set<SceneObject> moving = Collections.newSetFromMap(new IdentityHashMap<>());
     private Scene scene = Scene.EMPTY;
+    private boolean isMoved;
 
     Figures(Axes axes) {
         this.axes = axes;
     }
 
-    void show(Scene fresh) {
+    /** @param changing whether a change is under way: what it makes anew is drawn roughly, and finely when it has ended */
+    void show(Scene fresh, boolean changing) {
+        if (!changing) {
+            moving.forEach(known::remove);
+            moving.clear();
+        }
+        isMoved = changing;
         if (fresh.objects().size() == scene.objects().size()) {
             // What still stands somewhere else is drawn anew when it is asked for.
             Arrays.stream(scene.objectsOtherThanIn(fresh)).mapToObj(scene.objects()::get).forEach(known::remove);
@@ -55,7 +64,14 @@ final class Figures {
     }
 
     Figure of(SceneObject object) {
-        return known.computeIfAbsent(object, missing -> Figure.of(Body.of(missing), axes, scene.objects().size() > MANY));
+        return known.computeIfAbsent(object, this::drawn);
+    }
+
+    private Figure drawn(SceneObject object) {
+        if (isMoved) {
+            moving.add(object);
+        }
+        return Figure.of(Body.of(object), axes, scene.objects().size() > MANY ? Figure.Fineness.COARSE : isMoved ? Figure.Fineness.MOVING : Figure.Fineness.FINE);
     }
 
     Figure of(BodyAt at) {

@@ -91,7 +91,7 @@ public final class ProjectionPane extends Region {
         this.proportional = proportional;
         this.figures = new Figures(axes);
         this.picker = new Picker(axes, figures);
-        figures.show(model.scene());
+        figures.show(model.scene(), model.gesturingProperty().get());
         setFocusTraversable(true);
         setMinSize(0, 0);
         getStyleClass().add("projection");
@@ -130,7 +130,7 @@ public final class ProjectionPane extends Region {
 
     /** Shows everything that has an end. */
     public void fitAll() {
-        figures.show(model.scene());
+        figures.show(model.scene(), model.gesturingProperty().get());
         show(view.fitting(figures.boxOfAll(model.state())));
         fits = true;
     }
@@ -140,7 +140,7 @@ public final class ProjectionPane extends Region {
         if (model.selection().isEmpty()) {
             fitAll();
         } else {
-            figures.show(model.scene());
+            figures.show(model.scene(), model.gesturingProperty().get());
             show(view.fitting(figures.box(model.selection())));
         }
     }
@@ -182,12 +182,12 @@ public final class ProjectionPane extends Region {
     }
 
     Figures figures() {
-        figures.show(model.scene());
+        figures.show(model.scene(), model.gesturingProperty().get());
         return figures;
     }
 
     Picker picker() {
-        figures.show(model.scene());
+        figures.show(model.scene(), model.gesturingProperty().get());
         return picker;
     }
 
@@ -288,7 +288,7 @@ public final class ProjectionPane extends Region {
         upper.setHeight(height);
         boolean otherSize = view.width() != width || view.height() != height;
         view = view.withSize(width, height);
-        figures.show(model.scene());
+        figures.show(model.scene(), model.gesturingProperty().get());
         boolean opened = model.openingsProperty().get() != openings;
         openings = model.openingsProperty().get();
         fits |= opened;
