@@ -34,6 +34,6 @@ public record Maker(int number, String element, Map<String, String> attributes, 
 
     /** An attribute as it is written; empty if it is not. */
     public String attribute(String name) {
-        return attributes.getOrDefault(name, "");
+        return attributes.getOrDefault(Objects.requireNonNull(name, "name"), "");
     }
 }

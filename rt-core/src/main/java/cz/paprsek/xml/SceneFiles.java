@@ -210,7 +210,9 @@ public final class SceneFiles {
      * @throws IllegalArgumentException if that makes no scene, with what is wrong
      */
     public static Scene withMaker(Scene scene, int number, String attribute, String value) {
-        return Settled.with(scene, number, attribute, value);
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(attribute, "attribute");
+        return Settled.with(scene, number, attribute, Objects.requireNonNull(value, "value"));
     }
 
     /**

@@ -84,6 +84,9 @@ final class Settled {
     /** The scene with another value of an attribute of one of its makers, as it is written; without it for none. */
     static Scene with(Scene scene, int maker, String attribute, String value) {
         Scene settled = of(scene);
+        if (settled.recipe().isNone()) {
+            throw new IllegalArgumentException("nothing is repeated in the scene, and no definition used");
+        }
         return like(scene, remade(settled, script(settled.recipe()).with(maker, attribute, value)));
     }
 
