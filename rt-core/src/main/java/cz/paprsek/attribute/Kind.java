@@ -63,6 +63,8 @@ public enum Kind {
     LETTERS(Form.TEXT, "letters", "a text of 1 to 1000 characters", Range.from(1).to(1000)),
     /** One that is shipped, or of a file, relative to the folder of the scene. */
     FONT(Form.TEXT, "font", "sans, sans-bold, serif or the name of a TrueType file beside the scene's, of 1 to 1000 characters", Range.from(1).to(1000)),
+    /** A formula. */
+    EXPRESSION(Form.TEXT, "expression", "a formula of x, y and z, of 1 to 1000 characters", Range.from(1).to(1000)),
     FREE_TEXT(Form.TEXT, "text", "a text of at most 100000 characters", Range.from(0).to(100_000)),
     /** A list of them. */
     WORDS(Form.WORDS, "tags", "words separated by blanks", Range.ANY),

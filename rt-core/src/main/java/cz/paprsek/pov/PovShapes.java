@@ -13,6 +13,7 @@ import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Ellipsoid;
 import cz.paprsek.shape.Extrude;
+import cz.paprsek.shape.Isosurface;
 import cz.paprsek.shape.Lathe;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Plane;
@@ -78,6 +79,9 @@ final class PovShapes {
         }
         if (shape instanceof Text t) {
             return PovOutlines.letters(t);
+        }
+        if (shape instanceof Isosurface i) {
+            return PovFormulas.isosurface(i);
         }
         if (shape instanceof Mesh mesh) {
             return PovMesh.of(mesh, List.of());

@@ -7,6 +7,8 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
 import cz.paprsek.shape.outline.Drawn;
+import cz.paprsek.shape.placed.ByHand;
+import cz.paprsek.shape.placed.Made;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.text.MadeInCode;
@@ -19,7 +21,7 @@ import java.util.Objects;
  *
  * <p>{@code ShapeCheck} tries a shape and says what is wrong with it.
  */
-public non-sealed interface CustomShape extends Shape {
+public non-sealed interface CustomShape extends Shape, ByHand {
 
     /** The word for its kind in lists, explanations and messages: the name of its class unless it says otherwise. */
     @Override
@@ -31,6 +33,7 @@ public non-sealed interface CustomShape extends Shape {
      * Calls {@link Line#cross} for every place where the line crosses the shape, from minus to plus infinity, whatever the length of its direction;
      * of a figure in any order.
      */
+    @Override
     void cross(Line line);
 
     /**
@@ -39,6 +42,7 @@ public non-sealed interface CustomShape extends Shape {
      * @param face that the line was said to cross
      * @param hit with the point in the shape's own space; {@link Hit#normal(double, double, double)} is to be called, also in that space: out of a solid, and always to the same side of a figure
      */
+    @Override
     void normal(int face, Hit hit);
 
     /**
@@ -48,15 +52,20 @@ public non-sealed interface CustomShape extends Shape {
      * @param face as for the normal
      * @param hit with the point in the shape's own space
      */
+    @Override
     default void map(int face, Hit hit) {
         Objects.requireNonNull(hit, "hit");
         Made.mapGlobe(this, face, hit);
     }
 
     /** About how long it takes to meet a line, in units of what a sphere takes. */
+    @Override
     default double cost() {
         return 10;
     }
+
+    @Override
+    Bounds bounds();
 
     /** The edges of its box, unless it says otherwise. */
     @Override

@@ -2,6 +2,7 @@ package cz.paprsek.shape;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.ray.Line;
+import cz.paprsek.shape.placed.Made;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Volume;
 

@@ -5,7 +5,7 @@ import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Volume;
 
 /** A shape with an inside, which can therefore be an operand of CSG. */
-public sealed interface Solid extends Shape permits Sphere, Block, Ellipsoid, Plane, Cylinder, Cone, Torus, Capsule, Prism, Superellipsoid, Extrude, Lathe, Text, Mesh, Csg, CustomSolid {
+public sealed interface Solid extends Shape permits Sphere, Block, Ellipsoid, Plane, Cylinder, Cone, Torus, Capsule, Prism, Superellipsoid, Extrude, Lathe, Text, Isosurface, Mesh, Csg, CustomSolid {
 
     @Override
     Volume place(Affine toWorld, Parts parts);

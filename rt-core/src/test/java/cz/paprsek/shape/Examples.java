@@ -34,6 +34,7 @@ public final class Examples {
             Map.entry(Extrude.class, new Extrude("", CROSSED, 0.8, 0, 0.5)),
             Map.entry(Lathe.class, new Lathe("", VASE, 360)),
             Map.entry(Text.class, Text.of("LT", 1.6, 1.4)),
+            Map.entry(Isosurface.class, new Isosurface("hypot(hypot(x, y), z) - 1.2", new Vec3(-1.3, -1, -1.3), new Vec3(1.3, 1.3, 0.9))),
             Map.entry(Mesh.class, Mesh.of("cube.stl").read(new Mesh.Whole("cube.stl", Meshes.cube(0.9), Map.of()))),
             Map.entry(Rectangle.class, new Rectangle(-1, -0.5, 1.2, 0.9)),
             Map.entry(Disc.class, new Disc(1.1)),
@@ -105,6 +106,8 @@ public final class Examples {
         } else if (solid instanceof Text t) {
             double unit = t.size() / 2048;
             return largest(unit * Math.min(beyond(LETTER_L, p.x() / unit, p.y() / unit), beyond(LETTER_T, p.x() / unit - 859, p.y() / unit)), -p.z(), p.z() - t.depth());
+        } else if (solid instanceof Isosurface i) {
+            return largest(p.length() - 1.2, i.min().y() - p.y(), p.z() - i.max().z());
         } else if (solid instanceof Mesh) {
             return largest(Math.abs(p.x()), Math.abs(p.y()), Math.abs(p.z())) - 0.9;
         }

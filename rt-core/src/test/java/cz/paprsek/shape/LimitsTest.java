@@ -46,6 +46,9 @@ class LimitsTest {
                 Arguments.of(new Lathe("M1.2 0A.4 .4 0 0 1 .4 0A.4 .4 0 0 1 1.2 0", "", 360), new Torus(0.8, 0.4), 1e-3),
                 Arguments.of(new Lathe("", "0 0 0.7 0 0.7 1.2 0 1.2", 180), Csg.difference(new Cylinder(0.7, 1.2),
                         new Block(new Vec3(-1, -1, 0), new Vec3(1, 2, 1))), 1e-12),
+                Arguments.of(new Isosurface("x^2 + y^2 + z^2 - 1", new Vec3(-1.1, -1.1, -1.1), new Vec3(1.1, 1.1, 1.1)), new Sphere(1), 1e-12),
+                Arguments.of(new Isosurface("(hypot(x, z) - 0.8)^2 + y^2 - 0.16", new Vec3(-1.3, -0.5, -1.3), new Vec3(1.3, 0.5, 1.3)), new Torus(0.8, 0.4), 1e-12),
+                Arguments.of(new Isosurface("max(abs(x), abs(y), abs(z)) - 0.7", ONE.negated(), ONE), new Block(new Vec3(-0.7, -0.7, -0.7), new Vec3(0.7, 0.7, 0.7)), 1e-12),
                 Arguments.of(new Cone(0.7, 0.7, 1.2, 6), new Prism(6, 0.7, 1.2), 0),
                 Arguments.of(new Prism(4, Math.sqrt(2), 1), turnedBlock(), 1e-12));
     }

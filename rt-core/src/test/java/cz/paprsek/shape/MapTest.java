@@ -155,7 +155,7 @@ class MapTest {
         Placed placed = new Placed(shape, toWorld);
         Random random = new Random(8);
         int jumps = 0;
-        for (int i = 0; i < RAYS && !(shape instanceof Csg || shape instanceof Extrude || shape instanceof Lathe || shape instanceof Text); i++) {
+        for (int i = 0; i < RAYS && !(shape instanceof Csg || shape instanceof Extrude || shape instanceof Lathe || shape instanceof Text || shape instanceof Isosurface); i++) {
             Vec3 o = toWorld.point(new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, -random.nextDouble()).normalized().times(8));
             Ray ray = placed.ray(o, toWorld.point(new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5)).minus(o).normalized());
             if (ray.part < 0) {

@@ -23,8 +23,13 @@ class OutlineTest {
         return Stream.concat(Examples.ALL.values().stream(), Examples.VARIANTS.stream()).filter(shape -> !(shape instanceof Csg || shape instanceof Plane));
     }
 
+    /** The box of a formula is drawn as well, and lies partly outside. */
+    static Stream<Shape> drawnByTheirSurface() {
+        return shapes().filter(shape -> !(shape instanceof Isosurface));
+    }
+
     @ParameterizedTest
-    @MethodSource("shapes")
+    @MethodSource("drawnByTheirSurface")
     void outlineLiesOnTheSurface(Shape shape) {
         Random random = new Random(5);
         for (int i = 0; i < 200; i++) {

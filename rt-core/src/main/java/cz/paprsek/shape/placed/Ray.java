@@ -64,6 +64,7 @@ public final class Ray {
     /** Scratch of a surface that looks through a tree of its own. */
     public @Nullable Search<Ray> search;
     public final double[] breaks = new double[3];
+    private double[] room = {};
     public final Spans spans;
 
     public Ray(Spans spans) {
@@ -141,6 +142,14 @@ public final class Ray {
         line.dy = map.directionY(dx, dy, dz);
         line.dz = map.directionZ(dx, dy, dz);
         return line;
+    }
+
+    /** Scratch of at least so many numbers, for a surface while it is met. */
+    public double[] room(int numbers) {
+        if (room.length < numbers) {
+            room = new double[numbers];
+        }
+        return room;
     }
 
     /** How far from a hit at t others lie in one place with it. */

@@ -8,6 +8,7 @@ import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Ellipsoid;
 import cz.paprsek.shape.Extrude;
+import cz.paprsek.shape.Isosurface;
 import cz.paprsek.shape.Lathe;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Plane;
@@ -206,6 +207,19 @@ final class ShapeBeans {
         @Override
         Shape toShape(Problems problems) {
             return new Text(value, font, size, depth, Text.Content.UNREAD);
+        }
+    }
+
+    @XmlRootElement(name = "isosurface")
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class IsosurfaceBean extends ShapeBean {
+        @XmlAttribute(required = true) String expression = "";
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 min = new Vec3(-1, -1, -1);
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 max = Vec3.ONE;
+
+        @Override
+        Shape toShape(Problems problems) {
+            return new Isosurface(expression, min, max);
         }
     }
 

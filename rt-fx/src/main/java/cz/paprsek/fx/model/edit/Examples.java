@@ -50,7 +50,8 @@ public final class Examples {
         String text = !says.example().isEmpty() ? says.example() : isAsUsual ? says.otherwise() : HALF;
         Kind.Form form = says.value().form();
         if (form == Kind.Form.TEXT) {
-            return Stream.of(says.value() == Kind.POINTS ? points(text, size) : says.value() == Kind.LETTERS || says.value() == Kind.FONT ? text : "");
+            return Stream.of(says.value() == Kind.POINTS ? points(text, size) : says.value() == Kind.LETTERS || says.value() == Kind.FONT ? text
+                    : says.value() == Kind.EXPRESSION ? text.replaceAll("[xyz]", "($0/" + Numbers.text(size) + ")") : "");
         }
         if (form == Kind.Form.WHOLE) {
             return Stream.of(Integer.valueOf(text));

@@ -26,6 +26,7 @@ public final class Icons {
             Map.entry("superellipsoid", "mdi2s-square-rounded-outline"),
             Map.entry("extrude", "mdi2v-vector-polygon"),
             Map.entry("text", "mdi2f-format-letter-case"),
+            Map.entry("isosurface", "mdi2f-function-variant"),
             Map.entry("lathe", "mdi2c-chess-pawn"),
             Map.entry("torus", "mdi2c-circle-double"),
             Map.entry("mesh", "mdi2v-vector-triangle"),

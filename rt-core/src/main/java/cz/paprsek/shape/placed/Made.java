@@ -1,4 +1,4 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
@@ -6,24 +6,19 @@ import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
-import cz.paprsek.shape.placed.Part;
-import cz.paprsek.shape.placed.Ray;
-import cz.paprsek.shape.placed.Spans;
-import cz.paprsek.shape.placed.Surface;
-import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.text.Numbers;
 import java.util.Objects;
 
 /** A shape that was made in code, somewhere in the world: what it is asked, in its own space, and whether its answers can be. */
-final class Made implements Part {
+public final class Made implements Part {
     private final int part;
     private final Bounds bounds;
     private final double cost;
-    private final CustomShape shape;
+    private final ByHand shape;
     private final Affine toLocal;
 
     /** @throws IllegalArgumentException unless the shape says its bounds and cost in numbers */
-    Made(int part, Affine toWorld, CustomShape shape) {
+    public Made(int part, Affine toWorld, ByHand shape) {
         this.part = part;
         this.shape = shape;
         toLocal = toWorld.inverse();
@@ -85,7 +80,7 @@ final class Made implements Part {
      * Maps a hit as on a globe about the middle of the shape's bounds. Along the surface, u grows and v does not where its direction e from the
      * middle changes as on the globe, by e′: towards e′ + a·e with the a for which that is at right angles to the normal.
      */
-    static void mapGlobe(CustomShape shape, int face, Hit hit) {
+    public static void mapGlobe(ByHand shape, int face, Hit hit) {
         Bounds box = shape.bounds();
         double x = box.isFinite() ? hit.px - (box.minX() + box.maxX()) / 2 : hit.px;
         double y = box.isFinite() ? hit.py - (box.minY() + box.maxY()) / 2 : hit.py;
@@ -121,10 +116,10 @@ final class Made implements Part {
     }
 
     /** A figure made in code, in the world. */
-    static final class Figure extends Surface {
+    public static final class Figure extends Surface {
         private final Made made;
 
-        Figure(Made made) {
+        public Figure(Made made) {
             this.made = made;
         }
 
@@ -187,10 +182,10 @@ final class Made implements Part {
     }
 
     /** A solid made in code, in the world. */
-    static final class Body extends Volume {
+    public static final class Body extends Volume {
         private final Made made;
 
-        Body(Made made) {
+        public Body(Made made) {
             this.made = made;
         }
 

@@ -1,0 +1,2 @@
+/** Formulas of x, y and z as bodies: what bounds them along a ray, and where that meets them. */
+package cz.paprsek.shape.field;
