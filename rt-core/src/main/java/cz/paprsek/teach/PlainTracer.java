@@ -57,7 +57,7 @@ public final class PlainTracer {
      * @return empty if it takes more
      */
     public Optional<double[]> light(int column, int row, int mostRays) {
-        Allowance allowed = new Allowance(mostRays);
+        Tracer.Allowance allowed = new Tracer.Allowance(mostRays);
         Vec light = tracer.pixel(column, row, allowed);
         return allowed.isExceeded() ? Optional.empty() : Optional.of(new double[] {light.x(), light.y(), light.z()});
     }
@@ -81,7 +81,7 @@ public final class PlainTracer {
                 if (stop.getAsBoolean()) {
                     throw new CancellationException("asked to stop");
                 }
-                Vec light = development.of(tracer.pixel(column, row, Allowance.unlimited()));
+                Vec light = development.of(tracer.pixel(column, row, Tracer.Allowance.unlimited()));
                 image.set(column, row, light.x(), light.y(), light.z());
             }
         });
@@ -97,7 +97,7 @@ public final class PlainTracer {
         Require.that(column >= 0 && row >= 0 && column < settings.width() && row < settings.height(),
                 "pixel " + column + "," + row + " must lie inside the picture of " + settings.width() + " × " + settings.height() + " pixels");
         Notes.Written written = new Notes.Written();
-        Vec light = development.of(new Tracer(scene, settings.withSamples(1), made, written).pixel(column, row, Allowance.unlimited()));
+        Vec light = development.of(new Tracer(scene, settings.withSamples(1), made, written).pixel(column, row, Tracer.Allowance.unlimited()));
         written.put("B", light);
         return new LinkedHashMap<>(written.values);
     }

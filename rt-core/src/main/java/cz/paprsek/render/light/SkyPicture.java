@@ -1,13 +1,12 @@
-package cz.paprsek.render.surface;
+package cz.paprsek.render.light;
 
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
-import cz.paprsek.render.light.SkyLight;
 import cz.paprsek.render.texture.Brightness;
 import cz.paprsek.render.texture.Texture;
 
 /** A picture of everything around as light that comes from its directions, which can be chosen as often as they are bright. Immutable. */
-final class SkyPicture implements SkyLight {
+public final class SkyPicture implements SkyLight {
     private final Texture texture;
     private final double turned;
     private final double intensity;
@@ -19,7 +18,7 @@ final class SkyPicture implements SkyLight {
      * @param turned about y, in turns
      * @param intensity what its light is multiplied by
      */
-    SkyPicture(Texture texture, double turned, double intensity) {
+    public SkyPicture(Texture texture, double turned, double intensity) {
         this.texture = texture;
         this.turned = turned;
         this.intensity = intensity;
@@ -27,18 +26,18 @@ final class SkyPicture implements SkyLight {
     }
 
     /** Whether any light comes from it. */
-    boolean shines() {
+    public boolean shines() {
         return intensity > 0 && !brightness.isNone();
     }
 
     /** The u of a direction, 0–1. */
-    static double u(double dx, double dz, double turned) {
+    public static double u(double dx, double dz, double turned) {
         double u = StrictMath.atan2(dz, dx) / (2 * Math.PI) + turned;
         return u - Math.floor(u);
     }
 
     /** The v of a direction, 0–1. */
-    static double v(double dy) {
+    public static double v(double dy) {
         return 0.5 + StrictMath.asin(Math.max(-1, Math.min(1, dy))) / Math.PI;
     }
 
