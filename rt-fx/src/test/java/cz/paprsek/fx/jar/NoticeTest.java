@@ -1,4 +1,4 @@
-package cz.paprsek.fx;
+package cz.paprsek.fx.jar;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,16 +1,21 @@
-package cz.paprsek.fx;
+package cz.paprsek.fx.view.present;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.asset.Assets;
+import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.explain.text.Step;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import javafx.beans.property.SimpleObjectProperty;
 import javafx.scene.Node;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
@@ -19,43 +24,42 @@ import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import javafx.scene.paint.Color;
 import javafx.scene.text.Text;
-import javafx.stage.Stage;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** A pixel explained before a class, in a window as small as an old projector's picture. */
-class PresenterTest {
-    @TempDir
-    Path folder;
-
-    private EditorGui editor;
+class PresenterPaneTest {
     private Gui gui;
 
     @BeforeEach
-    void open() {
-        Scene glass = Templates.read("glass");
-        editor = new EditorGui(folder, glass.withSettings(glass.settings().withSize(480, 270).withSamples(1)));
-        present();
+    void open() throws Exception {
+        present(Theme.LIGHT, "en");
     }
 
-    private void present() {
-        editor.menu("view-menu-present");
-        gui = Gui.open(() -> {
-            Stage stage = editor.editor.presenter().stage().orElseThrow();
-            stage.setMaximized(false);
-            stage.setWidth(1024);
-            stage.setHeight(768);
-            return stage;
+    private void present(Theme theme, String language) throws Exception {
+        Scene glass = SceneFiles.read(Path.of("../scenes/glass.xml"));
+        Scene small = glass.withSettings(glass.settings().withSize(480, 270).withSamples(1));
+        gui = Gui.show(() -> new PresenterPane(small, Assets.none(), Texts.in(Locale.forLanguageTag(language)), new SimpleObjectProperty<>(theme)), 1024, 740);
+        gui.act(() -> {
+            theme.applyTo(gui.stage().getScene());
+            pane().requestFocus();
+            pane().showMiddle();
         });
         gui.until("the pixel is explained", () -> !steps().getItems().isEmpty());
     }
 
+    private PresenterPane pane() {
+        return (PresenterPane) gui.stage().getScene().getRoot();
+    }
+
     @AfterEach
     void close() {
+        gui.act(() -> {
+            pane().close();
+            Theme.LIGHT.applyTo(gui.stage().getScene());
+        });
         gui.close();
-        editor.close();
     }
 
     @SuppressWarnings("unchecked")
@@ -137,16 +141,13 @@ class PresenterTest {
     }
 
     @Test
-    void everyLineCanBeReadInBothThemesAndLanguages() {
+    void everyLineCanBeReadInBothThemesAndLanguages() throws Exception {
         for (Theme theme : Theme.values()) {
             String language = theme == Theme.LIGHT ? "en" : "cs";
-            gui.close();
-            editor.gui.act(() -> editor.editor.theme().set(theme));
-            editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag(language)));
-            present();
+            close();
+            present(theme, language);
             showGlassIn(language);
             gui.act(() -> steps().getSelectionModel().select(1));
-            assertThat(Screenshots.save(gui, "presenter-" + theme.name().toLowerCase(Locale.ROOT) + "-" + language)).isNotEmptyFile();
             for (String selector : List.of("#present-steps", "#present-title", "#present-sum", "#present-kinds")) {
                 assertThat(contrast(gui.node(selector))).as(theme + " " + selector).isGreaterThan(4.5);
             }
