@@ -75,7 +75,7 @@ class ExplainCommandTest {
         Run unnamed = Run.cli("explain", database, "1,1");
         assertThat(unnamed.code()).isEqualTo(ExitCode.WRONG_USAGE);
         assertThat(unnamed.err()).containsPattern("is a database of \\d+ scenes; name one with --scene NAME");
-        assertThat(Run.cli("explain", database, "1,1", "--scene", "Gear").err()).contains("there is no scene named \"Gear\"; did you mean \"Gears\"?");
+        assertThat(Run.cli("explain", database, "1,1", "--scene", "Pearl").err()).contains("there is no scene named \"Pearl\"; did you mean \"Pearls\"?");
         assertThat(Run.cli("explain", file, "1,1", "--scene", "wall").code()).isEqualTo(ExitCode.WRONG_USAGE);
     }
 
