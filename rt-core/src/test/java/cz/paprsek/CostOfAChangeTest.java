@@ -17,7 +17,7 @@ class CostOfAChangeTest {
     void anAttributeIsKnownWhereItIsSaidReadAndUsed() throws IOException {
         assertThat(filesThatKnow("\\b[sS]hininess\\b")).containsExactlyInAnyOrder(
                 "Material.java", "MaterialBean.java",
-                "Finish.java", "Paths.java", "Tracer.java", "LightSteps.java", "Exercise.java", "PovMaterials.java", "MtlReader.java",
+                "Finish.java", "Paths.java", "Tracer.java", "LightSteps.java", "Exercise.java", "RayExercise.java", "PovMaterials.java", "MtlReader.java",
                 "Wording.java");
     }
 

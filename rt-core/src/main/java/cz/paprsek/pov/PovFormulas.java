@@ -13,6 +13,8 @@ import java.util.List;
 /** Formulas in POV-Ray's words: as functions of isosurfaces, with the steepest slope that POV-Ray must be told. */
 final class PovFormulas {
     private static final int PARTS = 12;
+    /** Powers are written out, and powers of powers would be without end. */
+    private static final int LONGEST = 10_000;
     /** As near as POV-Ray looks for the surface, as a share of the box. */
     private static final double ACCURACY = 1e-9;
 
@@ -61,6 +63,14 @@ final class PovFormulas {
         }
         Term.Call call = (Term.Call) term;
         List<String> of = call.terms().stream().map(PovFormulas::of).toList();
+        String all = of(call, of);
+        if (all.length() > LONGEST) {
+            throw new IllegalArgumentException("a scene for POV-Ray cannot hold a formula that is longer than " + LONGEST + " characters in its words");
+        }
+        return all;
+    }
+
+    private static String of(Term.Call call, List<String> of) {
         Function function = call.function();
         return switch (function) {
             case NEGATE -> "(-" + of.get(0) + ")";

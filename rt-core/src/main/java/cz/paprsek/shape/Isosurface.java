@@ -36,6 +36,8 @@ public record Isosurface(
 
     public Isosurface {
         Objects.requireNonNull(expression, "expression");
+        Objects.requireNonNull(min, "min");
+        Objects.requireNonNull(max, "max");
         Require.that(min.x() < max.x() && min.y() < max.y() && min.z() < max.z(),
                 "isosurface min must be below max along every axis, but min is " + Numbers.text(min) + " and max is " + Numbers.text(max));
         Require.place("isosurface min", min);

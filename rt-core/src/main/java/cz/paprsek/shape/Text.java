@@ -46,6 +46,7 @@ public record Text(
     public Text {
         Objects.requireNonNull(value, "value");
         Objects.requireNonNull(font, "font");
+        Objects.requireNonNull(content, "content");
         Require.that(!value.isBlank(), "text value must not be blank");
         Require.that(value.length() <= MOST_LETTERS, "text value must be of 1 to " + MOST_LETTERS + " characters, but has " + value.length());
         Require.that(!font.isBlank(), "text font must not be blank");

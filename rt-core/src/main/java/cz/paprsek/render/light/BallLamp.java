@@ -18,6 +18,8 @@ final class BallLamp extends Lamp {
     private final double radius;
     /** The radiance by that of a light of intensity 1. */
     private final double bright;
+    /** Up to which square of the sine of its half angle it is looked for: on the body itself, where rounding says whether that is 1, paths find it by chance. */
+    private final double widest;
 
     BallLamp(SphereLight light) {
         super(light.color(), light.intensity());
@@ -28,6 +30,7 @@ final class BallLamp extends Lamp {
         radius = light.radius();
         double by = light.referenceDistance() / radius;
         bright = by * by;
+        widest = 1;
     }
 
     /** A body that shines with a radiance. */
@@ -39,6 +42,7 @@ final class BallLamp extends Lamp {
         z = middle.z();
         this.radius = radius;
         bright = 1;
+        widest = 1 - 1e-6;
     }
 
     @Override
@@ -52,7 +56,7 @@ final class BallLamp extends Lamp {
         double cy = y - oy;
         double cz = z - oz;
         double square = radius * radius / (cx * cx + cy * cy + cz * cz);
-        return square < 1 ? (1 + Math.sqrt(1 - square)) / (2 * Math.PI * square) : 0;
+        return square < widest ? (1 + Math.sqrt(1 - square)) / (2 * Math.PI * square) : 0;
     }
 
     @Override
@@ -60,11 +64,11 @@ final class BallLamp extends Lamp {
         out.towards(from, x, y, z);
         double distance = out.distance;
         double sine = radius / distance;
-        if (!(sine < 1)) {
-            // Within it, where it gives no light.
+        double square = sine * sine;
+        if (!(sine < 1 && square < widest)) {
+            // Within it, where it gives no light, or on it.
             return arrives(0, out);
         }
-        double square = sine * sine;
         double depth = square / (1 + Math.sqrt(1 - square));
         double wx = out.x;
         double wy = out.y;

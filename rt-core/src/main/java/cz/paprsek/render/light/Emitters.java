@@ -23,11 +23,14 @@ public final class Emitters {
     /** In place of a number: paths only find it by chance. */
     public static final int NOT_SOUGHT = -1;
 
+    /** More than these are found by chance, all of them: each that is looked for costs a ray at every hit. */
+    private static final int MOST = 64;
+
     private final int first;
     private final Lamp[] lamps;
     /** The index of the object that each of them is. */
     private final int[] objects;
-    /** Of each object which of them it is, up to the last that is any. */
+    /** Of each object which of them it is; empty if there are none. */
     private final int[] numbers;
 
     private Emitters(int first, List<Lamp> lamps, int[] objects, int[] numbers) {
@@ -41,15 +44,16 @@ public final class Emitters {
         List<Lamp> lamps = new ArrayList<>();
         List<Integer> objects = new ArrayList<>();
         int first = scene.lights().size();
-        int[] numbers = new int[0];
-        for (int i = 0; i < scene.objects().size(); i++) {
+        int[] numbers = new int[scene.objects().size()];
+        Arrays.fill(numbers, NOT_SOUGHT);
+        for (int i = 0; i < numbers.length; i++) {
             SceneObject object = scene.objects().get(i);
             if (object.isSoughtIfItShines()) {
                 Material material = ScenePath.body(i).material(scene);
                 if (material.shines()) {
-                    int had = numbers.length;
-                    numbers = Arrays.copyOf(numbers, i + 1);
-                    Arrays.fill(numbers, had, i, NOT_SOUGHT);
+                    if (lamps.size() == MOST) {
+                        return NONE;
+                    }
                     numbers[i] = first + lamps.size();
                     objects.add(i);
                     lamps.add(lamp(object, material));

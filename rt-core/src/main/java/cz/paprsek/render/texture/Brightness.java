@@ -76,7 +76,9 @@ public final class Brightness {
     /** The sine of the height that a random number, 0–1, chooses. */
     public double height(double chosen) {
         int row = place(below, 0, rows, chosen);
-        return edges[row] + (edges[row + 1] - edges[row]) * (chosen - below[row]) / (below[row + 1] - below[row]);
+        double height = edges[row] + (edges[row + 1] - edges[row]) * (chosen - below[row]) / (below[row + 1] - below[row]);
+        // Rounded up, it would lie in the next row, which may be black.
+        return Math.min(height, Math.nextDown(edges[row + 1]));
     }
 
     /** The u that a random number, 0–1, chooses at a height. */

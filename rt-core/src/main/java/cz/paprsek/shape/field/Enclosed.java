@@ -35,6 +35,30 @@ final class Enclosed {
         set(r, out, -INF, INF, -INF, INF);
     }
 
+    /** What is nowhere a number, as the root of numbers that are all below 0; nor is what is made of it. */
+    private static void nowhere(double[] r, int out) {
+        r[out + LOW] = Double.NaN;
+        r[out + HIGH] = Double.NaN;
+        r[out + SLOWEST] = Double.NaN;
+        r[out + FASTEST] = Double.NaN;
+    }
+
+    /** Where not even one operand is a number: true if the outcome is known by that. */
+    private static boolean isNowhere(Function function, double[] r, int a, int b, int out) {
+        if (!Double.isNaN(r[a + LOW]) && !Double.isNaN(r[b + LOW])) {
+            return false;
+        }
+        switch (function) {
+            case LESS, AT_MOST, GREATER, AT_LEAST, EQUAL, UNEQUAL -> {
+                return false;
+            }
+            case AND, OR, NOT -> steps(r, out, 0, 1);
+            case IF, POWER, HYPOT, RAND -> anything(r, out);
+            default -> nowhere(r, out);
+        }
+        return true;
+    }
+
     /** What does not change between jumps: its bounds, and whether it jumps. */
     private static void steps(double[] r, int out, double low, double high) {
         boolean jumps = low != high;
@@ -77,6 +101,9 @@ final class Enclosed {
         double ah = r[a + HIGH];
         double bl = r[b + LOW];
         double bh = r[b + HIGH];
+        if (isNowhere(function, r, a, b, out)) {
+            return;
+        }
         switch (function) {
             case NEGATE -> set(r, out, -ah, -al, -r[a + FASTEST], -r[a + SLOWEST]);
             case PLUS -> set(r, out, down(al + bl), up(ah + bh), down(r[a + SLOWEST] + r[b + SLOWEST]), up(r[a + FASTEST] + r[b + FASTEST]));
@@ -217,6 +244,10 @@ final class Enclosed {
         double al = r[a + LOW];
         double ah = r[a + HIGH];
         boolean isWhole = n == Math.rint(n) && Math.abs(n) < 1e6;
+        if (n == r[b + HIGH] && !isWhole && ah < 0 && n != Math.rint(n)) {
+            nowhere(r, out);
+            return;
+        }
         if (n != r[b + HIGH] || !(al > 0 || (isWhole && (n >= 0 || ah < 0)))) {
             anything(r, out);
             return;
@@ -303,7 +334,11 @@ final class Enclosed {
 
     /** A function that grows, by its values at both ends and the bounds of how fast it does; no numbers for what is nowhere there. */
     private static void rising(double[] r, int a, int out, double low, double high, double slow, double fast) {
-        if (Double.isNaN(low) || Double.isNaN(high) || Double.isNaN(slow) || Double.isNaN(fast)) {
+        if (Double.isNaN(high)) {
+            nowhere(r, out);
+            return;
+        }
+        if (Double.isNaN(low) || Double.isNaN(slow) || Double.isNaN(fast)) {
             anything(r, out);
             return;
         }

@@ -176,14 +176,16 @@ public final class Implicit extends Volume implements Part {
             double most = room[bounds + 1];
             double slowest = room[bounds + 2];
             double fastest = room[bounds + 3];
-            if (least > 0 || most < 0) {
+            // What is no number at an end is outside, and not within the bounds.
+            boolean areAlike = isInside == isInsideAtEnd;
+            if (areAlike && (least >= 0 || most < 0 || Double.isNaN(least))) {
                 return false;
             }
             isCut = !(slowest > 0 || fastest < 0);
             double reach = Math.max(-slowest, fastest) * half;
             if (isCut && reach < Double.POSITIVE_INFINITY) {
                 int at = field.along(line, centre, centre, room);
-                if (room[at] - reach * (1 + 1e-15) > 0 || room[at + 1] + reach * (1 + 1e-15) < 0) {
+                if (areAlike && (room[at] - reach * (1 + 1e-15) > 0 || room[at + 1] + reach * (1 + 1e-15) < 0)) {
                     return false;
                 }
             }

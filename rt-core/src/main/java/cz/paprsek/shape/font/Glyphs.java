@@ -154,7 +154,7 @@ final class Glyphs {
         int first = 0;
         for (int i = 0; i < contours; i++) {
             int end = data.unsigned16(10 + 2L * i) + 1;
-            if (end < first || end > points) {
+            if (end <= first || end > points) {
                 throw data.refused(10 + 2L * i, "the last point of a contour, from " + first + " to " + points + ",", end - 1);
             }
             List<Point> contour = new ArrayList<>();

@@ -23,14 +23,17 @@ final class Kerning {
         int tables = table.unsigned16(2);
         long at = 4;
         for (int i = 0; i < tables; i++) {
+            long length = Math.max(6, table.unsigned16(at + 2));
             if ((table.unsigned16(at + 4) & PAIRS) == HORIZONTAL_PAIRS) {
                 int pairs = table.unsigned16(at + 6);
+                // Of more than ten thousand pairs the length is too large for its two bytes.
+                length = Math.max(length, 14 + 6L * pairs);
                 for (int k = 0; k < pairs; k++) {
                     long pair = at + 14 + 6L * k;
                     moves.merge(table.unsigned16(pair) << 16 | table.unsigned16(pair + 2), table.signed16(pair + 4), Integer::sum);
                 }
             }
-            at += Math.max(6, table.unsigned16(at + 2));
+            at += length;
         }
     }
 

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** Lines of text as letters in the plane z = 0: the first one begins at the origin and stands on y = 0. Those that show nothing are left out. */
 public final class Letters {
@@ -28,7 +29,7 @@ public final class Letters {
      * @throws IllegalArgumentException with a sentence if the font has not all of its letters, or is broken
      */
     public Letters(Font font, String text, double size) {
-        Map<Integer, Outline> outlines = new HashMap<>();
+        Map<Integer, Optional<Outline>> outlines = new HashMap<>();
         double unit = size / font.unitsPerEm();
         double x = 0;
         int line = 0;
@@ -47,16 +48,13 @@ public final class Letters {
                         + String.format("(U+%04X)", character));
             }
             x += before == 0 ? 0 : font.kerning(before, glyph);
-            String path = font.path(glyph);
-            if (!path.isEmpty()) {
-                Outline outline = outlines.computeIfAbsent(glyph, unknown -> Outline.wound(path));
-                pieces += outline.count();
-                if (pieces > MOST_PIECES) {
-                    throw new IllegalArgumentException("the letters have more than " + MOST_PIECES + " pieces of outlines together");
-                }
-                if (outline.isArea()) {
-                    letters.add(new Letter(outline, Affine.scalingAndMoving(new Vec3(unit, unit, 1), new Vec3(x * unit, -line * font.lineHeight() * unit, 0))));
-                }
+            Optional<Outline> outline = outlines.computeIfAbsent(glyph, unknown -> Optional.of(font.path(glyph)).filter(path -> !path.isEmpty()).map(Outline::wound));
+            pieces += outline.map(Outline::count).orElse(0);
+            if (pieces > MOST_PIECES) {
+                throw new IllegalArgumentException("the letters have more than " + MOST_PIECES + " pieces of outlines together");
+            }
+            if (outline.isPresent() && outline.get().isArea()) {
+                letters.add(new Letter(outline.get(), Affine.scalingAndMoving(new Vec3(unit, unit, 1), new Vec3(x * unit, -line * font.lineHeight() * unit, 0))));
             }
             x += font.width(glyph);
             before = glyph;

@@ -23,10 +23,6 @@ final class Table {
         return new Table(file, check(place, 0), length - place, name);
     }
 
-    int length() {
-        return length;
-    }
-
     int unsigned8(long place) {
         return file[check(place, 1)] & 0xff;
     }
