@@ -120,7 +120,7 @@ class ArchitectureTest {
             .whereLayer("light").mayOnlyBeAccessedByLayers("surface", "integrate", "account", "show", "render")
             .whereLayer("eye").mayOnlyBeAccessedByLayers("integrate", "account", "show", "render")
             .whereLayer("sample").mayOnlyBeAccessedByLayers("light", "integrate", "account", "show", "render")
-            .whereLayer("texture").mayOnlyBeAccessedByLayers("surface", "render")
+            .whereLayer("texture").mayOnlyBeAccessedByLayers("light", "surface", "render")
             .whereLayer("surface").mayOnlyBeAccessedByLayers("integrate", "account", "show", "render")
             .whereLayer("integrate").mayOnlyBeAccessedByLayers("account", "show", "work", "render")
             .whereLayer("account").mayOnlyBeAccessedByLayers("show", "render")
