@@ -27,7 +27,6 @@ record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts te
     /** Pieces of a circle, more than those with which a mesh is drawn roughly. */
     private static final int DRAWN = 72;
 
-
     /** Asks for a file and brings it in. */
     void choose(Sight sight) {
         Optional<Path> folder = document.sourceProperty().get().flatMap(source -> Optional.ofNullable(source.file().toAbsolutePath().getParent()));

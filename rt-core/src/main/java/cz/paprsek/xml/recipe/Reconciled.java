@@ -137,26 +137,16 @@ final class Reconciled {
     }
 
     private List<Node> children(Node written, Form plain, Form before, Form now) {
-        List<Form> olds = before.body().children();
-        List<Form> nows = now.body().children();
-        int[] fates = new int[olds.size()];
-        Arrays.fill(fates, -1);
-        int[] origins = Alignment.of(olds, nows);
-        for (int j = 0; j < origins.length; j++) {
-            if (origins[j] >= 0) {
-                fates[origins[j]] = j;
-            }
-        }
+        Level level = level(plain, before, now);
         IdentityHashMap<Node, List<Form>> runs = new IdentityHashMap<>();
-        IdentityHashMap<Form, Integer> places = places(plain.body().children(), olds);
         plain.body().children().forEach(one -> runs.computeIfAbsent(owners.get(one), owner -> new ArrayList<>()).add(one));
         List<Kept> kept = new ArrayList<>();
         for (Node child : written.children()) {
-            kept.addAll(child(child, runs.getOrDefault(child, List.of()), places, fates, olds, nows));
+            kept.addAll(child(child, runs.getOrDefault(child, List.of()), level));
         }
-        for (int j = 0; j < nows.size(); j++) {
-            if (origins[j] < 0) {
-                add(kept, new Kept(node(nows.get(j)), j));
+        for (int j = 0; j < level.nows.size(); j++) {
+            if (level.origins.get(j) < 0) {
+                add(kept, new Kept(node(level.nows.get(j)), j));
             }
         }
         return kept.stream().map(Kept::node).toList();
@@ -190,45 +180,45 @@ final class Reconciled {
         return places;
     }
 
-    private List<Kept> child(Node child, List<Form> run, IdentityHashMap<Form, Integer> places, int[] fates, List<Form> olds, List<Form> nows) {
+    private List<Kept> child(Node child, List<Form> run, Level level) {
         int last = -2;
         boolean isSame = true;
         for (Form one : run) {
-            Integer place = places.get(one);
-            int fate = place == null ? -2 : fates[place];
-            isSame &= place == null || (fate >= 0 && olds.get(place).equals(nows.get(fate)));
+            Integer place = level.places.get(one);
+            int fate = place == null ? -2 : level.fates.get(place);
+            isSame &= place == null || (fate >= 0 && level.olds.get(place).equals(level.nows.get(fate)));
             last = fate >= 0 ? fate : last;
         }
         if (isSame) {
             return List.of(new Kept(child, last));
         }
         if (follows && child.name().equals(Node.REPEAT)) {
-            return followed(child, run, new Level(places, Arrays.stream(fates).boxed().toList(), olds, nows), last);
+            return followed(child, run, level, last);
         }
         Form first = run.get(0);
-        int place = places.getOrDefault(first, -1);
-        boolean isOne = run.size() == 1 && place >= 0 && fates[place] >= 0;
+        int place = level.places.getOrDefault(first, -1);
+        boolean isOne = run.size() == 1 && place >= 0 && level.fates.get(place) >= 0;
         if (isOne && child.equals(stemming.get(first)) && first.body().name().equals(child.name())) {
-            return List.of(new Kept(node(child, first, olds.get(place), nows.get(fates[place])), last));
+            return List.of(new Kept(node(child, first, level.olds.get(place), level.nows.get(level.fates.get(place))), last));
         }
         if (isOne && movesInstances && child.name().equals(Node.INSTANCE)) {
-            Optional<Node> moved = instance(child, olds.get(place), nows.get(fates[place]));
+            Optional<Node> moved = instance(child, level.olds.get(place), level.nows.get(level.fates.get(place)));
             if (moved.isPresent()) {
                 return List.of(new Kept(moved.get(), last));
             }
         }
         List<Kept> written = new ArrayList<>();
         for (Form one : run) {
-            Integer at = places.get(one);
-            if (at != null && fates[at] >= 0) {
-                written.add(new Kept(node(nows.get(fates[at])), fates[at]));
+            Integer at = level.places.get(one);
+            if (at != null && level.fates.get(at) >= 0) {
+                written.add(new Kept(node(level.nows.get(level.fates.get(at))), level.fates.get(at)));
             }
         }
         return written;
     }
 
-    /** What has become of some elements beside each other. */
-    private record Level(IdentityHashMap<Form, Integer> places, List<Integer> fates, List<Form> olds, List<Form> nows) {
+    /** What has become of some elements beside each other: which of the new ones each old one is, and the other way round; -1 for none. */
+    private record Level(IdentityHashMap<Form, Integer> places, List<Integer> fates, List<Integer> origins, List<Form> olds, List<Form> nows) {
         Optional<Form> before(Form plain) {
             return Optional.ofNullable(places.get(plain)).map(olds::get);
         }
@@ -249,7 +239,7 @@ final class Reconciled {
                 fates[origins[j]] = j;
             }
         }
-        return new Level(places(plain.body().children(), olds), Arrays.stream(fates).boxed().toList(), olds, nows);
+        return new Level(places(plain.body().children(), olds), Arrays.stream(fates).boxed().toList(), Arrays.stream(origins).boxed().toList(), olds, nows);
     }
 
     /** A repeat with what has become of its first copy, which all others follow; gone if that has gone. */
