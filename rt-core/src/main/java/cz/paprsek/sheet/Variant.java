@@ -11,6 +11,8 @@ import java.util.stream.Collectors;
 /** Other pixels that give the same exercise with other numbers: their rays meet the same surfaces, and the same lights arrive there. */
 record Variant(RenderScene scene, RenderSettings settings) {
     private static final int TRIES = 2000;
+    /** How far from the pixel it is looked at first, as a share of the picture's width and height. */
+    private static final double NEAREST = 1.0 / 8;
 
     /**
      * A pixel like another one.
@@ -22,9 +24,10 @@ record Variant(RenderScene scene, RenderSettings settings) {
         String wanted = kind(pixel.rays().get(0));
         SplittableRandom random = new SplittableRandom(seed);
         for (int i = 0; i < TRIES; i++) {
-            // Near ones first, which are more often alike.
-            int width = Math.max(2, settings.width() * (i + 1) / TRIES);
-            int height = Math.max(2, settings.height() * (i + 1) / TRIES);
+            // Near ones first, which are more often alike, but not so near that many seeds would share one.
+            double reach = NEAREST + (1 - NEAREST) * (i + 1) / TRIES;
+            int width = (int) Math.max(2, settings.width() * reach);
+            int height = (int) Math.max(2, settings.height() * reach);
             int column = pixel.column() + random.nextInt(2 * width + 1) - width;
             int row = pixel.row() + random.nextInt(2 * height + 1) - height;
             boolean isOther = column != pixel.column() || row != pixel.row();
