@@ -34,6 +34,9 @@ class SentencesTest {
             there is no material named "gols"; did you mean "gold"?                    | není tu materiál se jménem "gols"; nemyslíte "gold"?
             there is already an object named "a {1} b" here; give one of them another name | předmět se jménem "a {1} b" tu už je; dejte jednomu z nich jiné jméno
             <sphere> has no attribute "shade"                                          | <sphere> nemá atribut "shade"
+            a worksheet is about single rays, not paths: integrator must be whitted    | pracovní list je o jednotlivých paprscích, ne o cestách: integrator má být whitted
+            no other pixel is like 3,4, whose rays meet the same: choose one that has such neighbours | žádný jiný bod není jako 3,4, aby jeho paprsky potkaly totéž: zvolte bod, který má takové sousedy
+            nothing is repeated in the scene, and no definition used                   | ve scéně se nic neopakuje a není použita žádná definice
             a sentence that nobody has translated                                      | a sentence that nobody has translated
             """)
     void aSentenceIsSaidInCzech(String english, String czech) {
