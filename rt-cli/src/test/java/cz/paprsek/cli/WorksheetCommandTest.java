@@ -5,11 +5,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.IntToDoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class WorksheetCommandTest {
     private static final String SCENE = """
@@ -77,6 +85,61 @@ class WorksheetCommandTest {
         return new int[] {Integer.parseInt(found.group(1)), Integer.parseInt(found.group(2)), Integer.parseInt(found.group(3))};
     }
 
+    /** What stands under Σ and τ·Σ is what comes out of the numbers that stand there, to the last of the four decimals. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            color="220 60 40" emission="90 40 10"                                                             | own light
+            color="10 10 10" transparency="0.9" refractive-index="1.3" attenuation-color="120 200 90" attenuation-distance="1" | ambient
+            """)
+    void printedNumbersGiveThePrintedSolution(String material, String term) throws IOException {
+        Files.writeString(scene, SCENE.replace("color=\"220 60 40\"", material));
+        String solved = solutions(sheet("--pixel", "24,16"));
+        Matcher sums = Pattern.compile("Σ</td><td>= ([^=]*) = ([^=]*) = <span class=\"result\">([^<]*)<").matcher(solved);
+        int rays = 0;
+        boolean isThere = false;
+        while (sums.find()) {
+            rays++;
+            isThere |= sums.group(1).contains(term);
+            List<double[]> terms = triples(sums.group(2));
+            assertThat(terms).as(sums.group()).hasSize(sums.group(1).split(" \\+ ").length);
+            assertSame(triples(sums.group(3)).get(0), channel -> terms.stream().mapToDouble(one -> one[channel]).sum(), 1e-9);
+        }
+        assertThat(rays).as(solved).isGreaterThan(1);
+        assertThat(isThere).as(solved).isTrue();
+        Matcher products = Pattern.compile("Σ</td><td>=.* = <span class=\"result\">([^<]*)<.*\\s+<tr><td class=\"f\">light of E[RT]* = τ·Σ</td><td>= ([^=]*) = <span class=\"result\">([^<]*)<").matcher(solved);
+        assertThat(products.results().peek(found -> {
+            List<double[]> factors = triples(found.group(2));
+            assertThat(factors.get(1)).as("the sum above").isEqualTo(triples(found.group(1)).get(0));
+            assertSame(triples(found.group(3)).get(0), channel -> factors.get(0)[channel] * factors.get(1)[channel], 5.1e-5);
+        }).count()).as(solved).matches(found -> found > 0 == material.contains("attenuation"));
+    }
+
+    private static void assertSame(double[] printed, IntToDoubleFunction reckoned, double most) {
+        for (int channel = 0; channel < 3; channel++) {
+            assertThat(printed[channel]).isCloseTo(reckoned.applyAsDouble(channel), Offset.offset(most));
+        }
+    }
+
+    private static List<double[]> triples(String text) {
+        return Pattern.compile("\\(([\\d.−]+), ([\\d.−]+), ([\\d.−]+)\\)").matcher(text).results().map(found -> IntStream.rangeClosed(1, 3)
+                .mapToDouble(group -> Double.parseDouble(found.group(group).replace('−', '-'))).toArray()).toList();
+    }
+
+    /** Where the picture is exposed and toned, and where light is too faint or too bright for the formula of the last line. */
+    @ParameterizedTest
+    @CsvSource({"exposure=\"1.5\", 'B = 2^(1.5)·light of E'", "exposure=\"1\" tone=\"filmic\", B with tone filmic", "exposure=\"-9\", 'Below: v = 255·12.92·B'", "exposure=\"9\", Above 1: v = 255"})
+    void theScreenShowsWhatTheProgramShows(String screen, String said) throws IOException {
+        Files.writeString(scene, SCENE.replace("max-depth", screen + " max-depth"));
+        String page = sheet("--pixel", "24,12");
+        assertThat(page).contains(said);
+        int[] reckoned = steps(solutions(page), "<span class=\"result\">sRGB (\\d+) (\\d+) (\\d+)");
+        int[] program = steps(solutions(page), "the program has .*, sRGB (\\d+) (\\d+) (\\d+)");
+        for (int i = 0; i < 3; i++) {
+            assertThat(reckoned[i]).as(page).isBetween(program[i] - 2, program[i] + 2);
+        }
+        assertThat(Run.cli("explain", scene, "24,12").out()).contains(program[0] + " " + program[1] + " " + program[2]);
+    }
+
     @Test
     void eachSeedHasOtherNumbersButTheSameLines() throws IOException {
         String first = sheet("--pixel", "24,12", "--seed", "1");
@@ -84,6 +147,22 @@ class WorksheetCommandTest {
         String second = sheet("--pixel", "24,12", "--seed", "2");
         assertThat(second).isNotEqualTo(first).contains("variant 2");
         assertThat(formulas(second)).isEqualTo(formulas(first));
+    }
+
+    /** A class of thirty. */
+    @Test
+    void thirtySeedsHaveThirtySheetsThatAskTheSame() throws IOException {
+        Set<String> pixels = new HashSet<>();
+        Set<String> asked = new HashSet<>();
+        for (int seed = 1; seed <= 30; seed++) {
+            String page = sheet("--pixel", "24,12", "--seed", String.valueOf(seed));
+            Matcher pixel = Pattern.compile("Pixel \\d+, \\d+").matcher(page);
+            assertThat(pixel.find()).isTrue();
+            pixels.add(pixel.group());
+            asked.add(formulas(page));
+        }
+        assertThat(pixels).hasSizeGreaterThanOrEqualTo(20);
+        assertThat(asked).hasSize(1);
     }
 
     private static String formulas(String page) {

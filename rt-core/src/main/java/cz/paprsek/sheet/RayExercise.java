@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * The light of one ray, to be reckoned: what is given, then line by line what is to be found, each from numbers that stand above it. What needs more than a pocket
@@ -25,7 +26,9 @@ final class RayExercise {
     private final Map<String, LinearRgb> found;
     private final List<Line> lines = new ArrayList<>();
     private LinearRgb sum = LinearRgb.BLACK;
-    private final List<String> terms = new ArrayList<>();
+    /** What adds up to that, and what it is called. */
+    private final List<LinearRgb> terms = new ArrayList<>();
+    private final List<String> names = new ArrayList<>();
 
     /** @param found light of the rays, by name, that exercises before this one are about, as reckoned there */
     RayExercise(Outline outline, Words words, Map<String, LinearRgb> found) {
@@ -64,6 +67,7 @@ final class RayExercise {
         Vec3 n = Pocket.of(met.place().towardsViewer());
         LinearRgb color = Pocket.of(met.color());
         LinearRgb ambient = Pocket.of(met.ambientLight());
+        LinearRgb own = Pocket.of(met.emitted());
         given("o", Pocket.text(o));
         given("d", Pocket.text(d));
         given("t", Pocket.text(t));
@@ -71,6 +75,9 @@ final class RayExercise {
         given("C", Pocket.text(color));
         given("A", Pocket.text(ambient));
         given(words.of("name.material"), material(met.material()));
+        if (!own.equals(LinearRgb.BLACK)) {
+            given(words.of("name.emission"), Pocket.text(own));
+        }
         met.lights().forEach(term -> given(term));
         Vec3 p = Pocket.of(o.plus(d.times(t)));
         find("P = o + t·d", Pocket.text(o) + " + " + Pocket.text(t) + "·" + Pocket.text(d), Pocket.text(p));
@@ -81,23 +88,22 @@ final class RayExercise {
             find("R = d + 2c·N", Pocket.text(d) + " + " + Pocket.text(2 * c) + "·" + Pocket.text(n), Pocket.text(r));
         }
         add(words.of("name.ambient"), "A·C", Pocket.text(ambient) + "·" + Pocket.text(color), Pocket.of(ambient.times(color)));
-        if (!met.emitted().equals(LinearRgb.BLACK)) {
-            given(words.of("name.emission"), Pocket.text(met.emitted()));
-            sum = sum.plus(Pocket.of(met.emitted()));
+        if (!own.equals(LinearRgb.BLACK)) {
+            add(words.of("name.emission"), own);
         }
         met.lights().forEach(term -> light(term, met.material(), color, p, n, r));
         met.refraction().ifPresent(this::bend);
         met.reflected().ifPresent(child -> followed(child, "R", met, "kR"));
         met.refracted().ifPresent(child -> followed(child, "T", met, "kT"));
         sum = Pocket.of(sum);
-        if (ray.absorbed().isPresent()) {
-            LinearRgb left = Pocket.of(ray.absorbed().get().left());
+        String light = words.of("name.light-of", outline.name()) + " = ";
+        find((ray.absorbed().isPresent() ? "" : light) + "Σ", String.join(" + ", names) + " = " + terms.stream().map(Pocket::text).collect(Collectors.joining(" + ")), Pocket.text(sum));
+        ray.absorbed().map(by -> Pocket.of(by.left())).ifPresent(left -> {
             given("τ", Pocket.text(left));
-            find("τ·Σ", Pocket.text(left) + "·" + Pocket.text(sum), Pocket.text(Pocket.of(sum.times(left))));
-            sum = Pocket.of(sum.times(left));
-        } else {
-            find(words.of("name.light-of", outline.name()), String.join(" + ", terms), Pocket.text(sum));
-        }
+            LinearRgb all = sum;
+            sum = Pocket.of(all.times(left));
+            find(light + "τ·Σ", Pocket.text(left) + "·" + Pocket.text(all), Pocket.text(sum));
+        });
     }
 
     private String material(Material material) {
@@ -194,7 +200,8 @@ final class RayExercise {
     }
 
     private void add(String name, LinearRgb term) {
-        terms.add(name);
+        names.add(name);
+        terms.add(term);
         sum = sum.plus(term);
     }
 

@@ -1,5 +1,7 @@
 package cz.paprsek.sheet;
 
+import cz.paprsek.material.Rgb.Tone;
+import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.sheet.Worksheet.Task;
 import cz.paprsek.words.Words;
 import java.util.List;
@@ -61,12 +63,29 @@ final class SheetPage {
             }
             html.append("</table>\n");
         }
-        html.append("<table>\n");
-        line(new Line("v = 255·(1.055·B^(1/2.4) − 0.055)", Pocket.text(task.reckoned()), "sRGB " + Pocket.shown(task.reckoned()), false), isSolved);
-        html.append("</table>\n");
+        screen(task, isSolved);
         if (isSolved) {
-            element("p", "remark", words.of("sheet.all-digits", Pocket.text(task.pixel().light()), Pocket.shown(task.pixel().light())));
+            LinearRgb light = task.pixel().developed();
+            element("p", "remark", words.of("sheet.all-digits", Pocket.text(light), Pocket.shown(light)));
         }
+    }
+
+    /** What becomes of the light on a screen: exposed and toned if the picture is, and in sRGB. */
+    private void screen(Task task, boolean isSolved) {
+        double exposure = Pocket.of(task.pixel().exposure());
+        Tone tone = task.pixel().tone();
+        String light = words.of("name.light-of", task.rays().get(task.rays().size() - 1).name());
+        String twice = exposure == 0 ? "" : "2^(" + Pocket.text(exposure) + ")·";
+        LinearRgb shown = Pocket.of(task.reckoned().times(StrictMath.pow(2, exposure)));
+        element("p", "remark", words.of("sheet.screen"));
+        html.append("<table>\n");
+        line(new Line("B = " + twice + light, twice + Pocket.text(task.reckoned()), Pocket.text(shown), false), isSolved);
+        if (tone != Tone.NONE) {
+            shown = Pocket.of(new LinearRgb(tone.of(shown.red()), tone.of(shown.green()), tone.of(shown.blue())));
+            line(new Line(words.of("sheet.toned", words.of("kind." + tone)), "", Pocket.text(shown), true), isSolved);
+        }
+        line(new Line("v = 255·(1.055·B^(1/2.4) − 0.055)", "", "sRGB " + Pocket.shown(shown), false), isSolved);
+        html.append("</table>\n");
     }
 
     private void line(Line line, boolean isSolved) {
