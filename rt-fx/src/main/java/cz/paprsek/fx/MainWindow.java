@@ -182,7 +182,7 @@ final class MainWindow {
         while (node != null && node != views.root()) {
             node = node.getParent();
         }
-        if (node != null && SceneMeshes.isMesh(files.get(0))) {
+        if (node != null && files.stream().anyMatch(SceneMeshes::isMesh)) {
             meshes.bring(files, views.sight());
         } else {
             editor.files().open(files.get(0));

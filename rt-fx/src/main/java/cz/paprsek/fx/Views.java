@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.view.camera.CameraPane;
 import cz.paprsek.fx.view.command.CameraCommands;
+import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.explain.ExplainMode;
 import cz.paprsek.fx.view.explain.ExplainPane;
@@ -49,9 +50,9 @@ final class Views {
         Texts texts = editor.texts();
         camera = new CameraPane(model, editor::fault);
         camera.setOnLocked(() -> editor.say(texts.of("view.camera-locked")));
-        ProjectionPane top = projection(editor, Axes.TOP);
-        ProjectionPane front = projection(editor, Axes.FRONT);
-        ProjectionPane right = projection(editor, Axes.RIGHT);
+        ProjectionPane top = projection(editor, commands.edits(), Axes.TOP);
+        ProjectionPane front = projection(editor, commands.edits(), Axes.FRONT);
+        ProjectionPane right = projection(editor, commands.edits(), Axes.RIGHT);
         projections = List.of(top, front, right);
         titled = List.of(
                 titled("top", texts.of("view.top"), texts, top), titled("camera", texts.of("view.camera"), texts, camera),
@@ -64,7 +65,7 @@ final class Views {
         titled.get(1).addTool(cameras.chooser());
         titled.get(1).addFoldingTool(explainButton(texts));
         camera.acceptMaterials(commands.edits());
-        projections.forEach(pane -> pane.acceptMaterials(commands.edits()));
+        projections.forEach(ProjectionPane::acceptMaterials);
         camera.setContextMenu(commands.contextMenu());
         projections.forEach(pane -> pane.setContextMenu(commands.contextMenu()));
         last = camera;
@@ -76,8 +77,8 @@ final class Views {
         }
     }
 
-    private ProjectionPane projection(Editor editor, Axes axes) {
-        ProjectionPane pane = new ProjectionPane(editor.model(), editor.texts(), axes, theme, editor.snapping(), editor.proportional());
+    private ProjectionPane projection(Editor editor, Edits edits, Axes axes) {
+        ProjectionPane pane = new ProjectionPane(edits, axes, theme, editor.snapping(), editor.proportional());
         pane.setId("projection-" + axes.name().toLowerCase(Locale.ROOT));
         return pane;
     }

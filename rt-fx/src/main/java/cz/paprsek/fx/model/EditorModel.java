@@ -151,8 +151,8 @@ public final class EditorModel {
         commitGesture();
         EditorState before = state();
         boolean isOfAll = OF_ALL_COPIES.contains(label.edit());
-        EditorState changed = withMeshes(change.apply(isOfAll ? before.withSelection(copies().all(before.selection())) : before));
-        EditorState after = isOfAll ? settled(before, changed) : following(before, changed);
+        EditorState changed = change.apply(isOfAll ? before.withSelection(copies().all(before.selection())) : before);
+        EditorState after = withMeshes(isOfAll ? settled(before, changed) : following(before, changed));
         boolean isStep = isStep(before, after);
         if (isStep) {
             history.did(label, before, after);
@@ -254,8 +254,12 @@ public final class EditorModel {
 
     /** Shows what has become of a scene so far. */
     void preview(EditorState start, Scene changed) {
-        boolean isRepeated = !copies().isNone() && !changed.equals(start.scene());
-        show(start.withScene(isRepeated ? SceneFiles.following(changed) : changed));
+        Scene before = start.scene();
+        // Another camera or other settings are looked at many times a second, and nothing follows them.
+        boolean isOfCopies = !copies().isNone() && !(changed.objects().equals(before.objects()) && changed.lights().equals(before.lights())
+                && changed.materials().equals(before.materials()));
+        EditorState shown = start.withScene(isOfCopies ? SceneFiles.following(changed) : changed);
+        show(shown.scene().objects().equals(before.objects()) ? shown : withMeshes(shown));
     }
 
     boolean isOpen(Gesture candidate) {
@@ -268,7 +272,7 @@ public final class EditorModel {
         }
         gesture = null;
         gesturing.set(false);
-        EditorState now = keep ? settled(ended.start(), state()) : state();
+        EditorState now = keep ? withMeshes(settled(ended.start(), state())) : state();
         boolean isStep = keep && isStep(ended.start(), now);
         if (isStep) {
             history.did(ended.label(), ended.start(), now);

@@ -9,6 +9,7 @@ import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.Clipboard;
 import cz.paprsek.fx.model.edit.Materials;
+import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.edit.Softness;
 import cz.paprsek.fx.model.edit.Structure;
@@ -61,11 +62,11 @@ public final class Edits {
         return refusal.getReadOnlyProperty();
     }
 
-    EditorModel model() {
+    public EditorModel model() {
         return model;
     }
 
-    Texts texts() {
+    public Texts texts() {
         return texts;
     }
 
@@ -256,6 +257,11 @@ public final class Edits {
         edit(Edit.REORDER, items, state -> Structure.move(state, items, parent, index));
     }
 
+    /** Moves items of the scene by a way in the world. */
+    public void translate(Set<ScenePath> items, Vec3 by) {
+        edit(Edit.MOVE, items, state -> state.withScene(Moves.translated(state.scene(), items, by)));
+    }
+
     public void moveLight(LightAt light, int index) {
         edit(Edit.REORDER, Set.of(light), state -> Structure.moveLight(state, light, index));
     }
@@ -282,11 +288,22 @@ public final class Edits {
     }
 
     private void edit(Label label, UnaryOperator<EditorState> change) {
+        attempt(() -> model.editState(label, change));
+    }
+
+    /**
+     * Does what may be refused, such as a step of a gesture.
+     *
+     * @return whether it was done
+     */
+    public boolean attempt(Runnable change) {
         try {
-            model.editState(label, change);
+            change.run();
             refusal.set("");
+            return true;
         } catch (IllegalArgumentException refused) {
             refusal.set(String.valueOf(refused.getMessage()));
+            return false;
         }
     }
 }

@@ -1,9 +1,5 @@
 package cz.paprsek.fx.view.projection;
 
-import cz.paprsek.fx.model.Label;
-import cz.paprsek.fx.model.Label.Edit;
-import cz.paprsek.fx.model.edit.Moves;
-import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.ScenePath;
 import java.util.Set;
@@ -48,7 +44,6 @@ final class PaneKeys {
         }
         double step = Grid.step(pane.view().scale()) * (many ? MANY : 1);
         Vec3 by = pane.axes().vector(Snapping.toGrid(u * step, step), Snapping.toGrid(v * step, step));
-        pane.model().edit(
-                Label.of(Edit.MOVE, PathNames.of(pane.model().scene(), items, pane.texts())), scene -> Moves.translated(scene, items, by));
+        pane.edits().translate(items, by);
     }
 }

@@ -290,16 +290,15 @@ final class PaneMouse {
     }
 
     private void follow() {
-        if (drag == null) {
+        Drag current = drag;
+        if (current == null) {
             return;
         }
-        try {
-            drag.to(lastX, lastY, keys);
-        } catch (IllegalArgumentException refused) {
+        if (!pane.edits().attempt(() -> current.to(lastX, lastY, keys))) {
             // A place that no scene can have, such as the camera on its own target: the last possible one stays shown.
             pane.setHoverCursor(Cursor.DISAPPEAR);
         }
-        pane.setDrag(drag, lastX, lastY);
+        pane.setDrag(current, lastX, lastY);
     }
 
     private void setDrag(@Nullable Drag value) {

@@ -52,6 +52,7 @@ public final class ProjectionPane extends Region {
     /** How far names of cameras are apart at least, pixels. */
     private static final double PLATE = 16;
 
+    private final Edits edits;
     private final EditorModel model;
     private final Texts texts;
     private final Axes axes;
@@ -81,10 +82,10 @@ public final class ProjectionPane extends Region {
      * @param snapping whether drags keep to the grid and to other objects
      * @param proportional whether corner handles keep the proportions
      */
-    public ProjectionPane(EditorModel model, Texts texts, Axes axes, ObservableValue<Theme> theme, BooleanProperty snapping,
-            BooleanProperty proportional) {
-        this.model = model;
-        this.texts = texts;
+    public ProjectionPane(Edits edits, Axes axes, ObservableValue<Theme> theme, BooleanProperty snapping, BooleanProperty proportional) {
+        this.edits = edits;
+        this.model = edits.model();
+        this.texts = edits.texts();
         this.axes = axes;
         this.theme = theme;
         this.snapping = snapping;
@@ -165,6 +166,11 @@ public final class ProjectionPane extends Region {
         requestLayout();
     }
 
+    /** Which tell what is refused. */
+    Edits edits() {
+        return edits;
+    }
+
     EditorModel model() {
         return model;
     }
@@ -196,7 +202,7 @@ public final class ProjectionPane extends Region {
     }
 
     /** Lets materials be dropped on bodies. */
-    public void acceptMaterials(Edits edits) {
+    public void acceptMaterials() {
         MaterialDrop.accept(this, edits, event -> picker().at(model.state(), view, event.getX(), event.getY()).stream()
                 .filter(BodyAt.class::isInstance).map(BodyAt.class::cast).findFirst(), body -> {
             highlighted = body;
