@@ -268,6 +268,7 @@ final class Editor implements Notices {
         theme.get().applyTo(stage.getScene());
         library.fill();
         mistakes.fill();
+        presenter.translate();
         renders.translate();
         showTitle();
     }

@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.present.PresenterPane;
+import cz.paprsek.scene.Scene;
 import java.util.Optional;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
@@ -26,6 +27,14 @@ final class PresenterWindow {
 
     /** @param pixel to begin with; the one in the middle if there is none */
     void show(Optional<PicturePoint> pixel) {
+        Scene scene = editor.model().state().seen();
+        PresenterPane fresh;
+        try {
+            fresh = new PresenterPane(scene, editor.model().assets(), editor.texts(), editor.followTheme());
+        } catch (IllegalArgumentException | ArithmeticException | OutOfMemoryError tooLarge) {
+            editor.say(editor.texts().of("render.too-large", scene.settings().width(), scene.settings().height()));
+            return;
+        }
         Stage open = stage;
         if (open == null) {
             Stage shown = new Stage();
@@ -37,20 +46,29 @@ final class PresenterWindow {
             open.setOnHidden(event -> close());
             stage = open;
         }
-        fill(open, pixel);
+        close();
+        fill(open, fresh);
+        pixel.ifPresentOrElse(point -> fresh.show(point.column(), point.row()), fresh::showMiddle);
         open.show();
         open.toFront();
     }
 
-    private void fill(Stage open, Optional<PicturePoint> pixel) {
-        close();
-        PresenterPane fresh = new PresenterPane(editor.model().state().seen(), editor.model().assets(), editor.texts(), editor.followTheme());
+    /** Goes on in the editor's language, if something is shown. */
+    void translate() {
+        Stage open = stage;
+        PresenterPane old = pane;
+        if (open != null && old != null) {
+            close();
+            fill(open, old.translated(editor.texts(), editor.followTheme()));
+        }
+    }
+
+    private void fill(Stage open, PresenterPane fresh) {
         pane = fresh;
         open.getScene().setRoot(fresh);
         editor.theme().get().applyTo(open.getScene());
         open.setTitle(editor.texts().of("present.title"));
         fresh.requestFocus();
-        pixel.ifPresentOrElse(point -> fresh.show(point.column(), point.row()), fresh::showMiddle);
     }
 
     private void key(KeyEvent event) {

@@ -108,6 +108,15 @@ class DroppedFilesTest {
     }
 
     @Test
+    void aSceneBeforeTheMeshesDoesNotKeepThemAway() throws Exception {
+        Path scene = folder.resolve("second.xml");
+        SceneFiles.write(Scene.EMPTY.plus(SceneObject.of(new Sphere(2))), scene);
+        drop("#projection-front", scene, corner);
+        editor.gui.until("the mesh is there", () -> meshes().equals(List.of("corner.obj")));
+        assertThat(editor.status()).contains("second.xml");
+    }
+
+    @Test
     void aBadOneChangesNothing() throws IOException {
         Path bad = Files.writeString(folder.resolve("bad.ply"), "ply\nformat ascii 1.0\nelement vertex 4000000000\n");
         drop("#projection-front", bad);

@@ -180,4 +180,14 @@ class ExplainModeTest {
         assertThat(czech.getRoot().getValue().name()).isEqualTo("E");
         assertThat(Screenshots.save(editor.gui, "explain-mode-dark-czech")).isNotEmptyFile();
     }
+
+    @Test
+    void aPictureTooLargeForTheClassIsRefusedInALine() {
+        Scene large = scene().withSettings(scene().settings().withSize(32768, 32768));
+        editor.gui.act(() -> editor.model().open(large));
+        editor.gui.act(() -> editor.editor.presenter().show(Optional.empty()));
+        assertThat(editor.status()).startsWith("There is not enough memory for a picture of 32");
+        assertThat(editor.editor.presenter().stage()).isEmpty();
+        assertThat(editor.dialogs.faults).isEmpty();
+    }
 }

@@ -18,7 +18,9 @@ import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFiles;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Set;
 import javafx.geometry.Point2D;
@@ -354,5 +356,41 @@ class ProjectionTest extends InProjections {
 
     private void assertMoved(ScenePath item, Vec3 by, double slack) {
         assertThat(position(item).minus(by).length()).isCloseTo(0, within(slack));
+    }
+
+    @Test
+    void arrowKeysOnACopyWithAPlaceOfItsOwnSayWhyNot() throws Exception {
+        openCopies();
+        Scene before = editor.model().scene();
+        ProjectionPane front = editor.projection("front");
+        click(front, 0, 0, 0);
+        assertThat(editor.model().selection()).containsExactly(ScenePath.body(0));
+        editor.gui.keys(KeyCode.RIGHT);
+        editor.gui.until("told", () -> editor.status().startsWith("each copy has a position of its own, by"));
+        assertThat(editor.model().scene()).isSameAs(before);
+        assertThat(editor.dialogs.faults).isEmpty();
+    }
+
+    @Test
+    void aDragOfOneSaysWhyNotInTheUsersLanguage() throws Exception {
+        openCopies();
+        editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+        editor.gui.act(() -> editor.projection("front").fitAll());
+        Scene before = editor.model().scene();
+        drag(editor.projection("front"), Vec3.ZERO, new Vec3(1, 1, 0));
+        editor.gui.until("told", () -> editor.status().contains("2*i*i"));
+        assertThat(editor.status()).doesNotContain("each copy");
+        assertThat(editor.model().scene()).isEqualTo(before);
+        assertThat(editor.dialogs.faults).isEmpty();
+    }
+
+    private void openCopies() throws Exception {
+        Scene copies = SceneFiles.parse("""
+                <scene xmlns="urn:paprsek:scene:1">
+                  <camera position="0 2 9" target="0 0 0"/>
+                  <repeat name="ball" count="3"><sphere radius="1" position="{2*i*i} 0 0"/></repeat>
+                </scene>""");
+        editor.gui.act(() -> editor.model().open(copies));
+        editor.gui.act(() -> editor.projection("front").fitAll());
     }
 }

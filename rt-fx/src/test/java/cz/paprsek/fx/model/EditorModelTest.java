@@ -3,6 +3,7 @@ package cz.paprsek.fx.model;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.edit.Structure;
@@ -11,10 +12,15 @@ import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFiles;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 
 class EditorModelTest {
@@ -176,5 +182,41 @@ class EditorModelTest {
         assertThat(model.unsavedProperty().get()).isFalse();
         model.undo();
         assertThat(model.state().isHidden(ScenePath.body(1))).isFalse();
+    }
+
+    @Test
+    void copiesOfAMeshAreReadInAPreviewAndAfterwards() throws Exception {
+        byte[] corner = "v 0 0 0\nv 3 0 0\nv 0 4 0\nv 0 0 5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n".getBytes(StandardCharsets.UTF_8);
+        model.setAssets(Assets.of(Map.of("corner.obj", corner, "other.obj", corner)));
+        model.open(SceneFiles.parse("""
+                <scene xmlns="urn:paprsek:scene:1">
+                  <camera position="0 2 9" target="0 0 0"/>
+                  <repeat count="3" position="4 0 0"><mesh file="corner.obj"/></repeat>
+                </scene>"""));
+        UnaryOperator<Scene> changed = scene -> scene.with(ScenePath.body(0), body -> body.withShape(Mesh.of("other.obj")));
+        Gesture gesture = model.begin(Label.of(Edit.CHANGE));
+        gesture.preview(changed);
+        assertThat(model.scene().objects()).extracting(SceneObject::shape).hasSize(3).allMatch(shape -> shape instanceof Mesh mesh && mesh.file().equals("other.obj") && mesh.isRead());
+        gesture.commit();
+        assertThat(model.scene().objects()).extracting(SceneObject::shape).allMatch(shape -> shape instanceof Mesh mesh && mesh.isRead());
+        model.undo();
+        model.edit(Label.of(Edit.CHANGE), changed);
+        assertThat(model.scene().objects()).extracting(SceneObject::shape).allMatch(shape -> shape instanceof Mesh mesh && mesh.file().equals("other.obj") && mesh.isRead());
+    }
+
+    @Test
+    void aGestureThatChangesNoBodyKeepsTheCopies() throws Exception {
+        model.open(SceneFiles.parse("""
+                <scene xmlns="urn:paprsek:scene:1">
+                  <camera position="0 2 9" target="0 0 0"/>
+                  <repeat count="3" position="4 0 0"><sphere radius="1"/></repeat>
+                </scene>"""));
+        Scene before = model.scene();
+        Gesture gesture = model.begin(Label.of(Edit.CAMERA));
+        gesture.preview(scene -> scene.withCamera(scene.camera().withPosition(new Vec3(1, 2, 3))));
+        assertThat(model.scene().recipe()).as("made anew at the end only").isSameAs(before.recipe());
+        gesture.commit();
+        assertThat(model.scene().camera().position()).isEqualTo(new Vec3(1, 2, 3));
+        assertThat(model.copies().isNone()).isFalse();
     }
 }

@@ -19,9 +19,18 @@ import cz.paprsek.words.Words;
 public sealed interface Explained {
     /** Explains the pixel at a point of a picture. */
     static Explained of(PicturePoint point) {
+        return of(point, RenderMonitor.NONE);
+    }
+
+    /**
+     * Explains the pixel at a point of a picture unless the monitor cancels.
+     *
+     * @throws java.util.concurrent.CancellationException if it does
+     */
+    static Explained of(PicturePoint point, RenderMonitor monitor) {
         RenderOptions options = RenderOptions.of(point.settings());
-        return point.settings().isPath() ? new OfPaths(point.scene().explainPaths(options, point.column(), point.row(), RenderMonitor.NONE))
-                : new OfRays(point.scene().explain(point.settings(), point.column(), point.row()));
+        return point.settings().isPath() ? new OfPaths(point.scene().explainPaths(options, point.column(), point.row(), monitor))
+                : new OfRays(point.scene().explain(options, point.column(), point.row(), monitor));
     }
 
     /** How many rays or paths there are to be chosen from. */

@@ -69,6 +69,8 @@ public final class PresenterPane extends BorderPane {
 
     private final Texts texts;
     private final Scene scene;
+    private final Assets assets;
+    private final PictureBuffer buffer;
     private final RenderSettings settings;
     private final LiveRender live = new LiveRender(Runtime.getRuntime().availableProcessors());
     private final ExecutorService explainer = Worker.named("present-pixel");
@@ -92,20 +94,37 @@ public final class PresenterPane extends BorderPane {
     /** Counts the pixels asked for. */
     private final AtomicInteger turn = new AtomicInteger();
     private volatile boolean closed;
+    private final RenderMonitor whileOpen = new RenderMonitor() {
+        @Override
+        public boolean cancelled() {
+            return closed;
+        }
+    };
 
-    /** Of a scene as it is now. */
+    /**
+     * Of a scene as it is now. Nothing runs if the picture is refused.
+     *
+     * @throws IllegalArgumentException if its picture is too large to be shown
+     * @throws ArithmeticException likewise
+     * @throws OutOfMemoryError likewise
+     */
     public PresenterPane(Scene scene, Assets assets, Texts texts, ObservableValue<Theme> theme) {
+        this(scene, assets, texts, theme, new PictureBuffer(scene.settings().width(), scene.settings().height()));
+    }
+
+    private PresenterPane(Scene scene, Assets assets, Texts texts, ObservableValue<Theme> theme, PictureBuffer buffer) {
         this.texts = texts;
         this.scene = scene;
+        this.assets = assets;
+        this.buffer = buffer;
         this.settings = scene.settings();
         setId("present-pane");
         getStylesheets().add(Objects.requireNonNull(PresenterPane.class.getResource("present.css")).toExternalForm());
-        PictureBuffer buffer = new PictureBuffer(settings.width(), settings.height());
         picture = new StagePicture(buffer);
         picture.setOnPixel(point -> show((int) point.getX(), (int) point.getY()));
         picture.setOnRay(line -> go(told -> told.go(line.ray())));
         picture.setOnPointed(this::point);
-        playing = toggle("present.play", "Space");
+        playing = toggle("present.play", texts.of("present.space"));
         zoomed = toggle("present.zoom", "Z");
         blank = toggle("present.blank", "B");
         play = new Timeline(new KeyFrame(EACH, event -> step(1)));
@@ -123,7 +142,7 @@ public final class PresenterPane extends BorderPane {
         sum.setWrapText(true);
         sum.setMinHeight(Region.USE_PREF_SIZE);
         fillSteps();
-        FlowPane tools = new FlowPane(8, 4, title, button("present.back", "Left", () -> step(-1)), progress, button("present.next", "Right", () -> step(1)), playing, zoomed, blank);
+        FlowPane tools = new FlowPane(8, 4, title, button("present.back", "←", () -> step(-1)), progress, button("present.next", "→", () -> step(1)), playing, zoomed, blank);
         tools.setId("present-tools");
         tools.setAlignment(Pos.CENTER_LEFT);
         setTop(tools);
@@ -131,8 +150,8 @@ public final class PresenterPane extends BorderPane {
         setBottom(kinds(theme));
         addEventFilter(KeyEvent.KEY_PRESSED, this::key);
         styleProperty().bind(Bindings.createStringBinding(() -> "-fx-font-size: " + Math.max(SMALLEST_TYPE, Math.rint(getHeight() / LINES)) + "px", heightProperty()));
-        ready = CompletableFuture.supplyAsync(() -> RenderScene.of(scene, assets, RenderMonitor.NONE), explainer);
-        live.show(scene, assets, settings, new Painter(buffer));
+        ready = CompletableFuture.supplyAsync(() -> RenderScene.of(scene, assets, whileOpen), explainer);
+        live.show(scene, assets, settings, new Painter());
     }
 
     /** Picture and exercise beside each other, the picture larger. */
@@ -173,7 +192,16 @@ public final class PresenterPane extends BorderPane {
         turn.incrementAndGet();
         play.stop();
         live.close();
-        explainer.shutdown();
+        explainer.shutdownNow();
+    }
+
+    /** One of the same pixel in another language, after this one has been closed. */
+    public PresenterPane translated(Texts other, ObservableValue<Theme> theme) {
+        PresenterPane fresh = new PresenterPane(scene, assets, other, theme, buffer);
+        fresh.zoomed.setSelected(zoomed.isSelected());
+        fresh.blank.setSelected(blank.isSelected());
+        fresh.show(column, row);
+        return fresh;
     }
 
     /** Tells of a pixel of the full picture, counted from 0; one beyond its edge is that at the edge. */
@@ -187,7 +215,7 @@ public final class PresenterPane extends BorderPane {
         explainer.execute(() -> {
             try {
                 if (mine == turn.get()) {
-                    Explained explained = Explained.of(new PicturePoint(ready.join(), settings, x, y));
+                    Explained explained = Explained.of(new PicturePoint(ready.join(), settings, x, y), whileOpen);
                     Platform.runLater(() -> tell(mine, explained));
                 }
             } catch (RuntimeException failed) {
@@ -364,6 +392,7 @@ public final class PresenterPane extends BorderPane {
         return tool(new ToggleButton(), key, keys);
     }
 
+    /** @param keys what does the same, as it is written on them */
     private <T extends ButtonBase> T tool(T button, String key, String keys) {
         button.setText(texts.of(key));
         button.setId(key.replace('.', '-'));
@@ -375,12 +404,6 @@ public final class PresenterPane extends BorderPane {
 
     /** Paints coarsely first. */
     private final class Painter implements LiveListener {
-        private final PictureBuffer buffer;
-
-        Painter(PictureBuffer buffer) {
-            this.buffer = buffer;
-        }
-
         @Override
         public void painted(LivePass pass, Image image, Tile tile) {
             buffer.paint(image, tile, pass.step(), ImageOptions.shown(pass.settings().exposure(), pass.settings().tone()));

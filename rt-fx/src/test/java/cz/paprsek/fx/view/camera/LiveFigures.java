@@ -7,6 +7,7 @@ import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.CameraMoves;
 import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
@@ -85,7 +86,7 @@ class LiveFigures {
         EditorModel model = new EditorModel(scene);
         ObservableValue<Theme> theme = new SimpleObjectProperty<>(Theme.LIGHT);
         List<ProjectionPane> panes = Stream.of(Axes.values()).map(axes -> Gui.on(
-                () -> new ProjectionPane(model, Texts.in(Locale.ENGLISH), axes, theme, new SimpleBooleanProperty(true), new SimpleBooleanProperty(true)))).toList();
+                () -> new ProjectionPane(new Edits(model, Texts.in(Locale.ENGLISH)), axes, theme, new SimpleBooleanProperty(true), new SimpleBooleanProperty(true)))).toList();
         try (Gui gui = Gui.show(() -> {
             HBox row = new HBox(4);
             row.getChildren().addAll(panes);
