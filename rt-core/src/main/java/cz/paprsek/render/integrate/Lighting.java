@@ -19,6 +19,7 @@ import cz.paprsek.render.surface.World;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
+import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -31,6 +32,8 @@ import org.jspecify.annotations.Nullable;
  * points, and brings the mean.
  */
 final class Lighting {
+    /** Into how many subtrees the search of a block's shadow rays is split at most: as measured. */
+    private static final int MOST_ENTRIES = 8;
     /** How many shadow rays of lights with a size are sent between two questions whether to stop: one ray may need those of many lights. */
     private static final int BATCH = 4096;
     /** For a light that is looked for at one point. */
@@ -59,8 +62,12 @@ final class Lighting {
     private final Arrival arrival = new Arrival();
     /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
     private final @Nullable Surface[] lastOccluder;
-    final Blocking blocking;
-    /** {@link Blocking#between} and {@link Blocking#anywhere}. */
+    private final Bundle hits = new Bundle();
+    /** The least {@link Hit#size} of those hits. */
+    private double smallest;
+    private final Bundle bundle = new Bundle();
+    private final Entries[] towardsLamp;
+    /** Where shadow rays of the block look for what stands in their way, by light. */
     private final Entries[] between;
     private final Entries anywhere;
     private double[] shares = new double[16];
@@ -108,9 +115,9 @@ final class Lighting {
         this.veils = new Veils(parts, spans);
         this.shadow = new Ray(spans);
         this.lastOccluder = new Surface[maxDepth * lamps.length];
-        this.blocking = new Blocking(bodies, lamps);
-        this.between = blocking.between;
-        this.anywhere = blocking.anywhere;
+        this.towardsLamp = Stream.generate(() -> new Entries(MOST_ENTRIES)).limit(lamps.length).toArray(Entries[]::new);
+        this.between = new Entries[lamps.length];
+        this.anywhere = bodies.whole();
         this.dims = scene.absorbs();
         this.dimming = new Dimming(scene);
         this.lobe = new Lobe(scene);
@@ -124,6 +131,42 @@ final class Lighting {
     /** Whether something is random at a hit, points of a light or what becomes of a ray: then the sampler is to be started before each hit is lit. */
     boolean isRandom() {
         return isRandom;
+    }
+
+    /** Finds out what can stand between each light and the hits of a block, once for all: to be called before these are lit, on level 0. */
+    void prepare(Level[] block, int count) {
+        gather(block, count);
+        for (int light = 0; light < lamps.length; light++) {
+            if (lamps[light].bundle(hits, bundle)) {
+                // Not the last bit before a hit, which keeps the surfaces that were hit out: a shadow ray begins at TOUCH · size, and a tenth
+                // less leaves room for rounding.
+                bundle.end(1 - 0.9 * Ray.TOUCH * smallest / bundle.longest());
+                bodies.enter(bundle, towardsLamp[light]);
+                between[light] = towardsLamp[light];
+            } else {
+                between[light] = anywhere;
+            }
+        }
+    }
+
+    /** Before a hit of a ray that is traced by itself is lit, on level 0. */
+    void prepareNothing() {
+        for (int light = 0; light < lamps.length; light++) {
+            between[light] = anywhere;
+        }
+    }
+
+    /** Bundles the lines from the origin to all hits. */
+    private void gather(Level[] first, int count) {
+        hits.start(0, 0, 0);
+        smallest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < count; i++) {
+            if (first[i].ray.part >= 0) {
+                Hit hit = first[i].hit;
+                hits.add(hit.px, hit.py, hit.pz);
+                smallest = hit.size < smallest ? hit.size : smallest;
+            }
+        }
     }
 
     /**
