@@ -49,7 +49,7 @@ public final class PathExplainer {
 
     private PathExplainer(World scene, RenderSettings settings, boolean fixed) {
         this.scene = scene;
-        emitters = Emitters.of(scene.scene());
+        emitters = scene.emitters();
         this.settings = settings;
         sampling = new Passes(settings, fixed, true);
         tracer = new Paths(scene, settings.maxDepth(), sampling, ledger);

@@ -81,7 +81,7 @@ final class RayBook extends Witness {
      */
     RayBook(World scene, int maxDepth, BooleanSupplier stop) {
         this.scene = scene;
-        emitters = Emitters.of(scene.scene());
+        emitters = scene.emitters();
         this.stop = stop;
         this.maxDepth = maxDepth;
         this.ambient = new LinearRgb(scene.ambient().linearRed(), scene.ambient().linearGreen(), scene.ambient().linearBlue());

@@ -104,9 +104,9 @@ final class Lighting {
         this.sampler = sampler;
         this.bodies = scene.bodies();
         this.parts = scene.parts();
-        this.emitters = isPath ? Emitters.of(scene.scene()) : Emitters.NONE;
+        this.emitters = isPath ? scene.emitters() : Emitters.NONE;
         this.sky = isPath ? scene.sky().picture() : Optional.empty();
-        this.lamps = Stream.concat(Stream.of(emitters.after(scene.lamps())), sky.stream().map(picture -> new SkyLamp(picture, scene.glows()))).toArray(Lamp[]::new);
+        this.lamps = emitters.after(scene.lamps(), sky.map(picture -> new SkyLamp(picture, scene.glows())));
         this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1) || scene.isRough() || isPath;
         this.glows = scene.glows().forOneWorker();
         this.finder = intersector.finder;

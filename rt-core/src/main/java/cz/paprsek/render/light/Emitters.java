@@ -14,6 +14,7 @@ import cz.paprsek.shape.Sphere;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /** The objects of a scene that shine and can be looked for as lights are, which paths do: they are numbered after the scene's lights. Immutable. */
@@ -79,9 +80,12 @@ public final class Emitters {
         return new BlockLamp(color, strength, (Block) object.shape(), toWorld);
     }
 
-    /** All that paths look for: the scene's lights, and these. */
-    public Lamp[] after(Lamp[] lights) {
-        return lamps.length == 0 ? lights : Stream.concat(Arrays.stream(lights), Arrays.stream(lamps)).toArray(Lamp[]::new);
+    /** All that is looked for: the scene's lights, these, and a sky. */
+    public Lamp[] after(Lamp[] lights, Optional<? extends Lamp> sky) {
+        if (lamps.length == 0 && sky.isEmpty()) {
+            return lights;
+        }
+        return Stream.of(Arrays.stream(lights), Arrays.stream(lamps), sky.stream()).flatMap(some -> some).toArray(Lamp[]::new);
     }
 
     /** The number of an object, or {@link #NOT_SOUGHT}. */

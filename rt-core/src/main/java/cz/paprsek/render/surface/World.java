@@ -2,6 +2,7 @@ package cz.paprsek.render.surface;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.render.light.Emitters;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.texture.Textures;
@@ -11,7 +12,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
-/** A scene as rays meet it: shapes placed in the world, materials resolved, the tree built. Immutable; any number of workers may use it at once. */
+/** A scene as rays meet it: shapes placed in the world, materials resolved, the tree built. Never changes; any number of workers may use it at once. */
 public final class World {
     private final Scene scene;
     private final Placed placed;
@@ -21,6 +22,8 @@ public final class World {
     private final Lamp[] lamps;
     private final Glows glows;
     private final int[] aroundCamera;
+    /** Found when it is first asked for: only paths ask, and then every worker. */
+    private @Nullable Emitters emitters;
 
     /**
      * Places a scene.
@@ -68,6 +71,14 @@ public final class World {
 
     public Lamp[] lamps() {
         return lamps;
+    }
+
+    /** The objects that shine and that paths look for. */
+    public synchronized Emitters emitters() {
+        if (emitters == null) {
+            emitters = Emitters.of(scene);
+        }
+        return emitters;
     }
 
     /** The lights that are seen. */
