@@ -60,6 +60,7 @@ class MistakesTest {
         "help rendr                           | there is no command \"rendr\"; did you mean \"render\"?",
         "bench --scene fwe                    | there is no standard scene \"fwe\"; did you mean \"few\"? there are few,",
         "render a.xml --exposure 1,5          | expected a number, but found '1,5'; a point stands before decimals: 1.5",
+        "render a.xml --exposure 1d           | expected a number, but found '1d'",
         "render http://x.org/a.xml            | 'http://x.org/a.xml' is an address, and nothing is fetched; give the path of a file",
         "render a.xml -o file:///tmp/a.png    | 'file:///tmp/a.png' is an address, and nothing is fetched; give the path of a file",
         "convert a.xml -o a.pov               | unknown option \"-o\"; the file stands there without an option: paprsek convert SCENE FILE",

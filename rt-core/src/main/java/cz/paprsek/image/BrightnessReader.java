@@ -3,9 +3,11 @@ package cz.paprsek.image;
 import cz.paprsek.image.StoredImage.Precision;
 import cz.paprsek.io.PlainText;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.OptionalDouble;
 
 /** Reads brightness as text: one image row a line, values separated by blanks. */
 final class BrightnessReader {
@@ -48,13 +50,9 @@ final class BrightnessReader {
     }
 
     private static double number(String word, int y, boolean isEncoded) throws IOException {
-        try {
-            double value = Double.parseDouble(word);
-            if (!isEncoded || (value >= 0 && value <= 255)) {
-                return value;
-            }
-        } catch (NumberFormatException notANumber) {
-            // Answered below, like a number out of range.
+        OptionalDouble value = Numbers.parsed(word);
+        if (value.isPresent() && (!isEncoded || (value.getAsDouble() >= 0 && value.getAsDouble() <= 255))) {
+            return value.getAsDouble();
         }
         throw new IOException("row " + (y + 1) + " should have " + (isEncoded ? "numbers 0-255" : "numbers") + ", but has \"" + PlainText.of(word, LONGEST_SHOWN) + "\"");
     }

@@ -4,6 +4,7 @@ import cz.paprsek.image.StoredImage.Precision;
 import cz.paprsek.io.BinaryInput;
 import cz.paprsek.io.PlainText;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -94,11 +95,7 @@ final class NetpbmReader {
     }
 
     private static double number(String word) throws IOException {
-        try {
-            return Double.parseDouble(word);
-        } catch (NumberFormatException e) {
-            throw new IOException("the picture's head should have a number where it has \"" + PlainText.of(word, 32) + "\"", e);
-        }
+        return Numbers.parsed(word).orElseThrow(() -> new IOException("the picture's head should have a number where it has \"" + PlainText.of(word, 32) + "\""));
     }
 
     /** The next word of the head, and the one blank after it; comments run from # to the end of the line. */

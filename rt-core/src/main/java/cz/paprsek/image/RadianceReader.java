@@ -3,6 +3,7 @@ package cz.paprsek.image;
 import cz.paprsek.image.StoredImage.Precision;
 import cz.paprsek.io.BinaryInput;
 import cz.paprsek.io.PlainText;
+import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.regex.Matcher;
@@ -79,13 +80,9 @@ final class RadianceReader {
     }
 
     private static double number(String text) throws IOException {
-        try {
-            double value = Double.parseDouble(text);
-            if (value > 1e-30 && value < 1e30) {
-                return value;
-            }
-        } catch (NumberFormatException notANumber) {
-            // Answered below, like a number out of range.
+        double value = Numbers.parsed(text).orElse(0);
+        if (value > 1e-30 && value < 1e30) {
+            return value;
         }
         throw new IOException("the exposure should be a number above 0, but is \"" + PlainText.of(text, 40) + "\"");
     }

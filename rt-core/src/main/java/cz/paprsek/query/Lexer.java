@@ -1,6 +1,7 @@
 package cz.paprsek.query;
 
 import cz.paprsek.query.Token.Kind;
+import cz.paprsek.text.Numbers;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -66,16 +67,7 @@ final class Lexer {
 
     /** The number that a token is. */
     static double number(Token token) throws FilterException {
-        try {
-            // Double.parseDouble also takes 1d, 0x1p3 and the like, which nobody means.
-            double number = token.text().matches("[-+0-9.eE]+") ? Double.parseDouble(token.text()) : Double.NaN;
-            if (Double.isFinite(number)) {
-                return number;
-            }
-        } catch (NumberFormatException e) {
-            // Told below.
-        }
-        throw new FilterException(token.position(), token.shown() + " is not a number");
+        return Numbers.parsed(token.text()).orElseThrow(() -> new FilterException(token.position(), token.shown() + " is not a number"));
     }
 
     private void quoted(char quote) throws FilterException {

@@ -8,6 +8,7 @@ import cz.paprsek.list.Pieces;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
+import cz.paprsek.text.Numbers;
 import cz.paprsek.text.Similar;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -356,11 +357,7 @@ public record Scene(
 
             /** The value as a number; empty if it is a text. */
             public OptionalDouble number() {
-                try {
-                    return OptionalDouble.of(Double.parseDouble(value));
-                } catch (NumberFormatException text) {
-                    return OptionalDouble.empty();
-                }
+                return Numbers.parsed(value);
             }
         }
     }

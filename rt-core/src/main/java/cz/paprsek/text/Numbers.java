@@ -3,8 +3,9 @@ package cz.paprsek.text;
 import cz.paprsek.math.Vec3;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.OptionalDouble;
 
-/** Numbers as text: the shortest form that reads back as exactly the same number. */
+/** Numbers as text, in the shortest form that reads back as exactly the same number, and such texts as numbers. */
 public final class Numbers {
     private Numbers() {}
 
@@ -23,6 +24,19 @@ public final class Numbers {
     /** Three numbers separated by blanks. */
     public static String text(Vec3 v) {
         return text(v.x()) + " " + text(v.y()) + " " + text(v.z());
+    }
+
+    /** The finite decimal number that a text is, as people write one; empty for others, also for {@code 1d}, {@code 0x1p3} and {@code NaN}, which Java takes. */
+    public static OptionalDouble parsed(String text) {
+        if (text.chars().allMatch(c -> (c >= '0' && c <= '9') || "+-.eE".indexOf(c) >= 0)) {
+            try {
+                double value = Double.parseDouble(text);
+                return Double.isFinite(value) ? OptionalDouble.of(value) : OptionalDouble.empty();
+            } catch (NumberFormatException none) {
+                return OptionalDouble.empty();
+            }
+        }
+        return OptionalDouble.empty();
     }
 
     /** Before JDK 19, {@link Double#toString(double)} sometimes gives a digit more than needed; such texts are long, and tried again. */

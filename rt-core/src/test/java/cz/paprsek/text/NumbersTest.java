@@ -8,6 +8,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class NumbersTest {
     @ParameterizedTest
@@ -15,6 +16,18 @@ class NumbersTest {
         "0.30000000000000004, 0.30000000000000004", "-1.5, -1.5", "9007199254740993, 9007199254740992"})
     void aNumberIsWrittenAsPeopleWould(double number, String text) {
         assertThat(Numbers.text(number)).isEqualTo(text);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"2", "-0.5", "+3", ".5", "2.", "1e-7", "2.5E3", "0"})
+    void whatPeopleWriteIsANumber(String text) {
+        assertThat(Numbers.parsed(text)).hasValue(Double.parseDouble(text));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "-", "1d", "2f", "0x1p3", "NaN", "Infinity", "1e999", "1,5", "1e", "1 2", "\u0663"})
+    void whatOnlyJavaTakesIsNone(String text) {
+        assertThat(Numbers.parsed(text)).isEmpty();
     }
 
     @Test

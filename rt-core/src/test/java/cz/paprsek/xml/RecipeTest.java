@@ -112,6 +112,8 @@ class RecipeTest {
         "<param name='a' value='2*b'/><sphere radius='{a}'/> | 2:47 | in braces, {2*b}",
         "<repeat cuont='3'><sphere/></repeat> | 2:9 | did you mean \"count\"?",
         "<repeat count='2.5'><sphere/></repeat> | 2:9 | whole number",
+        "<repeat count='3d'><sphere/></repeat> | 2:9 | whole number",
+        "<repeat count='2' position='0x1p1 0 0'><sphere/></repeat> | 2:19 | three finite numbers",
         "<repeat count='{i}'><sphere/></repeat> | 2:17 | not a number",
         "<repeat count='3'><camera position='{i} 0 1' target='0 0 0'/></repeat> | 2:19 | <camera> is none",
         "<repeat count='3'/> | 2:1 | needs a body",

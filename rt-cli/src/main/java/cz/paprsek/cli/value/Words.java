@@ -1,6 +1,7 @@
 package cz.paprsek.cli.value;
 
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.text.Numbers;
 import cz.paprsek.text.Similar;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -25,16 +26,8 @@ public final class Words {
 
     /** @throws TypeConversionException if the word is no number */
     public static double number(String word) {
-        try {
-            double value = Double.parseDouble(word);
-            if (!Double.isNaN(value)) {
-                return value;
-            }
-        } catch (NumberFormatException notANumber) {
-            // Answered below.
-        }
-        throw new TypeConversionException("expected a number, but found '" + word + "'"
-                + (word.matches("[-+]?\\d+,\\d+") ? "; a point stands before decimals: " + word.replace(',', '.') : ""));
+        return Numbers.parsed(word).orElseThrow(() -> new TypeConversionException("expected a number, but found '" + word + "'"
+                + (word.matches("[-+]?\\d+,\\d+") ? "; a point stands before decimals: " + word.replace(',', '.') : "")));
     }
 
     /**

@@ -16,8 +16,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 
 /** Writes a scene out: every formula as its value, every copy as an element of its own. */
 final class Expansion {
@@ -207,13 +209,9 @@ final class Expansion {
     private int count(Node repeat) {
         Attr given = repeat.attribute("count").orElseThrow(() -> wrong(repeat, "<repeat> needs the attribute \"count\""));
         String text = Raw.text(raw(repeat, given)).strip();
-        try {
-            double count = Double.parseDouble(text);
-            if (count >= 0 && count == Math.rint(count) && count <= MOST_COPIES) {
-                return (int) count;
-            }
-        } catch (NumberFormatException none) {
-            // Told below.
+        double count = Numbers.parsed(text).orElse(-1);
+        if (count >= 0 && count == Math.rint(count) && count <= MOST_COPIES) {
+            return (int) count;
         }
         throw wrong(repeat, "count", "count must be a whole number from 0 to " + MOST_COPIES + ", but is " + (text.isEmpty() ? "empty" : text));
     }
@@ -350,17 +348,14 @@ final class Expansion {
             return standard;
         }
         String text = Raw.text(raw(node, given.get())).strip();
-        String[] numbers = text.split(" +", -1);
-        try {
+        double[] numbers = Stream.of(text.split(" +", -1)).map(Numbers::parsed).flatMapToDouble(OptionalDouble::stream).toArray();
+        if (numbers.length == text.split(" +", -1).length) {
             if (numbers.length == 1 && isOneEnough) {
-                double one = Double.parseDouble(numbers[0]);
-                return new Vec3(one, one, one);
+                return new Vec3(numbers[0], numbers[0], numbers[0]);
             }
             if (numbers.length == 3) {
-                return new Vec3(Double.parseDouble(numbers[0]), Double.parseDouble(numbers[1]), Double.parseDouble(numbers[2]));
+                return new Vec3(numbers[0], numbers[1], numbers[2]);
             }
-        } catch (IllegalArgumentException none) {
-            // Told below.
         }
         throw wrong(node, attribute, attribute + " must be " + (isOneEnough ? "one finite number, or three, x y z" : "three finite numbers, x y z") + ", but is \"" + text + "\"");
     }
