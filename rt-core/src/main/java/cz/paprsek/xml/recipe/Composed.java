@@ -7,7 +7,8 @@ import java.util.Optional;
 
 /** Placements one within another, as one. */
 final class Composed {
-    private static final double GIMBAL = 1 - 1e-12;
+    /** Nearer than this, in radians, to where x and z turn about one axis, all is said by z. */
+    private static final double GIMBAL = 1e-12;
 
     private Composed() {}
 
@@ -87,12 +88,14 @@ final class Composed {
                 || (a.y() == 0 && a.z() == 0 && b.y() == 0 && b.z() == 0);
     }
 
-    /** The angles in degrees about x, then y, then z, of a rotation. */
+    /** The angles in degrees about x, then y, then z, of a rotation: z from what is left of it without x, so that both agree however near they are to one axis. */
     private static Vec3 angles(Affine r) {
-        double y = StrictMath.asin(Math.max(-1, Math.min(1, -r.zx())));
-        boolean isUpright = Math.abs(r.zx()) > GIMBAL;
-        double x = isUpright ? 0 : StrictMath.atan2(r.zy(), r.zz());
-        double z = isUpright ? StrictMath.atan2(-r.xy(), r.yy()) : StrictMath.atan2(r.yx(), r.xx());
+        double across = Math.sqrt(r.zy() * r.zy() + r.zz() * r.zz());
+        double x = across > GIMBAL ? StrictMath.atan2(r.zy(), r.zz()) : 0;
+        double sine = StrictMath.sin(x);
+        double cosine = StrictMath.cos(x);
+        double y = StrictMath.atan2(-r.zx(), across);
+        double z = StrictMath.atan2(r.xz() * sine - r.xy() * cosine, r.yy() * cosine - r.yz() * sine);
         return new Vec3(StrictMath.toDegrees(x), StrictMath.toDegrees(y), StrictMath.toDegrees(z));
     }
 }
