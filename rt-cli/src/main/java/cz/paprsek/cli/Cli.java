@@ -20,6 +20,7 @@ import cz.paprsek.cli.value.Part;
 import cz.paprsek.cli.value.PixelPlace;
 import cz.paprsek.cli.value.Region;
 import cz.paprsek.cli.value.Samples;
+import cz.paprsek.cli.value.Shard;
 import cz.paprsek.cli.value.Share;
 import cz.paprsek.cli.value.Size;
 import cz.paprsek.cli.value.Tones;
@@ -50,12 +51,12 @@ import picocli.CommandLine.ParameterException;
 final class Cli {
     /** Of all commands, in the order of the help. */
     private static final List<String> NAMES = List.of(
-            "render", "validate", "info", "explain", "convert", "bench", "compare", "grade", "worksheet", "crosscheck", "db", "schema", "generate-completion", "generate-man", "help");
+            "render", "merge", "plan", "validate", "info", "explain", "convert", "bench", "compare", "grade", "worksheet", "crosscheck", "db", "schema", "generate-completion", "generate-man", "help");
 
     /** As wide as every terminal is. */
     private static final int WIDTH = 80;
 
-    private static final List<String> NEEDING_ALL = List.of("generate-completion", "generate-man", "help");
+    private static final List<String> NEEDING_ALL = List.of("plan", "generate-completion", "generate-man", "help");
 
     private final Terminal terminal;
     private final Stop stop;
@@ -98,6 +99,7 @@ final class Cli {
         register(root, Layer.class, LayerNames::parse);
         register(root, Tone.class, Tones::parse);
         register(root, Share.class, Share::parse);
+        register(root, Shard.class, Shard::parse);
         register(root, Samples.class, Samples::parse);
         register(root, Mistake.class, MistakeNames::parse);
         register(root, Part.class, Part::parse);
@@ -152,6 +154,8 @@ final class Cli {
     private Object command(String name) {
         return switch (name) {
             case "render" -> new RenderCommand(terminal, stop);
+            case "merge" -> new MergeCommand(terminal, stop);
+            case "plan" -> new PlanCommand(terminal, stop);
             case "validate" -> new ValidateCommand(terminal, stop);
             case "info" -> new InfoCommand(terminal, stop);
             case "explain" -> new ExplainCommand(terminal, stop);

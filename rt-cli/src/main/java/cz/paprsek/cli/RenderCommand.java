@@ -23,12 +23,16 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.value.Formats;
+import cz.paprsek.cli.shard.Again;
+import cz.paprsek.cli.shard.ShardWork;
 import cz.paprsek.cli.value.Modes;
+import cz.paprsek.cli.value.Shard;
 import cz.paprsek.cli.value.Size;
 import cz.paprsek.cli.value.Words;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.query.Filter;
 import cz.paprsek.query.SceneTables;
+import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Scene;
@@ -40,8 +44,10 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** Renders scene files to pictures. */
 @Command(
@@ -59,12 +65,16 @@ import picocli.CommandLine.Parameters;
             "  paprsek render database.xml --where 'exists(torus)' -o pictures/",
             "  paprsek render a.xml --format ppm16 -o -   16-bit linear light to stdout",
             "  paprsek render a.xml --mode nodes -o t.png where the time goes, by pixel",
+            "  paprsek render a.xml --shard 3/8 -o parts  an eighth of it, see merge",
             "  paprsek render a.xml --mistake full-fovy,no-shadow -o wrong.png",
             "  paprsek render a.xml b.xml --json --quiet  one JSON object a line"
         })
 final class RenderCommand implements Callable<Integer> {
     private final Terminal terminal;
     private final Stop stop;
+
+    @Spec
+    private CommandSpec spec;
 
     @Parameters(paramLabel = "SCENE", arity = "1..*",
             description = "Scene files, or - for standard input. Patterns with * ? [] {} and ** are expanded, also when quoted.")
@@ -157,6 +167,11 @@ final class RenderCommand implements Callable<Integer> {
             "Of the integrator path, makes as many passes of 64 paths a pixel as can be done in this time, at least one, unless --samples ends it before.")
     private Optional<Double> time;
 
+    @Option(names = "--shard", paramLabel = "I/N", description = {
+        "Renders one share of the picture, the I-th of N, on this machine; others take the others. Its parts go to files in the directory -o, which is made, each when it is done; "
+                + "those that are there already and whole are not made again. 'paprsek merge' puts them together to the same picture, to the last bit; 'paprsek plan' writes what clusters need."})
+    private Optional<Shard> shard;
+
     @Option(names = "--json", description = "Prints a JSON object for every scene, one a line, instead of plain text.")
     private boolean json;
 
@@ -188,17 +203,64 @@ final class RenderCommand implements Callable<Integer> {
         if (!mistakes.made().equals(Mistakes.NONE) && (mode != RenderMode.SHADED || region.isPresent() || resume || time.isPresent() || pixels.isTransparent() || pixels.haveLayers())) {
             throw new WrongUsage("--mistake is for whole pictures of light, without --mode, --region, --resume, --time, --transparent and --aov");
         }
+        shard.ifPresent(one -> checkShared());
         if (json) {
             stop.oweLastWords();
         }
         Wishes wishes = new Wishes(size, maxDepth, rays, shown, region, threads);
-        List<Target> targets = new Targets(output, format, raw).of(sources());
+        List<Target> targets = shard.isPresent() ? List.of(shared(sources())) : new Targets(output, format, raw).of(sources());
         Writing writing = new Writing(bits, uncompressed);
         writing.check(targets.stream().map(Target::format).toList());
         View view = new View(mode, camera, light, !noLegend, pixels, mistakes.made());
         view.check(targets);
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
-        return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, pictures, progress, Report.of(terminal, json, quiet)).run(targets);
+        Optional<ShardWork> share = shard.map(one -> new ShardWork(one, Words.path(output.orElseThrow()), sharedWords()));
+        return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, pictures, progress, Report.of(terminal, json, quiet), share).run(targets);
+    }
+
+    private void checkShared() {
+        if (output.isEmpty() || output.get().equals("-")) {
+            throw new WrongUsage("--shard needs a directory for its parts, -o DIR");
+        }
+        if (resume || time.isPresent() || !mistakes.made().equals(Mistakes.NONE)) {
+            throw new WrongUsage("--shard is without --resume, which it does by itself, and without --time and --mistake");
+        }
+        if (bits.isPresent() || uncompressed || raw) {
+            throw new WrongUsage("--bits, --uncompressed and --raw are said when the parts are put together: paprsek merge DIR -o FILE");
+        }
+        if (ImageFormat.ofFile(output.get()).isPresent()) {
+            throw new WrongUsage("with --shard, -o is a directory for parts, not a picture such as " + output.get());
+        }
+    }
+
+    /** The directory of parts in place of a picture, in the format that can hold whatever is known of their pixels. */
+    private Target shared(List<SceneSource> sources) {
+        if (sources.size() > 1) {
+            throw new WrongUsage("--shard is for one scene, but there are " + sources.size() + "; of a database, choose one with --where 'name = ...'");
+        }
+        boolean isMore = pixels.haveLayers() || pixels.isTransparent();
+        return new Target(sources.get(0), Optional.of(Words.path(output.orElseThrow())), format.orElse(isMore ? ImageFormat.EXR : ImageFormat.PNG), "");
+    }
+
+    /** The words of the command line but those that say whose work it is and where it goes. */
+    private List<String> sharedWords() {
+        return Again.shared(spec.commandLine().getParseResult().originalArgs());
+    }
+
+    /**
+     * Into how many parts the picture of a scene is divided, for so many shares.
+     *
+     * @throws WrongUsage if the words do not suit the scene, or cannot be said of a share
+     */
+    long shares(Scene read, int count) {
+        checkShared();
+        try {
+            View view = new View(mode, camera, light, !noLegend, pixels, mistakes.made());
+            RenderOptions options = view.applyTo(new Wishes(size, maxDepth, rays, shown, region, threads).applyTo(Cameras.through(read, camera).settings()), ImageFormat.EXR);
+            return ShardWork.parts(options, count);
+        } catch (IllegalArgumentException refused) {
+            throw new WrongUsage(String.valueOf(refused.getMessage()));
+        }
     }
 
     private List<SceneSource> sources() {

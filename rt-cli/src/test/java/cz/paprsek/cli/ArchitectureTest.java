@@ -27,6 +27,8 @@ class ArchitectureTest {
             .layer("db").definedBy("cz.paprsek.cli.db")
             .layer("bench").definedBy("cz.paprsek.cli.bench")
             .layer("output").definedBy("cz.paprsek.cli.output")
+            .layer("shard").definedBy("cz.paprsek.cli.shard")
+            .layer("plan").definedBy("cz.paprsek.cli.plan")
             .layer("describe").definedBy("cz.paprsek.cli.describe")
             .layer("manual").definedBy("cz.paprsek.cli.manual")
             .layer("input").definedBy("cz.paprsek.cli.input")
@@ -38,7 +40,9 @@ class ArchitectureTest {
             .whereLayer("describe").mayOnlyBeAccessedByLayers("commands")
             .whereLayer("manual").mayOnlyBeAccessedByLayers("commands")
             .whereLayer("output").mayOnlyBeAccessedByLayers("commands", "db", "bench")
-            .whereLayer("value").mayOnlyBeAccessedByLayers("commands", "db", "bench", "output", "input")
+            .whereLayer("plan").mayOnlyBeAccessedByLayers("commands")
+            .whereLayer("shard").mayOnlyBeAccessedByLayers("commands", "output", "plan")
+            .whereLayer("value").mayOnlyBeAccessedByLayers("commands", "db", "bench", "output", "input", "shard")
             .whereLayer("input").mayOnlyBeAccessedByLayers("commands", "db", "bench", "output");
 
     @ArchTest

@@ -34,9 +34,14 @@ public final class Origins {
      * @param light the only light that shines: its name, or its number from 1
      */
     public static Origin of(Scene scene, RenderOptions render, Optional<String> camera, Optional<String> light, ImageFormat format) {
+        return areToldIn(format) ? new Origin(scene.name(), digest(scene), program(), settings(render, camera, light)) : Origin.UNTOLD;
+    }
+
+    /** Whether a format holds text. */
+    public static boolean areToldIn(ImageFormat format) {
         return switch (format) {
-            case BMP, PFM, TXT, RAW, PPM, PPM16, PGM -> Origin.UNTOLD;
-            case PNG, JPG, TIF, HDR, EXR -> new Origin(scene.name(), digest(scene), program(), settings(render, camera, light));
+            case BMP, PFM, TXT, RAW, PPM, PPM16, PGM -> false;
+            case PNG, JPG, TIF, HDR, EXR -> true;
         };
     }
 

@@ -10,14 +10,17 @@ import cz.paprsek.cli.process.Memory;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.shard.Card;
+import cz.paprsek.cli.shard.ShardWork;
 import cz.paprsek.image.Image;
-import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
 import cz.paprsek.image.Layers;
 import cz.paprsek.io.Failures;
+import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
+import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -33,8 +36,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
-/** Renders scenes one after the other, each on all threads; one that fails does not stop the next. */
-public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Optional<Double> seconds, Pictures pictures, Progress.Maker progress, Report report) {
+/**
+ * Renders scenes one after the other, each on all threads; one that fails does not stop the next.
+ *
+ * @param share of the work that is to be done, in place of all of it
+ */
+public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Optional<Double> seconds, Pictures pictures, Progress.Maker progress, Report report,
+        Optional<ShardWork> share) {
 
     /** The exit code of the worst. */
     public int run(List<Target> targets) {
@@ -86,6 +94,9 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         } catch (IllegalArgumentException refused) {
             return fail(target, Outcome.WRONG_USAGE, List.of(target.source().label() + ": " + refused.getMessage()));
         }
+        if (share.isPresent()) {
+            return part(share.get(), target, read, scene, assets, options, begin);
+        }
         int width = options.region().width();
         int height = options.region().height();
         String tooLarge = target.source().label() + ": " + Room.sentence(scene, options, target.format());
@@ -127,6 +138,36 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         return Outcome.DONE;
     }
 
+    /** Renders a share of the picture, whose parts go to files of their own. */
+    private Outcome part(ShardWork work, Target target, Scene read, Scene scene, Assets assets, RenderOptions options, long begin) {
+        String label = target.source().label();
+        try {
+            Card card = Card.of(scene, assets, options, writing.of(read, options, view, ImageFormat.PNG), view.legend());
+            PartProgress shown = new PartProgress(terminal, label + ": shard " + work.shard(), progress == Progress.Maker.SILENT);
+            ShardWork.Done done = work.run(card, options, () -> RenderScene.of(scene, assets, stopped()), stop, shown);
+            if (stop.requested()) {
+                return fail(target, Outcome.INTERRUPTED, List.of(label + ": interrupted; what is done stays in " + target.shown() + ", and the same command goes on from there"));
+            }
+            report.shared(target, work.shard(), done, (System.nanoTime() - begin) / 1e9);
+            return Outcome.DONE;
+        } catch (WrongUsage e) {
+            return fail(target, Outcome.WRONG_USAGE, List.of(String.valueOf(e.getMessage())));
+        } catch (CancellationException stopped) {
+            return fail(target, Outcome.INTERRUPTED, List.of(label + ": interrupted"));
+        } catch (IOException e) {
+            return fail(target, stop.requested() ? Outcome.INTERRUPTED : Outcome.FAILED, List.of(Failures.sentence(target.shown(), e)));
+        }
+    }
+
+    private RenderMonitor stopped() {
+        return new RenderMonitor() {
+            @Override
+            public boolean cancelled() {
+                return stop.requested();
+            }
+        };
+    }
+
     /** Without end but that of the time, unless somebody says how many paths there are to be. */
     private RenderOptions timed(RenderOptions options) {
         if (seconds.isEmpty()) {
@@ -154,7 +195,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
 
     private void write(Target target, Scene read, Image image, Layers layers, RenderOptions options) throws IOException {
         ImageOptions how = view.written(target.format(), writing.of(read, options, view, target.format()));
-        stop.guard(() -> write(target, image, layers, how));
+        stop.guard(() -> target.write(view.written(target.format()), image, layers, how, terminal));
     }
 
     private RenderResult rendered(Target target, Scene scene, Assets assets, RenderOptions options, Tiles tiles, WholePasses passes) {
@@ -181,25 +222,6 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
     private Outcome interrupted(Target target, WholePasses passes) {
         return fail(target, Outcome.INTERRUPTED, List.of(target.source().label() + ": interrupted, " + (passes.passesWritten() == 0 ? "no picture written"
                 : target.shown() + " has the " + passes.passesWritten() * RenderSettings.USUAL_PATHS + " paths a pixel that were complete")));
-    }
-
-    private void write(Target target, Image image, Layers layers, ImageOptions how) throws IOException {
-        ImageFormat format = view.written(target.format());
-        if (!layers.names().isEmpty()) {
-            write(image, layers, target.file(), how);
-        } else if (target.file().isPresent()) {
-            ImageFiles.write(image, target.file().get(), format, how);
-        } else {
-            ImageFiles.write(image, terminal.bytes(), format, how);
-        }
-    }
-
-    private void write(Image image, Layers layers, Optional<Path> file, ImageOptions how) throws IOException {
-        if (file.isPresent()) {
-            ImageFiles.write(image, layers, file.get(), how);
-        } else {
-            ImageFiles.write(image, layers, terminal.bytes(), how);
-        }
     }
 
     private Outcome fail(Target target, Outcome outcome, List<String> problems) {

@@ -2,6 +2,8 @@ package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.shard.ShardWork;
+import cz.paprsek.cli.value.Shard;
 import cz.paprsek.io.Json;
 import cz.paprsek.render.RenderResult;
 import java.util.List;
@@ -15,6 +17,9 @@ public interface Report {
      * @param totalSeconds reading, rendering and writing
      */
     void done(Target target, String scene, int width, int height, RenderResult result, double totalSeconds);
+
+    /** The share of a picture's work is done. */
+    void shared(Target target, Shard shard, ShardWork.Done done, double totalSeconds);
 
     /** A scene has no picture; the user has been told why. */
     void failed(Target target, Outcome outcome, List<String> problems);
@@ -59,6 +64,15 @@ public interface Report {
         }
 
         @Override
+        public void shared(Target target, Shard shard, ShardWork.Done done, double totalSeconds) {
+            if (!quiet) {
+                int before = done.parts() - done.made();
+                terminal.result(String.format(Locale.ROOT, "%s -> %s  shard %s  %d parts%s  %.2f s", target.source().label(), target.shown(), shard, done.parts(),
+                        before == 0 ? "" : ", " + before + " of them there before", totalSeconds));
+            }
+        }
+
+        @Override
         public void failed(Target target, Outcome outcome, List<String> problems) {}
     }
 
@@ -80,6 +94,12 @@ public interface Report {
                     .with("hits", stats.hits());
             result.certainty().ifPresent(known -> all.with("certainty", new Json().with("within", known.within()).with("farthest", known.farthest()).with("untrusted", known.untrusted())));
             terminal.result(all.toString());
+        }
+
+        @Override
+        public void shared(Target target, Shard shard, ShardWork.Done done, double totalSeconds) {
+            terminal.result(begin(target, Outcome.DONE).with("shard", shard.toString()).with("parts", done.parts()).with("made", done.made())
+                    .with("seconds", micros(totalSeconds)).toString());
         }
 
         @Override

@@ -1,7 +1,13 @@
 package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.input.SceneSource;
+import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.Layers;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -17,6 +23,25 @@ public record Target(SceneSource source, Optional<Path> file, ImageFormat format
     /** The scene's file. */
     public Path scene() {
         return source.file();
+    }
+
+    /**
+     * Writes the picture.
+     *
+     * @param written its format, if that is not quite the target's
+     * @param layers what else is known of its pixels, which only OpenEXR can hold
+     */
+    public void write(ImageFormat written, Image image, Layers layers, ImageOptions how, Terminal terminal) throws IOException {
+        boolean isLayered = !layers.names().isEmpty();
+        if (file.isPresent() && isLayered) {
+            ImageFiles.write(image, layers, file.get(), how);
+        } else if (file.isPresent()) {
+            ImageFiles.write(image, file.get(), written, how);
+        } else if (isLayered) {
+            ImageFiles.write(image, layers, terminal.bytes(), how);
+        } else {
+            ImageFiles.write(image, terminal.bytes(), written, how);
+        }
     }
 
     /** The picture's file as the user would name it. */

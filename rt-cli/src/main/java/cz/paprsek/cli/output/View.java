@@ -56,7 +56,7 @@ public record View(RenderMode mode, Optional<String> camera, Optional<String> li
     }
 
     /** Programs read depths and counts as they are, eyes see them as brightness and colours. */
-    RenderOptions applyTo(RenderOptions options, ImageFormat format) {
+    public RenderOptions applyTo(RenderOptions options, ImageFormat format) {
         if (!mistakes.equals(Mistakes.NONE)) {
             return RenderOptions.of(options.settings().withSamples(options.settings().samples()));
         }
@@ -64,17 +64,23 @@ public record View(RenderMode mode, Optional<String> camera, Optional<String> li
         return isNumbers(format) ? shown.withNumbers() : shown;
     }
 
+    /** What a picture of parts shows, of which the rest has been done already. */
+    public static View ofParts(RenderMode mode, boolean legend) {
+        return new View(mode, Optional.empty(), Optional.empty(), legend, new PixelWishes(), Mistakes.NONE);
+    }
+
     /** How the picture is written: brightness as text has 256 steps, numbers have as many as they need. */
-    ImageFormat written(ImageFormat format) {
+    public ImageFormat written(ImageFormat format) {
         return format == ImageFormat.TXT && isNumbers(format) ? ImageFormat.RAW : format;
     }
 
     /** With as many digits as numbers need, unless fewer were asked for. */
-    ImageOptions written(ImageFormat format, ImageOptions how) {
+    public ImageOptions written(ImageFormat format, ImageOptions how) {
         return format == ImageFormat.EXR && isNumbers(format) && how.bits().isEmpty() ? how.withBits(Float.SIZE) : how;
     }
 
-    private boolean isNumbers(ImageFormat format) {
+    /** Whether the picture's format shows numbers as they are. */
+    public boolean isNumbers(ImageFormat format) {
         return mode.isNumber() && switch (format) {
             case EXR, PFM, TXT, RAW -> true;
             case PNG, JPG, TIF, BMP, HDR, PPM, PPM16, PGM -> false;
@@ -82,7 +88,7 @@ public record View(RenderMode mode, Optional<String> camera, Optional<String> li
     }
 
     /** The picture as it is written. */
-    Image finished(Image image, ImageFormat format) {
+    public Image finished(Image image, ImageFormat format) {
         Optional<HeatScale> scale = isNumbers(format) ? Optional.empty() : mode.scale();
         return legend && scale.isPresent() ? Legend.below(image, scale.get()) : image;
     }

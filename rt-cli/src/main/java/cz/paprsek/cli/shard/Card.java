@@ -1,0 +1,128 @@
+package cz.paprsek.cli.shard;
+
+import cz.paprsek.asset.Assets;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.ImageOptions.Origin;
+import cz.paprsek.material.Rgb.Tone;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.Tile;
+import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.List;
+
+/**
+ * Which picture parts are of. Two parts belong together if their cards are the same to the letter: of the same scene with the same files beside it, by the same
+ * version with the same options, whatever machine, Java and number of threads there was.
+ *
+ * @param origin what the picture's file will tell of itself
+ * @param exposure in stops, as the picture is written
+ * @param tone likewise
+ * @param mode what the picture shows
+ * @param numbers whether that are numbers, and not brightness and colours
+ * @param legend whether its scale of colours goes below it, if it has one
+ * @param transparent whether it has opacity
+ * @param region the part of the picture that is the image
+ * @param planes the names of what else is known of each pixel
+ * @param scene digest of the scene, and of all files that it needs
+ * @param options digest of how it is rendered
+ */
+public record Card(Origin origin, double exposure, Tone tone, RenderMode mode, boolean numbers, boolean legend, boolean transparent, Tile region, List<String> planes, String scene,
+        String options) {
+    public Card {
+        planes = List.copyOf(planes);
+    }
+
+    /**
+     * That of a picture which is to be rendered.
+     *
+     * @param scene what is shown, whose files are in the assets already
+     * @param how the picture will be written in a format that tells its origin
+     */
+    public static Card of(Scene scene, Assets assets, RenderOptions options, ImageOptions how, boolean legend) {
+        MessageDigest digest = sha256();
+        digest.update(assets.digest().getBytes(StandardCharsets.UTF_8));
+        String content = hex(digest.digest(SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8)));
+        String settings = hex(digest.digest(options.withThreads(1).toString().getBytes(StandardCharsets.UTF_8)));
+        List<String> planes = options.layers().stream().flatMap(layer -> layer.planes(scene.lights()).stream()).toList();
+        return new Card(how.origin(), how.exposure(), how.tone(), options.mode(), options.numbers(), legend, options.transparent(), options.region(), planes, content, settings);
+    }
+
+    /** How many numbers each pixel has. */
+    int channels() {
+        return (transparent ? 4 : 3) + planes.size();
+    }
+
+    /** The picture is written like this, by the format's own wishes beside it. */
+    public ImageOptions applyTo(ImageOptions how, Origin told) {
+        return how.withExposure(exposure).withTone(tone).withOrigin(told);
+    }
+
+    /** In what the picture of this card differs from that of another one. */
+    String difference(Card other) {
+        return !origin.program().equals(other.origin.program()) ? "made by " + origin.program() + ", and not by " + other.origin.program()
+                : !scene.equals(other.scene) ? "of another scene, or of other files beside it"
+                : !origin.settings().equals(other.origin.settings()) ? "rendered with " + origin.settings() + ", and not with " + other.origin.settings()
+                : "of another picture";
+    }
+
+    String text() {
+        StringBuilder text = new StringBuilder();
+        Fields.put(text, "program", origin.program());
+        Fields.put(text, "name", origin.scene());
+        Fields.put(text, "source", origin.digest());
+        Fields.put(text, "settings", origin.settings());
+        Fields.put(text, "exposure", exposure);
+        Fields.put(text, "tone", tone.name());
+        Fields.put(text, "mode", mode.name());
+        Fields.put(text, "numbers", numbers);
+        Fields.put(text, "legend", legend);
+        Fields.put(text, "transparent", transparent);
+        Fields.put(text, "region", text(region));
+        planes.forEach(plane -> Fields.put(text, "plane", plane));
+        Fields.put(text, "scene", scene);
+        Fields.put(text, "options", options);
+        return text.toString();
+    }
+
+    /** @throws IllegalArgumentException if a value is none that its kind has, or there can be no such picture */
+    static Card read(Fields fields) throws IOException {
+        String program = fields.next("program");
+        Origin origin = new Origin(fields.next("name"), fields.next("source"), program, fields.next("settings"));
+        ImageOptions how = ImageOptions.shown(Double.parseDouble(fields.next("exposure")), Tone.valueOf(fields.next("tone")));
+        RenderMode mode = RenderMode.valueOf(fields.next("mode"));
+        boolean numbers = Boolean.parseBoolean(fields.next("numbers"));
+        boolean legend = Boolean.parseBoolean(fields.next("legend"));
+        boolean transparent = Boolean.parseBoolean(fields.next("transparent"));
+        Tile region = tile(fields, "region");
+        Image.requireRoom(region.width(), region.height());
+        return new Card(origin, how.exposure(), how.tone(), mode, numbers, legend, transparent, region, fields.all("plane"), fields.next("scene"), fields.next("options"));
+    }
+
+    static String text(Tile tile) {
+        return tile.x() + " " + tile.y() + " " + tile.width() + " " + tile.height();
+    }
+
+    static Tile tile(Fields fields, String key) throws IOException {
+        int[] numbers = fields.numbers(key, 4);
+        return new Tile(numbers[0], numbers[1], numbers[2], numbers[3]);
+    }
+
+    static MessageDigest sha256() {
+        try {
+            return MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java has SHA-256", e);
+        }
+    }
+
+    private static String hex(byte[] digest) {
+        return HexFormat.of().formatHex(digest);
+    }
+}

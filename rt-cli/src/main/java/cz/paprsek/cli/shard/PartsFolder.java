@@ -1,0 +1,114 @@
+package cz.paprsek.cli.shard;
+
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.shard.Deal.Piece;
+import cz.paprsek.cli.shard.PartFile.OtherVersion;
+import cz.paprsek.cli.shard.PartFile.Pixels;
+import cz.paprsek.render.Tile;
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/** A folder of part files; those of an animation lie in folders of their frames in it. */
+record PartsFolder(Path path) {
+    private static final Pattern NAME = Pattern.compile("tile-(\\d{5})-(\\d{5})-(\\d{1,5})x(\\d{1,5})" + Pattern.quote(PartFile.ENDING));
+    private static final Pattern FRAME = Pattern.compile("frame-\\d{6,9}");
+
+    /** Where a part goes. */
+    Path file(Piece piece) {
+        Tile tile = piece.tile();
+        return of(piece.frame()).resolve(String.format(Locale.ROOT, "tile-%05d-%05d-%dx%d%s", tile.x(), tile.y(), tile.width(), tile.height(), PartFile.ENDING));
+    }
+
+    /** The folder of a frame. */
+    private Path of(int frame) {
+        return frame == 0 ? path : path.resolve(String.format(Locale.ROOT, "frame-%06d", frame));
+    }
+
+    /** All part files, in the order of their names. */
+    List<Path> files() throws IOException {
+        List<Path> files = new ArrayList<>(parts(path));
+        try (DirectoryStream<Path> folders = Files.newDirectoryStream(path, each -> FRAME.matcher(String.valueOf(each.getFileName())).matches() && Files.isDirectory(each))) {
+            for (Path folder : folders) {
+                files.addAll(parts(folder));
+            }
+        }
+        return files.stream().sorted().toList();
+    }
+
+    private static List<Path> parts(Path folder) throws IOException {
+        List<Path> files = new ArrayList<>();
+        if (Files.isDirectory(folder)) {
+            try (DirectoryStream<Path> all = Files.newDirectoryStream(folder, "*" + PartFile.ENDING)) {
+                all.forEach(files::add);
+            }
+        }
+        return files;
+    }
+
+    /**
+     * Which pieces of work are not done, of a share: their pixels are in no part that is whole.
+     *
+     * @throws WrongUsage if there are parts of another picture in their place
+     */
+    List<Piece> lacking(Card card, List<Piece> pieces) throws IOException {
+        Map<Integer, List<Piece>> frames = pieces.stream().collect(Collectors.groupingBy(Piece::frame, TreeMap::new, Collectors.toList()));
+        List<Piece> lacking = new ArrayList<>();
+        for (Map.Entry<Integer, List<Piece>> frame : frames.entrySet()) {
+            Grid wanted = new Grid(card.region());
+            frame.getValue().forEach(piece -> wanted.cover(piece.tile()));
+            Grid there = new Grid(card.region());
+            for (Path file : parts(of(frame.getKey()))) {
+                Optional<Tile> tile = tile(file).filter(named -> Grid.has(card.region(), named) && wanted.touches(named));
+                if (tile.isPresent() && isWhole(card, file, new Piece(frame.getKey(), tile.get()))) {
+                    there.cover(tile.get());
+                }
+            }
+            frame.getValue().stream().filter(piece -> !there.covers(piece.tile())).forEach(lacking::add);
+        }
+        return lacking;
+    }
+
+    private boolean isWhole(Card card, Path file, Piece piece) throws IOException {
+        try {
+            PartHead head = PartFile.read(file, Pixels.IGNORED);
+            if (!head.card().equals(card)) {
+                throw foreign(file, head.card().difference(card));
+            }
+            return head.frame() == piece.frame() && head.tile().equals(piece.tile());
+        } catch (OtherVersion other) {
+            throw foreign(file, String.valueOf(other.getMessage()));
+        } catch (IOException damaged) {
+            // It is made again.
+            return false;
+        }
+    }
+
+    private WrongUsage foreign(Path file, String how) {
+        return new WrongUsage(file + " is " + how + "; delete what is in " + path + " to begin anew, or name another directory");
+    }
+
+    /** Which pixels a file should hold by its name. */
+    private static Optional<Tile> tile(Path file) {
+        Matcher name = NAME.matcher(String.valueOf(file.getFileName()));
+        try {
+            return name.matches() ? Optional.of(new Tile(number(name, 1), number(name, 2), number(name, 3), number(name, 4))) : Optional.empty();
+        } catch (IllegalArgumentException none) {
+            return Optional.empty();
+        }
+    }
+
+    private static int number(Matcher name, int group) {
+        return Integer.parseInt(name.group(group));
+    }
+}

@@ -1,0 +1,66 @@
+package cz.paprsek.cli.shard;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.cli.shard.Deal.Piece;
+import cz.paprsek.cli.value.Shard;
+import cz.paprsek.render.Tile;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class DealTest {
+    @ParameterizedTest
+    @CsvSource({"1,1,0,0,1", "1920,1080,0,0,8", "1920,1080,0,0,5000", "640,361,1,8,8", "100,70,3,1000,7", "33,31,0,0,3"})
+    void everyPixelOfEveryFrameIsDealtOnce(int width, int height, int first, int last, int shards) {
+        Tile region = new Tile(5, 7, width, height);
+        Deal deal = new Deal(region, first, last, shards);
+        List<Piece> all = new ArrayList<>();
+        for (int i = 1; i <= shards; i++) {
+            all.addAll(deal.of(new Shard(i, shards)));
+        }
+        assertThat(new HashSet<>(all)).hasSize(all.size()).hasSize((int) deal.parts());
+        assertThat(all).allMatch(piece -> Grid.has(region, piece.tile()));
+        for (int frame : new int[] {first, last}) {
+            Grid grid = new Grid(region);
+            List<Tile> tiles = all.stream().filter(piece -> piece.frame() == frame).map(Piece::tile).toList();
+            tiles.forEach(grid::cover);
+            assertThat(grid.covers(region)).isTrue();
+            assertThat(tiles.stream().mapToLong(tile -> (long) tile.width() * tile.height()).sum()).isEqualTo((long) width * height);
+        }
+    }
+
+    /** Of a picture whose middle takes ten times as long as its corners, and whose lower half three times as long as its upper. */
+    @ParameterizedTest
+    @CsvSource({"2,0.02", "3,0.03", "5,0.02", "8,0.03", "13,0.05", "21,0.1", "30,0.1", "64,0.2"})
+    void noShareTakesMuchLongerThanTheMean(int shards, double longer) {
+        Deal deal = new Deal(new Tile(0, 0, 1920, 1080), shards);
+        double[] times = IntStream.rangeClosed(1, shards).mapToDouble(i -> deal.of(new Shard(i, shards)).stream().mapToDouble(piece -> time(piece.tile())).sum()).toArray();
+        assertThat(DoubleStream.of(times).max().orElseThrow()).isLessThan((1 + longer) * DoubleStream.of(times).average().orElseThrow());
+    }
+
+    private static double time(Tile tile) {
+        double x = (tile.x() + tile.width() / 2.0) / 1920 - 0.5;
+        double y = (tile.y() + tile.height() / 2.0) / 1080 - 0.5;
+        return tile.width() * tile.height() * (1 + 9 * Math.exp(-20 * (x * x + y * y))) * (y > 0 ? 3 : 1);
+    }
+
+    @Test
+    void aPictureHasManyPartsForEachShareAndNoMoreThanItHasCells() {
+        assertThat(new Deal(new Tile(0, 0, 256, 256), 1, 8, 8).parts()).isEqualTo(512);
+        assertThat(new Deal(new Tile(0, 0, 1920, 1080), 1).parts()).isEqualTo(510);
+        assertThat(new Deal(new Tile(0, 0, 64, 33), 1000).parts()).isEqualTo(4);
+    }
+
+    /** To prepare each frame on all machines would take longer than to render it. */
+    @Test
+    void ofManyFramesEverybodyGetsWholeOnes() {
+        Deal deal = new Deal(new Tile(0, 0, 640, 360), 1, 80, 10);
+        assertThat(deal.of(new Shard(3, 10)).stream().map(Piece::frame).distinct()).containsExactly(3, 13, 23, 33, 43, 53, 63, 73);
+    }
+}

@@ -1,0 +1,153 @@
+package cz.paprsek.cli.shard;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.cli.Run;
+import cz.paprsek.cli.process.ExitCode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Pictures in shares, put together: the bytes of one machine's. */
+class ShardsTest {
+    private static final Path SCENE = Path.of("../scenes/lens.xml");
+
+    @TempDir
+    Path folder;
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "png | --size 100x70",
+        "jpg | --size 100x70 --samples 2 --region 17,9,70,50",
+        "ppm | --size 70x40 --samples 2..4 --error 1/64 --filter mitchell",
+        "pfm | --size 70x40 --integrator path --samples 130",
+        "hdr | --size 70x40 --integrator path --samples 64..256 --error 1/16 --exposure -1 --tone filmic",
+        "exr | --size 70x40 --samples 2..3 --transparent --aov normal,depth,object,error,light",
+        "exr | --size 70x40 --integrator path --samples 64 --aov albedo,direct,samples",
+        "png | --size 70x40 --mode rays",
+        "bmp | --size 70x40 --mode depth --no-legend",
+        "pfm | --size 70x40 --mode nodes --format pfm",
+        "png | --size 70x40 --integrator path --samples 64 --mode error",
+    })
+    void sharesInAnyOrderGiveTheBytesOfOneMachine(String ending, String words) throws IOException {
+        Path whole = folder.resolve("whole." + ending);
+        assertThat(render(words, "-o", whole).code()).isEqualTo(ExitCode.DONE);
+        Path parts = folder.resolve("not/there/yet");
+        for (String shard : List.of("3/3", "1/3", "2/3")) {
+            Run run = render(words, "--shard", shard, "-o", parts, "--threads", 1 + shard.charAt(0) % 2);
+            assertThat(run.code()).as(run.err()).isEqualTo(ExitCode.DONE);
+        }
+        Path merged = folder.resolve("merged." + ending);
+        Run run = Run.cli("merge", parts, "-o", merged);
+        assertThat(run.code()).as(run.err()).isEqualTo(ExitCode.DONE);
+        assertThat(merged).hasSameBinaryContentAs(whole);
+    }
+
+    @Test
+    void bitsAndCompressionAreSaidWhenPartsArePutTogether() throws IOException {
+        Path parts = folder.resolve("parts");
+        assertThat(render("--size 70x40", "--shard", "1/1", "-o", parts).code()).isEqualTo(ExitCode.DONE);
+        for (Object[] how : new Object[][] {{"a.png", "--bits", 16}, {"a.exr", "--bits", 32, "--uncompressed"}}) {
+            Path whole = folder.resolve("whole-" + how[0]);
+            Path merged = folder.resolve("merged-" + how[0]);
+            Object[] further = Stream.of(how).skip(1).toArray();
+            assertThat(render("--size 70x40", Stream.concat(Stream.of("-o", whole), Stream.of(further)).toArray()).code()).isEqualTo(ExitCode.DONE);
+            assertThat(Run.cli(Stream.concat(Stream.of("merge", parts, "-o", merged), Stream.of(further)).toArray()).code()).isEqualTo(ExitCode.DONE);
+            assertThat(merged).hasSameBinaryContentAs(whole);
+        }
+        assertThat(render("--size 70x40", "--shard", "1/2", "-o", parts, "--bits", "16").err()).contains("are said when the parts are put together");
+    }
+
+    /** Who was given more shares than another goes on with what that has left, whatever its parts look like. */
+    @Test
+    void sharesOfDifferentNumbersFitTogether() throws IOException {
+        Path whole = folder.resolve("whole.pfm");
+        assertThat(render("--size 500x200", "-o", whole).code()).isEqualTo(ExitCode.DONE);
+        Path parts = folder.resolve("parts");
+        assertThat(render("--size 500x200", "--shard", "2/2", "-o", parts).code()).isEqualTo(ExitCode.DONE);
+        Run rest = render("--size 500x200", "--shard", "1/1", "-o", parts);
+        assertThat(rest.out()).contains("of them there before");
+        assertThat(Run.cli("merge", parts, "-o", folder.resolve("merged.pfm")).code()).isEqualTo(ExitCode.DONE);
+        assertThat(folder.resolve("merged.pfm")).hasSameBinaryContentAs(whole);
+    }
+
+    @Test
+    void whatIsThereAlreadyIsNotMadeAgainUnlessItIsDamaged() throws IOException {
+        Path parts = folder.resolve("parts");
+        assertThat(render("--size 100x70", "--shard", "1/2", "-o", parts).out()).contains("shard 1/2  6 parts  ");
+        Map<Path, FileTime> before = times(parts);
+        Path damaged = before.keySet().iterator().next();
+        byte[] right = Files.readAllBytes(damaged);
+        byte[] wrong = right.clone();
+        wrong[right.length - 100] ^= 1;
+        Files.write(damaged, wrong);
+        assertThat(render("--size 100x70", "--shard", "1/2", "-o", parts).out()).contains("6 parts, 5 of them there before");
+        assertThat(render("--size 100x70", "--shard", "1/2", "-o", parts, "--json").out()).contains("\"outcome\":\"done\",\"shard\":\"1/2\",\"parts\":6,\"made\":0,");
+        assertThat(damaged).hasBinaryContent(right);
+        Map<Path, FileTime> after = times(parts);
+        before.remove(damaged);
+        assertThat(after).containsAllEntriesOf(before);
+    }
+
+    @Test
+    void partsOfAnotherPictureAreNotReplaced() throws IOException {
+        Path parts = folder.resolve("parts");
+        assertThat(render("--size 100x70", "--shard", "1/2", "-o", parts).code()).isEqualTo(ExitCode.DONE);
+        Map<Path, FileTime> before = times(parts);
+        Run other = render("--size 100x70 --samples 2", "--shard", "1/2", "-o", parts);
+        assertThat(other.code()).isEqualTo(ExitCode.WRONG_USAGE);
+        assertThat(other.err().lines()).singleElement().asString().contains(".part is rendered with --size 100x70 --samples 3..6 ", ", and not with --size 100x70 --samples 2 ", "to begin anew");
+        assertThat(times(parts)).isEqualTo(before);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "--shard 0/3 -o parts                     | shard 0/3 must be one of 1/N to N/N",
+        "--shard 4/3 -o parts                     | shard 4/3 must be one of 1/N to N/N",
+        "--shard three -o parts                   | expected I/N, the share I of N, such as 3/8, but found 'three'",
+        "--shard 1/3                              | --shard needs a directory for its parts",
+        "--shard 1/3 -o -                         | --shard needs a directory for its parts",
+        "--shard 1/3 -o a.png                     | -o is a directory for parts, not a picture such as a.png",
+        "--shard 1/3 -o parts --resume            | --shard is without --resume",
+        "--shard 1/3 -o parts ../scenes/glass.xml | --shard is for one scene, but there are 2",
+        "--shard 1/3 -o pom.xml                   | pom.xml is not a directory",
+    })
+    void whatCannotBeDoneInSharesIsRefused(String words, String sentence) {
+        Run run = render(words);
+        assertThat(run.code()).isEqualTo(ExitCode.WRONG_USAGE);
+        assertThat(run.err()).contains(sentence);
+    }
+
+    @Test
+    void aSceneThatIsWrongHasACodeOfItsOwn() {
+        assertThat(Run.cli("render", folder.resolve("none.xml"), "--shard", "1/2", "-o", folder.resolve("parts")).code()).isEqualTo(ExitCode.BAD_SCENE);
+        assertThat(folder.resolve("parts")).doesNotExist();
+    }
+
+    private static Run render(String words, Object... further) {
+        List<Object> all = new ArrayList<>(List.of("render", SCENE));
+        all.addAll(List.of(words.trim().split(" +")));
+        all.addAll(List.of(further));
+        return Run.cli(all.toArray());
+    }
+
+    private static Map<Path, FileTime> times(Path folder) throws IOException {
+        Map<Path, FileTime> times = new TreeMap<>();
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : files.toList()) {
+                times.put(file, Files.getLastModifiedTime(file));
+            }
+        }
+        return times;
+    }
+}
