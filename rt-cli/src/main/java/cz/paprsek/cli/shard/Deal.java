@@ -92,7 +92,8 @@ final class Deal {
         }
         long number = (long) frame * tiles.size() + tile;
         // In each round everybody has another turn, or a share would get a stripe of the picture.
-        double turn = number / shards * GOLDEN;
+        long round = number / shards;
+        double turn = round * GOLDEN;
         return 1 + (int) ((number % shards + (long) (shards * (turn - Math.floor(turn)))) % shards);
     }
 }
