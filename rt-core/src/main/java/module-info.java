@@ -31,6 +31,7 @@ module cz.paprsek.core {
     exports cz.paprsek.format.model to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.formula to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.io to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.lesson to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.origin to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.pov to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.query.text to cz.paprsek.cli, cz.paprsek.fx;

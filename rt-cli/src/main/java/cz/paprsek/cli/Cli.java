@@ -51,7 +51,7 @@ import picocli.CommandLine.ParameterException;
 final class Cli {
     /** Of all commands, in the order of the help. */
     private static final List<String> NAMES = List.of(
-            "render", "merge", "plan", "validate", "info", "explain", "convert", "bench", "compare", "grade", "worksheet", "crosscheck", "db", "schema", "generate-completion", "generate-man", "help");
+            "render", "merge", "plan", "validate", "info", "explain", "convert", "bench", "compare", "grade", "worksheet", "lesson", "crosscheck", "db", "schema", "generate-completion", "generate-man", "help");
 
     /** As wide as every terminal is. */
     private static final int WIDTH = 80;
@@ -164,6 +164,7 @@ final class Cli {
             case "compare" -> new CompareCommand(terminal, stop);
             case "grade" -> new GradeCommand(terminal, stop);
             case "worksheet" -> new WorksheetCommand(terminal, stop);
+            case "lesson" -> new LessonCommand(terminal, stop);
             case "crosscheck" -> new CrossCheckCommand(terminal, stop);
             case "db" -> DbCommand.of(terminal, stop);
             case "schema" -> new SchemaCommand(terminal, stop);

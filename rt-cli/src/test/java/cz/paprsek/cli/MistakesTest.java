@@ -90,7 +90,7 @@ class MistakesTest {
     void callWithoutCommandSaysWhatThereIs() {
         Run run = Run.cli();
         assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err()).contains("say what to do: render, merge, plan, validate, info, explain, convert, bench, compare, grade, worksheet, crosscheck, db, schema, generate-completion, generate-man, help");
+        assertThat(run.err()).contains("say what to do: render, merge, plan, validate, info, explain, convert, bench, compare, grade, worksheet, lesson, crosscheck, db, schema, generate-completion, generate-man, help");
     }
 
     @ParameterizedTest

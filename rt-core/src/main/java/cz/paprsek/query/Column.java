@@ -111,7 +111,8 @@ public final class Column<R> {
     }
 
     /** This column for rows that are something else, each of which leads to any number of rows of this table. */
-    <P> Column<P> through(Function<P, Stream<R>> rows) {
+    public <P> Column<P> through(Function<P, Stream<R>> rows) {
+        Objects.requireNonNull(rows, "rows");
         return new Column<>(name, type, (row, test) -> rows.apply(row).anyMatch(far -> values.any(far, test)));
     }
 

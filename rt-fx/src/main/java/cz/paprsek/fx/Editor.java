@@ -8,6 +8,7 @@ import cz.paprsek.fx.model.file.Settings;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.explain.TreeChooser;
+import cz.paprsek.fx.view.lesson.LessonDesk;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.texts.Texts;
@@ -49,6 +50,7 @@ final class Editor implements Notices {
     private final LibraryWindow library;
     private final MistakesWindow mistakes;
     private final PresenterWindow presenter;
+    private final LessonDesk lessons;
     private final ObjectProperty<Theme> theme;
     private final ObjectProperty<Texts> texts;
     private final BooleanProperty snapping = new SimpleBooleanProperty(true);
@@ -75,6 +77,7 @@ final class Editor implements Notices {
         this.library = new LibraryWindow(this, document, dialogs);
         this.mistakes = new MistakesWindow(this);
         this.presenter = new PresenterWindow(this);
+        this.lessons = new LessonDesk(model, files::newFromLesson);
         stage.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1280, 800));
         stage.setMinWidth(LEAST_WIDTH);
         stage.setMinHeight(LEAST_HEIGHT);
@@ -174,6 +177,10 @@ final class Editor implements Notices {
 
     PresenterWindow presenter() {
         return presenter;
+    }
+
+    LessonDesk lessons() {
+        return lessons;
     }
 
     /** Changes the language of the window, now and for later. */

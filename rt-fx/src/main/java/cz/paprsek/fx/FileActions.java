@@ -12,6 +12,9 @@ import cz.paprsek.fx.model.file.Settings;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.Failures;
+import cz.paprsek.lesson.Lesson;
+import cz.paprsek.lesson.LessonException;
+import cz.paprsek.lesson.Lessons;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.SceneFileException;
@@ -54,10 +57,29 @@ final class FileActions {
     /** Starts from a template or example. */
     void newFrom(String template) {
         if (mayLeave()) {
-            document.openedWithoutFile(Templates.read(template), Templates.pictures());
-            notices.quiet();
-            notices.say("");
+            begin(Templates.read(template), Templates.pictures());
         }
+    }
+
+    /** Starts from the scene of a lesson; false if the user stays with what is unsaved. What has become of the lesson before, in no file, is not asked for. */
+    boolean newFromLesson(Scene scene, Assets assets, boolean isAfterLesson) {
+        boolean may = (isAfterLesson && document.sourceProperty().get().isEmpty()) || mayLeave();
+        if (may) {
+            begin(scene, assets);
+        }
+        return may;
+    }
+
+    private void begin(Scene scene, Assets assets) {
+        document.openedWithoutFile(scene, assets);
+        notices.quiet();
+        notices.say("");
+    }
+
+    /** Opens the lesson of a file, if it is one; else says what is wrong with it. */
+    void openLesson(Consumer<Lesson> opened) {
+        dialogs.fileToOpen(settings.recent().stream().findFirst().map(Path::getParent)).ifPresent(file -> Background.run("paprsek-lesson", () -> Lessons.read(file), opened,
+                fault -> failed(file, fault)));
     }
 
     void open() {
@@ -148,6 +170,8 @@ final class FileActions {
         if (fault instanceof SceneFileException wrong) {
             notices.say("");
             notices.problems(texts.get().of("file.problems", file.getFileName(), wrong.problems().size()), wrong.problems());
+        } else if (fault instanceof LessonException wrong) {
+            notices.problems(texts.get().of("lesson.problems", file.getFileName(), wrong.problems().size()), wrong.problems());
         } else if (fault instanceof IOException unreadable) {
             notices.say(Failures.sentence(file.toString(), unreadable));
         } else {

@@ -5,7 +5,9 @@ import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.sheet.PropertySheet;
+import cz.paprsek.fx.view.lesson.LessonPane;
 import cz.paprsek.fx.view.shell.AddPalette;
+import cz.paprsek.fx.view.shell.Columns;
 import cz.paprsek.fx.view.shell.FocusOrder;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.shell.ProblemList;
@@ -18,6 +20,7 @@ import cz.paprsek.warning.SceneWarning;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.WeakChangeListener;
 import javafx.scene.Node;
@@ -41,6 +44,10 @@ final class MainWindow {
     private final StatusBar status = new StatusBar();
     private final SceneWatch watch;
     private List<SceneWarning> warnings = List.of();
+    private final Columns columns;
+    private Optional<LessonPane> lesson = Optional.empty();
+    /** Held here, because the editor, which outlives the window, holds it weakly. */
+    private final ChangeListener<Object> showLesson = (property, old, now) -> showLesson();
     /** Held here, because the model, which outlives the window, holds it weakly. */
     private final ChangeListener<Object> showSelection = (property, old, now) -> showSelection();
 
@@ -68,23 +75,20 @@ final class MainWindow {
         sheet.setMinWidth(290);
         SplitPane.setResizableWithParent(left, false);
         SplitPane.setResizableWithParent(sheet, false);
-        SplitPane center = new SplitPane(left, views.root(), sheet);
-        center.setId("columns");
-        center.setDividerPositions(0.17, 0.77);
-        views.explaining().onProperty().addListener((property, old, now) -> {
-            center.getItems().set(2, now ? views.explaining().pane() : sheet);
-            center.setDividerPositions(now ? new double[] {0.14, 0.6} : new double[] {0.17, 0.77});
-        });
+        columns = new Columns(left, views.root(), sheet);
+        views.explaining().onProperty().addListener((property, old, now) -> columns.explain(now ? Optional.of(views.explaining().pane()) : Optional.empty()));
+        editor.lessons().currentProperty().addListener(new WeakChangeListener<>(showLesson));
+        showLesson();
         root.addEventHandler(KeyEvent.KEY_PRESSED, views.explaining()::key);
         root.setId("main-window");
         root.getStylesheets().add(String.valueOf(MainWindow.class.getResource("editor.css")));
         root.setTop(new VBox(menus.menuBar(), menus.toolBar(), messages));
-        root.setCenter(center);
+        root.setCenter(columns.root());
         root.setBottom(new VBox(problems, warningList, status));
         status.followRender(editor.renders().statusProperty());
         UndoKeys.reach(model, root);
         sheet.setOnFieldGone(views::takeKeys);
-        new FocusOrder(List.of(views::root, () -> tree, () -> palette, () -> center.getItems().get(2), () -> problems, () -> warningList), views::takeKeys).reach(root);
+        new FocusOrder(List.of(views::root, () -> tree, () -> palette, columns::last, columns::lesson, () -> problems, () -> warningList), views::takeKeys).reach(root);
         views.setOnPointed(status::showCursor, texts);
         model.stateProperty().addListener(new WeakChangeListener<>(showSelection));
         showSelection();
@@ -144,7 +148,14 @@ final class MainWindow {
         }
     }
 
+    private void showLesson() {
+        lesson.ifPresent(LessonPane::close);
+        lesson = editor.lessons().currentProperty().get().map(held -> new LessonPane(held, editor.lessons(), editor.model(), editor.texts(), views.explaining()::explain));
+        columns.teach(lesson.map(pane -> pane));
+    }
+
     void close() {
+        lesson.ifPresent(LessonPane::close);
         watch.close();
         views.close();
     }

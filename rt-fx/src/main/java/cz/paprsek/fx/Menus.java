@@ -7,6 +7,7 @@ import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.shell.AddPalette;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.lesson.Lessons;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -67,7 +68,7 @@ final class Menus {
     }
 
     MenuBar menuBar() {
-        MenuBar bar = new MenuBar(fileMenu(), editMenu(), addMenu(), objectMenu(), viewMenu(), renderMenu());
+        MenuBar bar = new MenuBar(fileMenu(), editMenu(), addMenu(), objectMenu(), viewMenu(), renderMenu(), teachMenu());
         bar.setId("menu-bar");
         return bar;
     }
@@ -161,6 +162,13 @@ final class Menus {
     private Menu renderMenu() {
         return menu("menu.render", render.menuItem(), command("render-menu.pictures", editor.renders()::open).keys("Shortcut+P").menuItem(),
                 command("render-menu.mistakes", editor.mistakes()::show).menuItem());
+    }
+
+    private Menu teachMenu() {
+        Menu menu = menu("menu.teach", command("teach.lessons", editor.lessons()::toggle).keys("Shortcut+T").menuItem(), new SeparatorMenuItem());
+        Lessons.NAMES.forEach(name -> menu.getItems().add(item((Lessons.NAMES.indexOf(name) + 1) + ". " + texts.of("lesson." + name), "lesson-" + name, () -> editor.lessons().open(name))));
+        menu.getItems().addAll(new SeparatorMenuItem(), command("teach.open", () -> files.openLesson(editor.lessons()::open)).menuItem());
+        return menu;
     }
 
     private MenuItem maximize(String key, int view, String keys) {

@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.view.camera.CameraPane;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.projection.ProjectionPane;
+import cz.paprsek.scene.RenderSettings;
 import java.util.List;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -76,6 +77,13 @@ public final class ExplainMode {
             pane.click(ofThePicture(point));
         }
         return on.get();
+    }
+
+    /** Explains a pixel of the full picture, counted from 0; nothing as long as there is no picture. */
+    public void explain(int column, int row) {
+        on.set(true);
+        RenderSettings settings = model.state().seen().settings();
+        camera.at((column + 0.5) / settings.width(), (row + 0.5) / settings.height()).map(this::ofThePicture).ifPresent(pane::show);
     }
 
     /** The same place of the picture, when the scene has changed or the picture has another size. */

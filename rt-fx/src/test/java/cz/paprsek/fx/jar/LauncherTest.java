@@ -1,7 +1,8 @@
-package cz.paprsek.fx;
+package cz.paprsek.fx.jar;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.fx.Launcher;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;

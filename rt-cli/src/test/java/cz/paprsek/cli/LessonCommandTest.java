@@ -1,0 +1,65 @@
+package cz.paprsek.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.lesson.Lessons;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class LessonCommandTest {
+    private static final String LESSON = """
+            <lesson xmlns="urn:paprsek:lesson:1" scene="scene.xml"><title><en>One</en><cs>Jedna</cs></title>
+            <task condition="objects = %d" solution="scene.xml"><en>Do</en><cs>Dělej</cs><hint><en>h</en><cs>h</cs></hint><why><en>w</en><cs>w</cs></why></task></lesson>
+            """;
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void lessonsAreListedInTheirOrder() {
+        Run run = Run.cli("lesson");
+        assertThat(run.out().lines()).hasSize(10);
+        assertThat(run.out().lines().map(line -> line.substring(0, line.indexOf(' ')))).containsExactlyElementsOf(Lessons.NAMES);
+        assertThat(Run.cli("lesson", "--language", "cs").out()).contains("Stíny");
+    }
+
+    @Test
+    void theTeacherGetsAllAnswers() {
+        Run run = Run.cli("lesson", "sphere");
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.out()).contains("Where a ray meets a ball", "At which t does it meet the ball?", "= 4.2  ", "0.6 0 0.8", "5.8");
+        assertThat(run.err()).isEmpty();
+    }
+
+    @Test
+    void tasksThatAreNoneAreTold() throws IOException {
+        Files.writeString(folder.resolve("scene.xml"), "<scene xmlns=\"urn:paprsek:scene:1\"><render width=\"8\" height=\"8\"/><camera position=\"0 0 5\" target=\"0 0 0\"/></scene>");
+        Path file = Files.writeString(folder.resolve("mine.xml"), LESSON.formatted(0));
+        Run done = Run.cli("lesson", file);
+        assertThat(done.code()).isEqualTo(3);
+        assertThat(done.err().strip()).isEqualTo(file + ": task 1: its condition is met by the scene that the lesson begins with");
+        Files.writeString(file, LESSON.formatted(1));
+        assertThat(Run.cli("lesson", file).err().strip()).isEqualTo(file + ": task 1: its condition is not met by its solution");
+    }
+
+    @Test
+    void whatIsWrongIsSaidInOneLine() throws IOException {
+        Path file = Files.writeString(folder.resolve("mine.xml"), LESSON);
+        Run run = Run.cli("lesson", file);
+        assertThat(run.code()).isEqualTo(3);
+        assertThat(run.err().strip()).startsWith(file + ":1:").contains("scene: \"scene.xml\"").doesNotContain("\n");
+        assertThat(Run.cli("lesson", folder.resolve("none.xml")).code()).isEqualTo(3);
+        Run misspelt = Run.cli("lesson", "shadow");
+        assertThat(misspelt.code()).isEqualTo(2);
+        assertThat(misspelt.err()).contains("did you mean \"shadows\"?");
+    }
+
+    @Test
+    void theSchemaIsPrinted() {
+        assertThat(new String(Run.cli("lesson", "--schema").bytes(), StandardCharsets.UTF_8)).isEqualTo(Lessons.schema());
+    }
+}

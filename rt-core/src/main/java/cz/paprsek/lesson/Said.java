@@ -1,0 +1,17 @@
+package cz.paprsek.lesson;
+
+import java.util.Locale;
+import java.util.Objects;
+
+/** A text in both languages. */
+public record Said(String english, String czech) {
+    public Said {
+        Objects.requireNonNull(english, "english");
+        Objects.requireNonNull(czech, "czech");
+    }
+
+    /** The text in a language; in English if it is not Czech. */
+    public String in(Locale locale) {
+        return locale.getLanguage().equals("cs") ? czech : english;
+    }
+}

@@ -1,0 +1,166 @@
+package cz.paprsek.fx;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.lesson.Lesson;
+import cz.paprsek.lesson.Lessons;
+import cz.paprsek.lesson.Question;
+import cz.paprsek.lesson.Task;
+import cz.paprsek.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.Labeled;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.FieldSource;
+
+/** Lessons in the whole window. */
+class LessonsInEditorTest {
+    @TempDir
+    Path folder;
+
+    private EditorGui editor;
+    private final Lesson sphere = Lessons.shipped("sphere");
+
+    @BeforeEach
+    void open() {
+        editor = new EditorGui(folder, Scene.EMPTY, 1024, 768);
+    }
+
+    @AfterEach
+    void close() {
+        editor.close();
+    }
+
+    /** The number of the lesson's first part of that kind. */
+    private int part(Class<?> kind) {
+        return IntStream.range(0, sphere.parts().size()).filter(i -> kind.isInstance(sphere.parts().get(i))).findFirst().orElseThrow();
+    }
+
+    private String text(String id) {
+        return Gui.on(() -> {
+            Node node = editor.gui.stage().getScene().lookup(id);
+            return node == null ? "" : ((Labeled) node).getText();
+        });
+    }
+
+    private void answer(int part, String typed) {
+        editor.gui.act(() -> {
+            TextField field = (TextField) editor.gui.stage().getScene().lookup("#lesson-answer-" + part);
+            field.requestFocus();
+            field.setText(typed);
+        });
+        editor.gui.keys(KeyCode.ENTER);
+    }
+
+    private int question() {
+        return part(Question.class);
+    }
+
+    private int task() {
+        return part(Task.class);
+    }
+
+    @Test
+    void aQuestionIsMarkedAndATaskIsDoneInTheScene() {
+        editor.menu("lesson-sphere");
+        assertThat(editor.model().scene()).isEqualTo(sphere.scene());
+        assertThat(text("#lesson-title")).isEqualTo("2. Where a ray meets a ball");
+        assertThat(text("#lesson-progress")).isEqualTo("0 of 3 done");
+        String verdict = "#lesson-verdict-" + question();
+        answer(question(), "5.8");
+        editor.gui.until("the wrong answer is told what it is", () -> text(verdict).startsWith("Not yet. That is where the ray comes out"));
+        answer(question(), "about four");
+        editor.gui.until("that is no number", () -> text(verdict).startsWith("Write one number"));
+        answer(question(), "5 - 0,8");
+        editor.gui.until("the right answer is taken", () -> text(verdict).startsWith("Right. "));
+        assertThat(text("#lesson-progress")).isEqualTo("1 of 3 done");
+        String done = "#lesson-verdict-" + task();
+        editor.gui.until("the task is open", () -> text(done).startsWith("Not done yet."));
+        Scene solved = sphere.tasks().get(0).solution();
+        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.RESIZE), scene -> scene.withObjects(solved.objects())));
+        editor.gui.until("the task is done", () -> text(done).startsWith("Done. "));
+        assertThat(text("#lesson-progress")).isEqualTo("2 of 3 done");
+    }
+
+    /** The next lesson does not ask what is to become of the exercise; what has been answered is there again. */
+    @Test
+    void progressIsKeptFromLessonToLessonAndInTheOtherLanguage() {
+        editor.menu("lesson-sphere");
+        answer(question(), "4.2");
+        editor.gui.until("the right answer is taken", () -> text("#lesson-progress").equals("1 of 3 done"));
+        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.RENAME), scene -> scene.withName("mine")));
+        editor.gui.click("#lesson-next");
+        assertThat(text("#lesson-title")).isEqualTo("3. Plane and block");
+        assertThat(editor.dialogs.asked).isEmpty();
+        editor.gui.click("#lesson-previous");
+        editor.gui.until("what was answered is marked again", () -> text("#lesson-verdict-" + question()).startsWith("Right."));
+        editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+        editor.gui.until("it is told in Czech", () -> text("#lesson-verdict-" + question()).startsWith("Správně."));
+        assertThat(text("#lesson-title")).isEqualTo("2. Kde paprsek potká kouli");
+        editor.gui.click("#lesson-close");
+        assertThat(Gui.on(() -> Optional.ofNullable(editor.gui.stage().getScene().lookup("#lesson-pane")))).isEmpty();
+        editor.menu("teach-lessons");
+        assertThat(text("#lesson-progress")).isEqualTo("Hotovo 1 z 3");
+    }
+
+    @Test
+    void aPixelIsExplainedBesideTheLesson() {
+        editor.menu("lesson-sphere");
+        editor.gui.until("the picture is complete", editor.editor::isPictureComplete);
+        int look = part(Lesson.Look.class);
+        editor.gui.act(() -> ((Button) editor.gui.stage().getScene().lookup("#lesson-look-" + look)).fire());
+        editor.gui.until("the pixel is explained", () -> text("#explain-title").equals("Pixel 85, 50"));
+        assertThat(Gui.on(() -> Optional.ofNullable(editor.gui.stage().getScene().lookup("#lesson-pane")))).isPresent();
+    }
+
+    /** In a narrow window a lesson stands in the place of palette and tree; all four columns are in a wide one. */
+    @Test
+    void viewsAndSheetStayBesideALesson() {
+        editor.menu("lesson-sphere");
+        for (String part : new String[] {"#lesson-pane", "#pane-grid", "#property-sheet"}) {
+            assertThat(Gui.on(() -> editor.gui.stage().getScene().lookup(part).getLayoutBounds().getWidth())).as(part).isGreaterThan(259);
+        }
+        assertThat(Gui.on(() -> Optional.ofNullable(editor.gui.stage().getScene().lookup("#tree-list")))).isEmpty();
+        editor.gui.act(() -> editor.gui.stage().setWidth(1400));
+        assertThat(Gui.on(() -> Optional.ofNullable(editor.gui.stage().getScene().lookup("#tree-list")))).isPresent();
+    }
+
+    @Test
+    void alessonOfOnesOwnIsOpenedAndWhatIsWrongWithOneIsSaid() throws IOException {
+        Files.writeString(folder.resolve("scene.xml"), "<scene xmlns=\"urn:paprsek:scene:1\"><render width=\"8\" height=\"8\"/><camera position=\"0 0 5\" target=\"0 0 0\"/></scene>");
+        Path file = Files.writeString(folder.resolve("mine.xml"), "<lesson xmlns=\"urn:paprsek:lesson:1\" scene=\"scene.xml\"><title><en>Mine</en><cs>Moje</cs></title></lesson>");
+        editor.dialogs.open = Optional.of(file);
+        editor.menu("teach-open");
+        editor.gui.until("the lesson is open", () -> text("#lesson-title").equals("Mine"));
+        Files.writeString(file, "<lesson xmlns=\"urn:paprsek:lesson:1\" scene=\"../scene.xml\"><title><en>Mine</en><cs>Moje</cs></title></lesson>");
+        editor.menu("teach-open");
+        editor.gui.until("the problem is listed", () -> editor.gui.stage().getScene().getRoot().lookupAll(".list-cell").stream()
+                .anyMatch(cell -> String.valueOf(((Labeled) cell).getText()).contains(".. leads out")));
+    }
+
+    static final List<Locale> LANGUAGES = Texts.LANGUAGES;
+
+    /** Menus are made without reading ten files. */
+    @ParameterizedTest
+    @FieldSource("LANGUAGES")
+    void lessonsAreCalledTheSameInTheMenuAsInTheirFiles(Locale language) {
+        for (String name : Lessons.NAMES) {
+            assertThat(Texts.in(language).of("lesson." + name)).isEqualTo(Lessons.shipped(name).title().in(language));
+        }
+    }
+}
