@@ -5,7 +5,6 @@ import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.ParameterWishes;
-import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.output.Writing;
 import cz.paprsek.cli.process.ExitCode;
@@ -168,7 +167,7 @@ final class ConvertCommand implements Callable<Integer> {
     /** Takes along what the scene needs, and says what of it is missing. */
     private List<String> belongings(Scene content, boolean areUnpacked) throws IOException {
         Optional<Path> folder = Incoming.isOnce(scene) ? Optional.empty() : Optional.ofNullable(scene.toAbsolutePath().getParent());
-        List<String> missing = new Belongings(content, new Pictures().of(scene), folder).take(target, areUnpacked);
+        List<String> missing = new Belongings(content, given.pictures().of(scene), folder).take(target, areUnpacked);
         return missing.stream().map(name -> name + " is missing, and is not taken along").toList();
     }
 

@@ -5,7 +5,6 @@ import cz.paprsek.cli.input.ChosenScene;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.MistakeWishes;
 import cz.paprsek.cli.input.ParameterWishes;
-import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.input.Wishes;
@@ -125,9 +124,6 @@ final class ExplainCommand implements Callable<Integer> {
     enum When { auto, always, never }
 
     @Mixin
-    private Pictures pictures;
-
-    @Mixin
     private MistakeWishes mistakes;
 
     ExplainCommand(Terminal terminal, Stop stop) {
@@ -156,7 +152,7 @@ final class ExplainCommand implements Callable<Integer> {
             e.problems().forEach(problem -> terminal.message(problem.toString()));
             return ExitCode.BAD_SCENE;
         } catch (IOException e) {
-            terminal.message(SceneReading.sentence(file, file.toString(), pictures, e));
+            terminal.message(SceneReading.sentence(file, file.toString(), given.pictures(), e));
             return ExitCode.BAD_SCENE;
         }
     }
@@ -205,7 +201,7 @@ final class ExplainCommand implements Callable<Integer> {
             }
         };
         try {
-            return how.apply(RenderScene.of(scene, pictures.read(file, scene), monitor), monitor);
+            return how.apply(RenderScene.of(scene, given.pictures().read(file, scene), monitor), monitor);
         } catch (UncheckedIOException unreadable) {
             throw new IOException(unreadable.getMessage(), unreadable);
         } catch (IllegalArgumentException refused) {

@@ -5,7 +5,6 @@ import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.ChosenScene;
 import cz.paprsek.cli.input.GradedPictures;
 import cz.paprsek.cli.input.ParameterWishes;
-import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Interruption;
 import cz.paprsek.cli.process.Stop;
@@ -77,9 +76,6 @@ final class GradeCommand implements Callable<Integer> {
     @Mixin
     private ParameterWishes given;
 
-    @Mixin
-    private Pictures pictures;
-
     GradeCommand(Terminal terminal, Stop stop) {
         this.terminal = terminal;
         this.stop = stop;
@@ -94,7 +90,7 @@ final class GradeCommand implements Callable<Integer> {
         Evidence drawn = new Evidence(evidence, files);
         try {
             Scene scene = ChosenScene.of(file, name, camera, given);
-            Assets assets = pictures.read(file, scene);
+            Assets assets = given.pictures().read(file, scene);
             RenderSettings settings = samples.map(scene.settings()::withSamples).orElse(scene.settings());
             GradeReport report = new GradeReport(terminal, stop, csv, json, files.size() > 1, drawn);
             report.begin();

@@ -6,7 +6,6 @@ import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.MistakeWishes;
 import cz.paprsek.cli.input.ParameterWishes;
-import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.PixelWishes;
 import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.SceneArguments;
@@ -125,9 +124,6 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
     private Optional<String> camera;
 
-    @Mixin
-    private Pictures pictures;
-
     @Option(names = "--light", paramLabel = "LIGHT", description =
             "Shows what this light adds, by its name or its number from 1: the others are dark, ambient light and background black.")
     private Optional<String> light;
@@ -215,7 +211,7 @@ final class RenderCommand implements Callable<Integer> {
         view.check(targets);
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
         Optional<ShardWork> share = shard.map(one -> new ShardWork(one, Words.path(output.orElseThrow()), sharedWords()));
-        return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, pictures, progress, Report.of(terminal, json, quiet), share).run(targets);
+        return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, given.pictures(), progress, Report.of(terminal, json, quiet), share).run(targets);
     }
 
     private void checkShared() {

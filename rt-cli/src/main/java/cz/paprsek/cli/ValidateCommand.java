@@ -1,7 +1,6 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.ParameterWishes;
-import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.process.ExitCode;
@@ -55,9 +54,6 @@ final class ValidateCommand implements Callable<Integer> {
     @Mixin
     private ParameterWishes given;
 
-    @Mixin
-    private Pictures pictures;
-
     ValidateCommand(Terminal terminal, Stop stop) {
         this.terminal = terminal;
         this.stop = stop;
@@ -70,7 +66,7 @@ final class ValidateCommand implements Callable<Integer> {
         }
         int worst = ExitCode.DONE;
         for (Path file : SceneArguments.files(scenes)) {
-            SceneReading reading = SceneReading.of(file, pictures, given).withPictures(pictures);
+            SceneReading reading = SceneReading.of(file, given).withPictures(given.pictures());
             List<Found> all = found(reading);
             List<Found> warnings = all.stream().filter(found -> !found.warning().isNote()).toList();
             List<Found> notes = all.stream().filter(found -> found.warning().isNote()).toList();

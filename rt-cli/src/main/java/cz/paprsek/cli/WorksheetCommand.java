@@ -3,7 +3,6 @@ package cz.paprsek.cli;
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.ChosenScene;
 import cz.paprsek.cli.input.ParameterWishes;
-import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Interruption;
@@ -82,9 +81,6 @@ final class WorksheetCommand implements Callable<Integer> {
     @Mixin
     private ParameterWishes given;
 
-    @Mixin
-    private Pictures pictures;
-
     /** What the page is written in. */
     enum Language { en, cs }
 
@@ -108,7 +104,7 @@ final class WorksheetCommand implements Callable<Integer> {
             e.problems().forEach(problem -> terminal.message(problem.toString()));
             return ExitCode.BAD_SCENE;
         } catch (IOException e) {
-            terminal.message(SceneReading.sentence(file, file.toString(), pictures, e));
+            terminal.message(SceneReading.sentence(file, file.toString(), given.pictures(), e));
             return ExitCode.BAD_SCENE;
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(file + ": " + refused.getMessage());
@@ -134,7 +130,7 @@ final class WorksheetCommand implements Callable<Integer> {
         };
         RenderSettings settings = size.map(wanted -> scene.settings().withSize(wanted.width(), wanted.height())).orElse(scene.settings());
         try {
-            RenderScene ready = RenderScene.of(scene, pictures.read(file, scene), monitor);
+            RenderScene ready = RenderScene.of(scene, given.pictures().read(file, scene), monitor);
             return new Worksheet(scene, ready, settings, places.stream().map(place -> new int[] {place.column(), place.row()}).toList(),
                     seed.map(OptionalLong::of).orElse(OptionalLong.empty()), Words.in(Locale.forLanguageTag(language.name()))).html();
         } catch (UncheckedIOException unreadable) {

@@ -41,6 +41,29 @@ class ParameterOptionTest {
     }
 
     @Test
+    void whatASceneIncludesComesFromTheFolderThatIsSaid() throws Exception {
+        Path other = Files.createDirectory(folder.resolve("parts"));
+        Files.writeString(other.resolve("post.xml"), "<scene xmlns=\"urn:paprsek:scene:1\"><define name=\"post\"><cylinder radius=\"1\" height=\"2\"/></define></scene>");
+        String file = Files.writeString(folder.resolve("fence.xml"), """
+                <scene xmlns="urn:paprsek:scene:1">
+                  <render width="16" height="9"/> <ambient color="white"/> <camera position="0 0 9" target="0 0 0"/>
+                  <include file="post.xml"/> <instance name="first" of="post"/>
+                </scene>
+                """).toString();
+        assertThat(Run.cli("validate", file).err()).contains("fence.xml:3:12: \"post.xml\": there is no such file beside the scene");
+        Files.writeString(other.resolve("bad.xml"), "<scene xmlns=\"urn:paprsek:scene:1\"><define name=\"post\"><cylinder/></define></scene>");
+        String[] assets = {"--assets", other.toString()};
+        assertThat(Run.cli("validate", file, assets[0], assets[1]).code()).isZero();
+        String bad = Files.writeString(folder.resolve("bad-fence.xml"), Files.readString(Path.of(file)).replace("post.xml", "bad.xml")).toString();
+        assertThat(Run.cli("validate", bad, assets[0], assets[1]).err()).contains(other.resolve("bad.xml") + ":1:56: <cylinder> needs the attribute radius");
+        assertThat(Run.cli("info", file, assets[0], assets[1]).out()).contains("objects      1");
+        assertThat(Run.cli("explain", file, "8,4", assets[0], assets[1]).out()).contains("first");
+        assertThat(Run.cli("render", file, "--format", "txt", "-o", "-", "-q", assets[0], assets[1]).text()).contains("255");
+        assertThat(Run.cli("convert", file, folder.resolve("out.pov").toString(), assets[0], assets[1]).code()).isZero();
+        assertThat(folder.resolve("out.pov")).content().contains("cylinder");
+    }
+
+    @Test
     void valuesThatCannotBeAreRefusedInOneLine() throws Exception {
         String file = Files.writeString(folder.resolve("row.xml"), SCENE).toString();
         Run beyond = Run.cli("render", file, "-D", "n=12", "-o", folder.resolve("x.png").toString());

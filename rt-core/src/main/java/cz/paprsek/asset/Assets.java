@@ -86,13 +86,13 @@ public final class Assets {
 
     /** The files of a folder and those below; links that lead out of it are refused. It may lie in a zip file system. */
     public static Assets in(Path folder) {
-        return from(new Folder(Objects.requireNonNull(folder, "folder")));
+        return from(new Folder(Objects.requireNonNull(folder, "folder"), false));
     }
 
     /** The files beside that of a scene. */
     public static Assets beside(Path sceneFile) {
         Path folder = sceneFile.toAbsolutePath().getParent();
-        return folder == null ? none() : in(folder);
+        return folder == null ? none() : from(new Folder(folder, true));
     }
 
     /** Files in memory, of which copies are made. */
@@ -122,6 +122,11 @@ public final class Assets {
     public Assets withLimits(long bytes, long bytesTogether) {
         Require.that(bytes > 0 && bytes < Integer.MAX_VALUE - 8 && bytesTogether > 0, "limits must be above 0, and a file fits into an array");
         return new Assets(source, bytes, bytesTogether);
+    }
+
+    /** What a file is called in messages; empty if it stands beside that of the scene, and is called as it is seen from there. */
+    public Optional<String> called(String name) {
+        return source instanceof Folder known && known.isBeside() ? Optional.empty() : Optional.of(source instanceof Folder other ? other.folder().resolve(name).toString() : name);
     }
 
     /** The content of a file, which cannot be changed. */

@@ -21,8 +21,10 @@ import java.util.Set;
 /**
  * The files of a folder and of those below, in any file system. Links are followed if they lead to a file within. Where a link leads is found out first; then
  * the file it leads to is opened from the folder down, part by part and without following any link, so that a link put in place meanwhile gains nothing.
+ *
+ * @param isBeside whether it is that of the scene's file
  */
-record Folder(Path folder) implements Assets.Source {
+record Folder(Path folder, boolean isBeside) implements Assets.Source {
 
     @Override
     public InputStream open(String name) throws IOException {

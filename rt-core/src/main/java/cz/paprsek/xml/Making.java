@@ -18,7 +18,6 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -37,9 +36,7 @@ record Making(Map<String, String> parameters, IncludedFiles files) {
     /** How long such a file may be, in bytes. */
     static final int LONGEST = 1 << 24;
     /** As the file says, with no files beside it. */
-    static final Making PLAIN = new Making(Map.of(), name -> {
-        throw new IOException("\"" + name + "\" cannot be included: there are no files beside this scene");
-    });
+    static final Making PLAIN = from(Assets.none(), Map.of());
 
     private static final Pattern NUMBER_OR_TEXT = Pattern.compile("\"[^\"]*\"|[-.0-9]+");
 
@@ -47,14 +44,21 @@ record Making(Map<String, String> parameters, IncludedFiles files) {
         parameters = Map.copyOf(parameters);
     }
 
-    /** With the files beside a scene's own. */
-    static Making beside(Path file, Map<String, String> parameters) {
-        Assets assets = Assets.beside(file);
-        return new Making(parameters, name -> {
-            ByteBuffer found = assets.bytes(name);
-            byte[] bytes = new byte[found.remaining()];
-            found.get(bytes);
-            return utf8(bytes, name);
+    /** With the files that a scene may name. */
+    static Making from(Assets assets, Map<String, String> parameters) {
+        return new Making(parameters, new IncludedFiles() {
+            @Override
+            public byte[] read(String name) throws IOException {
+                ByteBuffer found = assets.bytes(name);
+                byte[] bytes = new byte[found.remaining()];
+                found.get(bytes);
+                return utf8(bytes, name);
+            }
+
+            @Override
+            public Optional<String> called(String name) {
+                return assets.called(name);
+            }
         });
     }
 

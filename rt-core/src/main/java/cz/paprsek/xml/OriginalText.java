@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.SceneDatabase;
@@ -66,19 +67,20 @@ public final class OriginalText {
         return read(path, ReadMonitor.NONE);
     }
 
-    /** As {@link #read(Path)}, with other values of parameters, as {@link SceneFiles#contents(Path, ReadMonitor, Map)} takes them. */
-    public static OriginalText read(Path path, Map<String, String> parameters) throws SceneFileException, IOException {
-        return read(path, ReadMonitor.NONE, Objects.requireNonNull(parameters, "parameters"));
+    /** As {@link #read(Path)}, with other values of parameters and other files, as {@link SceneFiles#contents(Path, ReadMonitor, Map, Assets)} takes them. */
+    public static OriginalText read(Path path, Map<String, String> parameters, Assets assets) throws SceneFileException, IOException {
+        return read(path, ReadMonitor.NONE, Making.from(Objects.requireNonNull(assets, "assets"), Objects.requireNonNull(parameters, "parameters")));
     }
 
     /** As {@link #read(Path)}, from a stream, which is not closed; the name is used in messages only. */
     public static OriginalText read(InputStream input, String fileName) throws SceneFileException, IOException {
-        return read(input, fileName, Map.of());
+        return read(input, fileName, Map.of(), Assets.none());
     }
 
-    /** As {@link #read(Path, Map)}, from a stream, which is not closed; there is nothing that it could include. */
-    public static OriginalText read(InputStream input, String fileName, Map<String, String> parameters) throws SceneFileException, IOException {
-        return read(Source.of(input), fileName, ReadMonitor.NONE, new Making(parameters, Making.PLAIN.files()));
+    /** As {@link #read(Path, Map, Assets)}, from a stream, which is not closed. */
+    public static OriginalText read(InputStream input, String fileName, Map<String, String> parameters, Assets assets) throws SceneFileException, IOException {
+        Objects.requireNonNull(assets, "assets");
+        return read(Source.of(input), fileName, ReadMonitor.NONE, Making.from(assets, Objects.requireNonNull(parameters, "parameters")));
     }
 
     /** Says something of what is in a file, with line and column. */
@@ -105,13 +107,13 @@ public final class OriginalText {
     }
 
     static OriginalText read(Path path, ReadMonitor monitor) throws SceneFileException, IOException {
-        return read(path, monitor, Map.of());
+        return read(path, monitor, Making.from(Assets.beside(path), Map.of()));
     }
 
-    private static OriginalText read(Path path, ReadMonitor monitor, Map<String, String> parameters) throws SceneFileException, IOException {
+    private static OriginalText read(Path path, ReadMonitor monitor, Making how) throws SceneFileException, IOException {
         SceneFiles.checkReadable(path);
         try (Source source = Source.of(path)) {
-            return read(source, path.toString(), monitor, Making.beside(path, parameters));
+            return read(source, path.toString(), monitor, how);
         }
     }
 

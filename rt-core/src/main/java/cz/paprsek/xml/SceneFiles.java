@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.formula.Maker;
 import cz.paprsek.formula.Written;
 import cz.paprsek.io.AtomicFile;
@@ -96,9 +97,14 @@ public final class SceneFiles {
         return SceneFile.open(file, Objects.requireNonNull(monitor, "monitor"));
     }
 
-    /** As {@link #read(Path)}, with other values of parameters, as {@link #contents(Path, ReadMonitor, Map)} takes them. */
+    /** As {@link #read(Path)}, with other values of parameters, as {@link #contents(Path, ReadMonitor, Map, Assets)} takes them. */
     public static Scene read(Path file, Map<String, String> parameters) throws SceneFileException, IOException {
-        return only(contents(file, ReadMonitor.NONE, parameters), file.toString());
+        return read(file, parameters, Assets.beside(file));
+    }
+
+    /** As the other, with files to include from where {@link #contents(Path, ReadMonitor, Map, Assets)} has them. */
+    public static Scene read(Path file, Map<String, String> parameters, Assets assets) throws SceneFileException, IOException {
+        return only(contents(file, ReadMonitor.NONE, parameters, assets), file.toString());
     }
 
     /** As {@link #read(Path)}, from a stream, which is not closed; the name is used in messages only. */
@@ -144,38 +150,41 @@ public final class SceneFiles {
      */
     public static Contents contents(Path file, ReadMonitor monitor) throws SceneFileException, IOException {
         Objects.requireNonNull(monitor, "monitor");
-        return contents(file, monitor, Map.of());
+        return contents(file, monitor, Map.of(), Assets.beside(file));
     }
 
     /**
-     * As {@link #contents(Path, ReadMonitor)}, with other values of some parameters.
+     * As {@link #contents(Path, ReadMonitor)}, with other values of some parameters, and with files from elsewhere.
      *
      * @param parameters by name: a number, a formula in braces, or a text such as the name of a colour
+     * @param assets what the file may include
      * @throws SceneFileException as there, or if there is no such parameter, or none that can have such a value
      */
-    public static Contents contents(Path file, ReadMonitor monitor, Map<String, String> parameters) throws SceneFileException, IOException {
+    public static Contents contents(Path file, ReadMonitor monitor, Map<String, String> parameters, Assets assets) throws SceneFileException, IOException {
         Objects.requireNonNull(monitor, "monitor");
         Objects.requireNonNull(parameters, "parameters");
+        Objects.requireNonNull(assets, "assets");
         checkReadable(file);
-        return SceneReader.read(file, monitor, Making.beside(file, parameters));
+        return SceneReader.read(file, monitor, Making.from(assets, parameters));
     }
 
     /** As {@link #contents(Path, ReadMonitor)}, from a stream, which is not closed; the name is used in messages only. */
     public static Contents contents(InputStream input, String fileName) throws SceneFileException, IOException {
-        return contents(input, fileName, Map.of());
+        return contents(input, fileName, Map.of(), Assets.none());
     }
 
-    /** As {@link #contents(Path, ReadMonitor, Map)}, from a stream, which is not closed; there is nothing that it could include. */
-    public static Contents contents(InputStream input, String fileName, Map<String, String> parameters) throws SceneFileException, IOException {
+    /** As {@link #contents(Path, ReadMonitor, Map, Assets)}, from a stream, which is not closed. */
+    public static Contents contents(InputStream input, String fileName, Map<String, String> parameters, Assets assets) throws SceneFileException, IOException {
         Objects.requireNonNull(parameters, "parameters");
-        return SceneReader.read(input, fileName, new Making(parameters, Making.PLAIN.files()));
+        Objects.requireNonNull(assets, "assets");
+        return SceneReader.read(input, fileName, Making.from(assets, parameters));
     }
 
     /**
      * A scene made anew with other values of some of its {@linkplain cz.paprsek.scene.Scene.Recipe#parameters parameters}. What has been changed in it since it was
      * read stays as it is now.
      *
-     * @param parameters as in {@link #contents(Path, ReadMonitor, Map)}
+     * @param parameters as in {@link #contents(Path, ReadMonitor, Map, Assets)}
      * @throws SceneFileException if it cannot be made of these, or has no such parameter
      */
     public static Scene with(Scene scene, Map<String, String> parameters) throws SceneFileException {

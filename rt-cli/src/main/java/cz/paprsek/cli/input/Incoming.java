@@ -28,19 +28,21 @@ public final class Incoming {
             refuse(file, parameters);
             return new Contents(List.of(Models.read(file, format.get()).scene()), false);
         }
-        return reading(() -> isStandardInput(file) ? SceneFiles.contents(System.in, STANDARD_INPUT, parameters.values()) : SceneFiles.contents(file, ReadMonitor.NONE, parameters.values()));
+        return reading(() -> isStandardInput(file) ? SceneFiles.contents(System.in, STANDARD_INPUT, parameters.values(), parameters.pictures().of(file))
+                : SceneFiles.contents(file, ReadMonitor.NONE, parameters.values(), parameters.pictures().of(file)));
     }
 
     /** Reads a file with one scene. */
     static Scene scene(Path file, ParameterWishes parameters) throws SceneFileException, IOException {
         Foreign.refuse(file);
-        return reading(() -> SceneFiles.read(file, parameters.values()));
+        return reading(() -> SceneFiles.read(file, parameters.values(), parameters.pictures().of(file)));
     }
 
     /** As {@link #read}, with the text, to tell where in it something is, or to take it elsewhere. */
     public static OriginalText text(Path file, ParameterWishes parameters) throws SceneFileException, IOException {
         Foreign.refuse(file);
-        return reading(() -> isStandardInput(file) ? OriginalText.read(System.in, STANDARD_INPUT, parameters.values()) : OriginalText.read(file, parameters.values()));
+        return reading(() -> isStandardInput(file) ? OriginalText.read(System.in, STANDARD_INPUT, parameters.values(), parameters.pictures().of(file))
+                : OriginalText.read(file, parameters.values(), parameters.pictures().of(file)));
     }
 
     /** @throws WrongUsage if there are values of parameters, which files of other programs do not have */

@@ -8,10 +8,10 @@ import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
-/** Where the pictures come from that scenes name. */
+/** Where the files come from that scenes name: pictures, meshes, fonts, and other scenes. */
 public final class Pictures {
     @Option(names = "--assets", paramLabel = "DIR", description =
-            "The folder that pictures named by scenes are in, or below. Default: that of the scene's file; of standard input, none.")
+            "The folder that the pictures, meshes, fonts and scenes are in, or below, that a scene names. Default: that of the scene's file; of standard input, none.")
     private Optional<Path> folder = Optional.empty();
 
     /** Those of the scenes of a file, none read yet. */

@@ -28,16 +28,11 @@ import java.util.stream.Stream;
 public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems, Optional<OriginalText> text, Optional<ForeignScene> foreign) {
 
     public static SceneReading of(Path file) {
-        return of(file, new Pictures(), ParameterWishes.NONE);
+        return of(file, ParameterWishes.NONE);
     }
 
-    /** With other values of parameters. */
+    /** With other values of parameters, and files from elsewhere. */
     public static SceneReading of(Path file, ParameterWishes parameters) {
-        return of(file, new Pictures(), parameters);
-    }
-
-    /** With meshes from where pictures come from as well. */
-    public static SceneReading of(Path file, Pictures pictures, ParameterWishes parameters) {
         try {
             Optional<ForeignFormat> format = Models.format(file);
             if (format.isPresent()) {
@@ -46,7 +41,7 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
                 return new SceneReading(file, List.of(read.scene()), List.of(), Optional.empty(), Optional.of(read));
             }
             OriginalText text = Incoming.text(file, parameters);
-            return withMeshes(file, text, pictures.of(file));
+            return withMeshes(file, text, parameters.pictures().of(file));
         } catch (SceneFileException e) {
             return refused(file, e.problems());
         } catch (IOException e) {
@@ -89,7 +84,7 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
      * @param label what stands in front if there is no place
      */
     public static String sentence(Path file, String label, Pictures pictures, IOException lack) {
-        Stream<Problem> problems = Incoming.isOnce(file) ? Stream.of() : of(file, pictures, ParameterWishes.NONE).withPictures(pictures).problems().stream();
+        Stream<Problem> problems = Incoming.isOnce(file) ? Stream.of() : of(file, new ParameterWishes(pictures)).withPictures(pictures).problems().stream();
         return problems.filter(problem -> problem.line() > 0 && problem.message().equals(lack.getMessage())).findFirst().map(Problem::toString)
                 .orElseGet(() -> Failures.sentence(label, lack));
     }

@@ -1,6 +1,7 @@
 package cz.paprsek.xml.recipe;
 
 import java.io.IOException;
+import java.util.Optional;
 
 /** Files that scenes include, by their names relative to the scene's folder. */
 @FunctionalInterface
@@ -11,4 +12,9 @@ public interface IncludedFiles {
      * @throws IOException with one sentence that says why it cannot be had
      */
     byte[] read(String name) throws IOException;
+
+    /** What messages call one; empty if it is called as it is seen from the file that includes it. */
+    default Optional<String> called(String name) {
+        return Optional.empty();
+    }
 }

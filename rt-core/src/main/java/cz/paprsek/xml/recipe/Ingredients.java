@@ -169,7 +169,7 @@ final class Ingredients {
             byte[] text = files.read(name);
             included.put(name, new String(text, StandardCharsets.UTF_8));
             open.addLast(name);
-            bring(NodeReader.read(text, name(include, file), mistakes::add), include, name.substring(0, name.lastIndexOf('/') + 1));
+            bring(NodeReader.read(text, files.called(name).orElseGet(() -> seenFrom(include, file)), mistakes::add), include, name.substring(0, name.lastIndexOf('/') + 1));
             open.removeLast();
         } catch (IOException unreadable) {
             mistakes.add(include, "file", String.valueOf(unreadable.getMessage()));
@@ -179,7 +179,7 @@ final class Ingredients {
     }
 
     /** How messages call a file beside another. */
-    private static String name(Node include, String file) {
+    private static String seenFrom(Node include, String file) {
         String from = include.origin().file().replace('\\', '/');
         return from.substring(0, from.lastIndexOf('/') + 1) + file;
     }
