@@ -59,7 +59,7 @@ public final class MeshFiles {
                 Shape read = read(shape, ScenePath.body(i), assets, problems);
                 if (read != shape) {
                     objects = objects == null ? new ArrayList<>(scene.objects()) : objects;
-                    objects.set(i, new SceneObject(object.name(), read, object.placement(), object.material()));
+                    objects.set(i, object.withShape(read));
                 }
             }
         }
@@ -133,7 +133,7 @@ public final class MeshFiles {
                 problems.accept(at.child(i), new IOException(open.getMessage(), open));
             }
             same &= read == operand.solid();
-            operands.add(new Operand(operand.name(), read, operand.placement(), operand.material()));
+            operands.add(operand.withSolid(read));
         }
         return same ? csg : new Csg(csg.operation(), operands);
     }

@@ -31,6 +31,11 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
                 || (Double.isFinite(maxX - minX) && Double.isFinite(maxY - minY) && Double.isFinite(maxZ - minZ));
     }
 
+    /** The point in the middle; not a number if empty or without end. */
+    public Vec3 middle() {
+        return new Vec3((minX + maxX) / 2, (minY + maxY) / 2, (minZ + maxZ) / 2);
+    }
+
     /** The space in the box; 0 if empty. */
     public double volume() {
         return isEmpty() ? 0 : (maxX - minX) * (maxY - minY) * (maxZ - minZ);

@@ -24,8 +24,9 @@ public final class PovFiles {
      * @return a sentence for everything that POV-Ray will not show exactly as we do; empty if all is exact
      */
     public static List<String> write(Scene scene, Appendable out) throws IOException {
-        new PovWriter(scene, out).write();
-        return PovWarnings.of(scene);
+        Scene shown = scene.shown();
+        new PovWriter(shown, out).write();
+        return PovWarnings.of(shown);
     }
 
     /**

@@ -7,10 +7,12 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
@@ -65,6 +67,8 @@ final class KindTables {
                 Column.vector("position", row -> body(row).placement().position()),
                 Column.vector("rotation", row -> body(row).placement().rotation()),
                 Column.vector("scale", row -> body(row).placement().scale()),
+                Column.vectors("pivot", row -> body(row).pivot() instanceof Placement.Point given ? Optional.of(given.pivot()) : Optional.empty()),
+                Column.text("hidden", row -> String.valueOf(body(row).hidden())),
                 Column.text("material", row -> row.part().materialName(row.scene()))));
         columns.addAll(MaterialColumns.of(row -> row.part().material(row.scene())));
         return columns;

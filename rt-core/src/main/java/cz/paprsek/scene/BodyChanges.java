@@ -8,6 +8,7 @@ import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.BiFunction;
 
 /** Changes of objects and operands, by their places. */
@@ -29,6 +30,26 @@ final class BodyChanges {
             }
         }
         return changes.isEmpty() ? scene : scene.withObjects(changes);
+    }
+
+    /** The scene without what is hidden in it; itself if nothing is. */
+    static Scene shown(Scene scene) {
+        List<SceneObject> objects = new ArrayList<>();
+        for (SceneObject object : scene.objects()) {
+            shown(Body.of(object)).map(Body::toObject).ifPresent(left -> objects.add(left.equals(object) ? object : left));
+        }
+        return objects.equals(scene.objects()) ? scene : scene.withObjects(objects);
+    }
+
+    private static Optional<Body> shown(Body body) {
+        if (body.hidden() || !(body.shape() instanceof Csg csg)) {
+            return body.hidden() ? Optional.empty() : Optional.of(body);
+        }
+        if (csg.operation() == Csg.Operation.DIFFERENCE && shown(Body.of(csg.operands().get(0))).isEmpty()) {
+            return Optional.empty();
+        }
+        List<Operand> left = csg.operands().stream().flatMap(operand -> shown(Body.of(operand)).map(Body::toOperand).stream()).toList();
+        return left.equals(csg.operands()) ? Optional.of(body) : left.isEmpty() ? Optional.empty() : Optional.of(body.withShape(new Csg(csg.operation(), left)));
     }
 
     private static Body changed(Body body, BodyAt at, List<BodyAt> places, BiFunction<BodyAt, Body, Body> change) {

@@ -244,6 +244,11 @@ public record Scene(
         return with(List.of(place), (at, body) -> change.apply(body));
     }
 
+    /** Without the bodies and operands that are hidden; this very scene if none is. Places in it may be others. */
+    public Scene shown() {
+        return BodyChanges.shown(this);
+    }
+
     /** With one more light. */
     public Scene plus(Light light) {
         Objects.requireNonNull(light, "light");

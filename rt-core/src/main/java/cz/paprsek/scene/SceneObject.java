@@ -7,6 +7,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Placement.Pivot;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
@@ -16,13 +17,21 @@ import java.util.Objects;
  * A shape placed in the world and made of something.
  *
  * @param name free text for people; empty for none, unique among the scene's objects otherwise
+ * @param pivot what hands turn and scale it about; pictures do not depend on it
+ * @param hidden whether it is left out of pictures, as if it were not there
  */
-public record SceneObject(String name, Shape shape, Placement placement, MaterialSource material) {
+public record SceneObject(String name, Shape shape, Placement placement, Pivot pivot, boolean hidden, MaterialSource material) {
     public SceneObject {
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(shape, "shape");
         Objects.requireNonNull(placement, "placement");
+        Objects.requireNonNull(pivot, "pivot");
         Objects.requireNonNull(material, "material");
+    }
+
+    /** One that is seen, and turned about its middle. */
+    public SceneObject(String name, Shape shape, Placement placement, MaterialSource material) {
+        this(name, shape, placement, Placement.MIDDLE, false, material);
     }
 
     public static SceneObject of(Shape shape) {
@@ -30,7 +39,7 @@ public record SceneObject(String name, Shape shape, Placement placement, Materia
     }
 
     public SceneObject named(String value) {
-        return new SceneObject(value, shape, placement, material);
+        return new SceneObject(value, shape, placement, pivot, hidden, material);
     }
 
     public SceneObject at(double x, double y, double z) {
@@ -47,11 +56,11 @@ public record SceneObject(String name, Shape shape, Placement placement, Materia
     }
 
     public SceneObject placed(Placement value) {
-        return new SceneObject(name, shape, value, material);
+        return new SceneObject(name, shape, value, pivot, hidden, material);
     }
 
     public SceneObject withShape(Shape value) {
-        return new SceneObject(name, value, placement, material);
+        return new SceneObject(name, value, placement, pivot, hidden, material);
     }
 
     /**
@@ -63,9 +72,14 @@ public record SceneObject(String name, Shape shape, Placement placement, Materia
                 || (shape instanceof Sphere && placement.toParent().uniformScale() > 0);
     }
 
+    /** Left out of pictures, or not. */
+    public SceneObject hidden(boolean value) {
+        return new SceneObject(name, shape, placement, pivot, value, material);
+    }
+
     /** Made of the given material. */
     public SceneObject madeOf(MaterialSource value) {
-        return new SceneObject(name, shape, placement, value);
+        return new SceneObject(name, shape, placement, pivot, hidden, value);
     }
 
     /** Made of the scene's material of that name. */

@@ -9,6 +9,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.placed.Combination;
 import cz.paprsek.shape.placed.Convex;
 import cz.paprsek.shape.placed.IntStack;
+import cz.paprsek.shape.placed.Nothing;
 import cz.paprsek.shape.placed.Operands;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Ray;
@@ -93,10 +94,19 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
 
     @Override
     public Bounds bounds() {
-        return operands.stream()
+        return operands.stream().filter(operand -> !isGone() && !isGone(operand))
                 .map(operand -> operand.solid().bounds().transformed(operand.placement().toParent()))
                 .reduce(operation::bounds)
-                .orElseThrow();
+                .orElse(Bounds.EMPTY);
+    }
+
+    /** Whether nothing is left of it, as all of it is hidden, or what others are taken from. */
+    private boolean isGone() {
+        return operation == Operation.DIFFERENCE ? isGone(operands.get(0)) : operands.stream().allMatch(Csg::isGone);
+    }
+
+    private static boolean isGone(Operand operand) {
+        return operand.hidden() || (operand.solid() instanceof Csg csg && csg.isGone());
     }
 
     @Override
@@ -108,14 +118,20 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
     @Override
     public Volume place(Affine toWorld, Parts parts) {
         Volume[] placed = new Volume[operands.size()];
+        boolean isGone = isGone();
+        int count = 0;
         for (int i = 0; i < placed.length; i++) {
             TreeBuilder.stopIfAsked(i, parts::isCancelled);
             Operand operand = operands.get(i);
             refuseOpen(operand.solid());
             Affine operandToWorld = toWorld.after(operand.placement().toParent());
-            placed[i] = operand.solid().place(operandToWorld, parts.within(operand.material(), operandToWorld));
+            // Parts are counted, also of what is hidden.
+            Volume whole = operand.solid().place(operandToWorld, parts.within(operand.material(), operandToWorld));
+            if (!isGone && !isGone(operand)) {
+                placed[count++] = whole;
+            }
         }
-        return placed.length == 1 ? placed[0] : new Placed(operation, placed, parts::isCancelled);
+        return count == 0 ? Nothing.NOTHING : count == 1 ? placed[0] : new Placed(operation, Arrays.copyOf(placed, count), parts::isCancelled);
     }
 
     /**

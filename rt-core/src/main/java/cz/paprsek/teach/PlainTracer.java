@@ -40,14 +40,15 @@ public final class PlainTracer {
      */
     public static PlainTracer of(Scene scene, RenderSettings settings, Mistakes made) {
         List<String> unknown = unknown(scene, settings);
+        Scene shown = scene.shown();
         Objects.requireNonNull(made, "made");
         Require.that(unknown.isEmpty(), unknown.isEmpty() ? "" : Unknown.sentence(unknown));
-        return new PlainTracer(scene, settings, made);
+        return new PlainTracer(shown, settings, made);
     }
 
     /** What of a scene it does not know, in the words of scene files; empty if it can be used. */
     public static List<String> unknown(Scene scene, RenderSettings settings) {
-        return Unknown.in(Objects.requireNonNull(scene, "scene"), Objects.requireNonNull(settings, "settings"));
+        return Unknown.in(Objects.requireNonNull(scene, "scene").shown(), Objects.requireNonNull(settings, "settings"));
     }
 
     /**

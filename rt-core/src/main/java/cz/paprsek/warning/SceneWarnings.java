@@ -58,16 +58,14 @@ public final class SceneWarnings {
     /** All that is suspicious about a scene. */
     public static List<SceneWarning> of(Scene scene) {
         SceneWarnings check = new SceneWarnings(scene);
-        List<BodyAt> parts = ScenePath.bodies(scene).toList();
+        List<BodyAt> parts = ScenePath.bodies(scene).filter(check::isSeen).toList();
         check.light(parts);
         check.suns();
         check.balls();
         check.lenses();
-        check.materials(parts);
+        check.materials(ScenePath.bodies(scene).toList());
         parts.forEach(check::operands);
-        for (int i = 0; i < scene.objects().size(); i++) {
-            check.object(ScenePath.body(i));
-        }
+        parts.stream().filter(part -> part.depth() == 0).forEach(check::object);
         check.shining();
         check.glass();
         return check.warnings;
@@ -78,6 +76,10 @@ public final class SceneWarnings {
         SceneWarnings check = new SceneWarnings(scene);
         check.shining();
         return check.warnings;
+    }
+
+    private boolean isSeen(BodyAt part) {
+        return part.way().noneMatch(around -> around.in(scene).hidden());
     }
 
     private void add(String kind, String message) {
@@ -97,7 +99,7 @@ public final class SceneWarnings {
         for (int i = 0; i < scene.lights().size(); i++) {
             color(name(i), ScenePath.light(i), scene.lights().get(i).color());
         }
-        if (scene.objects().isEmpty()) {
+        if (parts.isEmpty()) {
             add("empty", "there are no objects; the picture will be the background alone");
         } else if (!isLit && scene.ambient().equals(Rgb.BLACK) && !shinesOtherwise(parts)) {
             add("dark", "there is no light and no ambient light; every surface will be black");
@@ -219,9 +221,12 @@ public final class SceneWarnings {
         if (!(part.in(scene).shape() instanceof Csg csg) || csg.operation() == Operation.UNION) {
             return;
         }
-        Bounds left = bounds(csg.operands().get(0));
+        Bounds left = csg.operands().get(0).hidden() ? Bounds.ALL : bounds(csg.operands().get(0));
         for (int i = 1; i < csg.operands().size(); i++) {
             Operand operand = csg.operands().get(i);
+            if (operand.hidden()) {
+                continue;
+            }
             if (left.intersection(bounds(operand)).isEmpty()) {
                 String label = label(part.child(i));
                 add("operand", label, part.child(i), csg.operation() == Operation.DIFFERENCE
@@ -243,7 +248,7 @@ public final class SceneWarnings {
 
     private void object(BodyAt object) {
         String label = label(object);
-        List<Material> made = object.withOperands(scene).filter(part -> !(part.in(scene).shape() instanceof Csg))
+        List<Material> made = object.withOperands(scene).filter(this::isSeen).filter(part -> !(part.in(scene).shape() instanceof Csg))
                 .map(part -> part.material(scene)).toList();
         boolean isOpaque = made.stream().allMatch(material -> material.transparency() == 0);
         long indices = made.stream().filter(material -> material.transparency() > 0).mapToDouble(Material::refractiveIndex).distinct().count();
@@ -274,7 +279,7 @@ public final class SceneWarnings {
     private void shining() {
         for (int i = 0; i < scene.objects().size() && scene.settings().isPath(); i++) {
             BodyAt object = ScenePath.body(i);
-            if (!scene.objects().get(i).isSoughtIfItShines() && object.withOperands(scene).anyMatch(part -> part.material(scene).shines())) {
+            if (!scene.objects().get(i).hidden() && !scene.objects().get(i).isSoughtIfItShines() && object.withOperands(scene).anyMatch(part -> part.material(scene).shines())) {
                 String label = label(object);
                 add("shines-by-chance", label, object, label + " shines, but paths meet its light only by chance, which is grain; they look for balls, rectangles, discs and blocks with sharp edges that shine by themselves");
             }

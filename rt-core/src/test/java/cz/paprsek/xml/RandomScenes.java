@@ -57,7 +57,7 @@ public final class RandomScenes {
         int number = 0;
         for (Shape shape : Examples.ALL.values()) {
             MaterialSource source = shape instanceof Solid ? source(names) : boardOr(names);
-            objects.add(new SceneObject(number % 2 == 0 ? "" : "object " + number, shape, shape instanceof Csg ? nested() : placement(), source));
+            objects.add(new SceneObject(number % 2 == 0 ? "" : "object " + number, shape, shape instanceof Csg ? nested() : placement(), pivot(number % 3 == 1), number % 4 == 3, source));
             number++;
         }
         objects.add(SceneObject.of(tree(3, names)));
@@ -120,7 +120,7 @@ public final class RandomScenes {
         Operand[] operands = new Operand[1 + random.nextInt(3)];
         for (int i = 0; i < operands.length; i++) {
             Solid solid = levels == 0 ? new Cone(number(), 1, number()) : tree(levels - 1, names);
-            operands[i] = new Operand(i == 0 ? "" : "part " + i, solid, nested(), source(names));
+            operands[i] = new Operand(i == 0 ? "" : "part " + i, solid, nested(), pivot(i == 1), i == 2, source(names));
         }
         return new Csg(pick(Csg.Operation.UNION, Csg.Operation.DIFFERENCE, Csg.Operation.INTERSECTION), List.of(operands));
     }
@@ -188,6 +188,10 @@ public final class RandomScenes {
     private Pattern.Lay lay() {
         Placement placement = placement();
         return new Pattern.Lay(placement.position(), placement.rotation(), placement.scale());
+    }
+
+    private Placement.Pivot pivot(boolean isGiven) {
+        return isGiven ? new Placement.Point(vector()) : Placement.MIDDLE;
     }
 
     /** Of a body of operands and of operands: many of them within each other must not add up to something flat. */

@@ -1,11 +1,18 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.edit.Mends;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.command.UndoKeys;
-import cz.paprsek.fx.view.sheet.PropertySheet;
+import cz.paprsek.fx.view.find.Findable;
+import cz.paprsek.fx.view.find.FinderPane;
+import cz.paprsek.fx.view.find.HelpPane;
+import cz.paprsek.fx.view.find.MenuItems;
+import cz.paprsek.fx.view.find.SceneThings;
 import cz.paprsek.fx.view.lesson.LessonPane;
+import cz.paprsek.fx.view.sheet.PropertySheet;
 import cz.paprsek.fx.view.shell.AddPalette;
 import cz.paprsek.fx.view.shell.Columns;
 import cz.paprsek.fx.view.shell.FocusOrder;
@@ -19,23 +26,28 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.warning.SceneWarning;
 import java.io.File;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.WeakChangeListener;
 import javafx.scene.Node;
 import javafx.scene.Parent;
+import javafx.scene.control.MenuBar;
 import javafx.scene.control.SplitPane;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.TransferMode;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.Priority;
+import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import org.jspecify.annotations.Nullable;
 
 /** What the window holds, in one language. */
 final class MainWindow {
     private final BorderPane root = new BorderPane();
+    private final StackPane whole;
+    private final MenuBar menuBar;
     private final Editor editor;
     private final Views views;
     private final MessageBar messages;
@@ -66,7 +78,11 @@ final class MainWindow {
         PropertySheet sheet = new PropertySheet(model, texts, editor.proportional(), editor.fileFinder());
         SceneMeshes meshes = editor.meshes(edits);
         AddPalette palette = new AddPalette(model, texts, views::sight, edits, meshes::choose);
-        Menus menus = new Menus(editor, views, palette, commands);
+        FinderPane finder = new FinderPane(() -> findable(edits), texts.of("find.prompt"), texts.of("find.nothing"));
+        HelpPane help = new HelpPane(texts, () -> MenuItems.of(menuBar().getMenus()));
+        Menus menus = new Menus(editor, views, palette, commands, finder::open, help::open);
+        menuBar = menus.menuBar();
+        whole = new StackPane(root, finder, help);
         commands.setOnRename(tree::rename);
         VBox.setVgrow(tree, Priority.ALWAYS);
         VBox left = new VBox(palette, tree);
@@ -82,7 +98,7 @@ final class MainWindow {
         root.addEventHandler(KeyEvent.KEY_PRESSED, views.explaining()::key);
         root.setId("main-window");
         root.getStylesheets().add(String.valueOf(MainWindow.class.getResource("editor.css")));
-        root.setTop(new VBox(menus.menuBar(), menus.toolBar(), messages));
+        root.setTop(new VBox(menuBar, menus.toolBar(), messages));
         root.setCenter(columns.root());
         root.setBottom(new VBox(problems, warningList, status));
         status.followRender(editor.renders().statusProperty());
@@ -103,8 +119,19 @@ final class MainWindow {
         watch = new SceneWatch(model, this::warned);
     }
 
+    /** All that can be done, selected, given or opened. */
+    private List<Findable> findable(Edits edits) {
+        List<Findable> all = new ArrayList<>(MenuItems.of(menuBar().getMenus()));
+        all.addAll(SceneThings.of(edits));
+        return all;
+    }
+
+    private MenuBar menuBar() {
+        return menuBar;
+    }
+
     Parent root() {
-        return root;
+        return whole;
     }
 
     MessageBar messages() {
@@ -136,7 +163,14 @@ final class MainWindow {
     private void listWarnings() {
         Texts texts = editor.texts();
         warningList.showEntries(texts.of("warnings.title"), warnings.stream()
-                .map(warning -> new ProblemList.Entry(texts.sentence(warning.message()), () -> warning.place().ifPresent(this::goTo))).toList());
+                .map(warning -> new ProblemList.Entry(texts.sentence(warning.message()), () -> warning.place().ifPresent(this::goTo), mend(warning))).toList());
+    }
+
+    /** Made anew when it is asked for: something else may have been changed meanwhile. */
+    private Optional<ProblemList.Mend> mend(SceneWarning warning) {
+        EditorModel model = editor.model();
+        return Mends.of(model.state(), warning).map(mend -> new ProblemList.Mend(editor.texts().of(mend.key()), () ->
+                model.editState(Label.of(Label.Edit.CHANGE, editor.texts().of(mend.key())), state -> Mends.of(state, warning).map(Mends.Mended::result).orElse(state))));
     }
 
     /** Selects what a warning is about; named materials stand in the sheet where nothing is selected. */

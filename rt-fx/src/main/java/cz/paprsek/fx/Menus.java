@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.view.command.Command;
 import cz.paprsek.fx.view.command.SelectionCommands;
+import cz.paprsek.fx.view.find.HelpPane;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.shell.AddPalette;
 import cz.paprsek.fx.view.texts.Texts;
@@ -12,6 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.beans.property.ReadOnlyObjectProperty;
@@ -29,9 +31,11 @@ import javafx.scene.control.ToolBar;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCombination;
 import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignK;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignM;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignU;
@@ -50,8 +54,10 @@ final class Menus {
     private final Command redo;
     private final Command fitAll;
     private final Command render;
+    private final Command find;
+    private final Consumer<HelpPane.Page> help;
 
-    Menus(Editor editor, Views views, AddPalette palette, SelectionCommands selection) {
+    Menus(Editor editor, Views views, AddPalette palette, SelectionCommands selection, Runnable find, Consumer<HelpPane.Page> help) {
         this.editor = editor;
         this.views = views;
         this.palette = palette;
@@ -59,6 +65,8 @@ final class Menus {
         this.files = editor.files();
         EditorModel model = editor.model();
         this.selection = selection;
+        this.help = help;
+        this.find = command("edit-menu.find", find).keys("Shortcut+K").icon(MaterialDesignM.MAGNIFY);
         open = command("file.open", files::open).keys("Shortcut+O").icon(MaterialDesignF.FOLDER_OPEN_OUTLINE);
         save = command("file.save", files::save).keys("Shortcut+S").icon(MaterialDesignC.CONTENT_SAVE_OUTLINE);
         undo = history(command("edit-menu.undo", model::undo).keys("Shortcut+Z").icon(MaterialDesignU.UNDO), "undo", model.undoableProperty());
@@ -68,7 +76,7 @@ final class Menus {
     }
 
     MenuBar menuBar() {
-        MenuBar bar = new MenuBar(fileMenu(), editMenu(), addMenu(), objectMenu(), viewMenu(), renderMenu(), teachMenu());
+        MenuBar bar = new MenuBar(fileMenu(), editMenu(), addMenu(), objectMenu(), viewMenu(), renderMenu(), teachMenu(), helpMenu());
         bar.setId("menu-bar");
         return bar;
     }
@@ -123,7 +131,7 @@ final class Menus {
         menu.getItems().addAll(selection.editItems());
         menu.getItems().add(new SeparatorMenuItem());
         menu.getItems().addAll(selection.selectingItems());
-        menu.getItems().addAll(new SeparatorMenuItem(), snap);
+        menu.getItems().addAll(find.menuItem(), new SeparatorMenuItem(), snap);
         return menu;
     }
 
@@ -171,6 +179,11 @@ final class Menus {
         return menu;
     }
 
+    private Menu helpMenu() {
+        return menu("menu.help", command("help-menu.keys", () -> help.accept(HelpPane.Page.KEYS)).keys("F1").icon(MaterialDesignK.KEYBOARD_OUTLINE).menuItem(),
+                command("help-menu.glossary", () -> help.accept(HelpPane.Page.GLOSSARY)).icon(MaterialDesignA.ALPHABETICAL_VARIANT).menuItem());
+    }
+
     private MenuItem maximize(String key, int view, String keys) {
         return command(key, () -> views.toggle(views.titled().get(view))).keys(keys).menuItem();
     }
@@ -190,7 +203,7 @@ final class Menus {
     }
 
     private static <T> void choices(
-            Menu menu, List<T> values, Naming<T> naming, java.util.function.Predicate<T> current, java.util.function.Consumer<T> action) {
+            Menu menu, List<T> values, Naming<T> naming, java.util.function.Predicate<T> current, Consumer<T> action) {
         ToggleGroup group = new ToggleGroup();
         for (T value : values) {
             RadioMenuItem item = new RadioMenuItem(naming.name(value));

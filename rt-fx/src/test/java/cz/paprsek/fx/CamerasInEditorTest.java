@@ -113,7 +113,7 @@ class CamerasInEditorTest {
         editor.gui.keys(KeyCode.ESCAPE);
         editor.gui.act(() -> chooser.getItems().get(0).fire());
         assertThat(editor.model().state().eye()).isZero();
-        editor.gui.keys(KeyCode.CONTROL, KeyCode.K);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.ALT, KeyCode.K);
         assertThat(editor.model().state().eye()).as("the key works beside the list").isEqualTo(1);
     }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
@@ -21,6 +22,7 @@ import java.util.TreeSet;
 import javafx.scene.Node;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
+import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -118,6 +120,48 @@ class FocusTest {
         assertThat(editor.model().scene().objects()).extracting(SceneObject::shape).hasAtLeastOneElementOfType(Block.class)
                 .hasAtLeastOneElementOfType(Plane.class).hasSize(3);
         assertThat(owner()).isEqualTo("add-palette");
+    }
+
+    @Test
+    void whateverThereIsIsFoundByAFewLettersAndTheKeyboardReturns() {
+        focus("#projection-front");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.K);
+        assertThat(owner()).isEqualTo("finder-field");
+        type("baLL");
+        editor.gui.keys(KeyCode.ENTER);
+        assertThat(editor.model().selection()).as("an object").containsExactly(ScenePath.body(0));
+        assertThat(owner()).isEqualTo("projection-front");
+        find("gold");
+        assertThat(editor.model().scene().objects().get(0).material()).as("a material").isEqualTo(new MaterialName("gold"));
+        find("duplicate");
+        assertThat(editor.model().scene().objects()).as("an action").hasSize(2);
+        find("snap");
+        assertThat(editor.editor.snapping().get()).as("what is switched").isFalse();
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.K);
+        type("intersection");
+        editor.gui.keys(KeyCode.ENTER);
+        assertThat(owner()).as("what cannot be done now is not done").isEqualTo("finder-field");
+        editor.gui.keys(KeyCode.ESCAPE);
+        assertThat(owner()).isEqualTo("projection-front");
+        editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+        find("Pruhled");
+        find("zruset vyber");
+        assertThat(editor.model().selection()).as("without accents, and a mistyped word finds nothing").isNotEmpty();
+        find("zrusit vyber");
+        assertThat(editor.model().selection()).isEmpty();
+    }
+
+    private void find(String letters) {
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.K);
+        type(letters);
+        editor.gui.keys(KeyCode.ENTER);
+        if (owner().equals("finder-field")) {
+            editor.gui.keys(KeyCode.ESCAPE);
+        }
+    }
+
+    private void type(String letters) {
+        editor.gui.act(() -> ((TextField) editor.gui.stage().getScene().lookup("#finder-field")).setText(letters));
     }
 
     @ParameterizedTest

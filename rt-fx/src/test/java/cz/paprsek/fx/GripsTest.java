@@ -16,9 +16,14 @@ import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.SpotLight;
 import cz.paprsek.scene.SunLight;
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
 import javafx.geometry.Point2D;
+import javafx.scene.control.TextField;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
@@ -132,6 +137,39 @@ class GripsTest extends InProjections {
         assertThat(lens(Lens.Perspective.class).fovy()).isEqualTo(45);
         lit(SpotLight.from(new Vec3(-3, 4, 0), new Vec3(-2, 1, 0)).withAngles(12, 30));
         assertThat(Screenshots.save(editor.gui, "grips-spot")).isNotEmptyFile();
+    }
+
+    @Test
+    void aBodyIsTurnedAboutItsMiddleUnlessItsPivotIsPutElsewhere() {
+        SceneObject bowl = SceneObject.of(Csg.difference(Operand.of(new Sphere(1)).at(2, 1, 0), Operand.of(new Block(new Vec3(-2, 0, -2), new Vec3(2, 2, 2))).at(2, 1, 0)));
+        change(SCENE.withObjects(List.of(bowl)), ScenePath.body(0));
+        type("#placement-rotation-z", "90");
+        assertThat(world(new Vec3(2, 1, 0))).as("its middle stays, by numbers").isEqualTo(new Vec3(2, 1, 0));
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        editor.menu("object-pivot");
+        drag("front", new Vec3(2, 1, 0), new Vec3(3, 1, 0));
+        assertThat(body().pivot()).isInstanceOfSatisfying(Placement.Point.class, point -> assertThat(point.pivot().minus(new Vec3(3, 1, 0)).length()).isLessThan(0.05));
+        assertThat(body().placement()).as("nothing else is moved").isEqualTo(bowl.placement());
+        assertThat(Screenshots.save(editor.gui, "pivot")).isNotEmptyFile();
+        Vec3 pivot = ((Placement.Point) body().pivot()).pivot();
+        type("#placement-rotation-z", "90");
+        assertThat(world(pivot).minus(pivot).length()).isLessThan(1e-9);
+        editor.menu("object-pivot");
+        assertThat(body().pivot()).isEqualTo(Placement.MIDDLE);
+    }
+
+    private void type(String field, String text) {
+        editor.gui.click(field);
+        editor.gui.act(() -> ((TextField) editor.gui.node(field)).setText(text));
+        editor.gui.keys(KeyCode.ENTER);
+    }
+
+    private SceneObject body() {
+        return editor.model().scene().objects().get(0);
+    }
+
+    private Vec3 world(Vec3 own) {
+        return body().placement().toParent().point(own);
     }
 
     private static int different(WritableImage a, WritableImage b, double x, double y, int width, int height) {

@@ -55,7 +55,9 @@ class WarningsInEditorTest {
         editor.gui.click("#status-warnings");
         assertThat(((ListView<?>) editor.gui.node("#warning-list")).getItems()).singleElement().asString().startsWith("kamera je uvnitř, koule \"ball\"");
         assertThat(Screenshots.save(editor.gui, "warnings")).isNotEmptyFile();
-        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.DELETE), scene -> scene.withObjects(List.of(SceneObject.of(new Sphere(0.1)).named("ball").at(9, 0, 0)))));
+        editor.gui.click(".mend");
+        assertThat(editor.model().state().camera().position().minus(new Vec3(0.5, 0, 0)).length()).as("back out of the ball").isBetween(1.05, 1.5);
+        assertThat(editor.model().undoableProperty().get()).contains(Label.of(Label.Edit.CHANGE, "Vysunout kameru ven"));
         editor.gui.until("mended", () -> !editor.gui.stage().getScene().lookup("#status-warnings").isVisible());
         assertThat(editor.gui.stage().getScene().lookup("#warnings").isVisible()).isFalse();
     }

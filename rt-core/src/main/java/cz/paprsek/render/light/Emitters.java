@@ -49,7 +49,7 @@ public final class Emitters {
         Arrays.fill(numbers, NOT_SOUGHT);
         for (int i = 0; i < numbers.length; i++) {
             SceneObject object = scene.objects().get(i);
-            if (object.isSoughtIfItShines()) {
+            if (object.isSoughtIfItShines() && !object.hidden()) {
                 Material material = ScenePath.body(i).material(scene);
                 if (material.shines()) {
                     if (lamps.size() == MOST) {

@@ -1,6 +1,7 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.placed.Nothing;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.tree.TreeBuilder;
 import java.util.function.BooleanSupplier;
@@ -47,7 +48,8 @@ final class PlacedObjects {
                 if (placing.isMedium(object) == media) {
                     firsts[i] = numbers.first(i, media);
                     int place = placing.size;
-                    surfaces[i] = placing.place(from + i, object, firsts[i]);
+                    Surface whole = placing.place(from + i, object, firsts[i]);
+                    surfaces[i] = object.hidden() ? Nothing.NOTHING : whole;
                     opaque[i] = placing.isOpaque(place);
                     solid[i] = object.shape().hasInside();
                     absorbing[i] = solid[i] ? placing.absorbing(place) : null;

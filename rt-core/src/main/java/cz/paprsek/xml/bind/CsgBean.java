@@ -25,7 +25,7 @@ abstract class CsgBean extends ShapeBean {
         List<Operand> made = new ArrayList<>();
         for (ShapeBean bean : operands) {
             Operand operand = problems.make(bean,
-                    () -> new Operand(bean.name, (Solid) bean.toShape(problems), bean.toPlacement(), bean.toMaterial(problems)));
+                    () -> new Operand(bean.name, (Solid) bean.toShape(problems), bean.toPlacement(), bean.toPivot(), bean.hidden, bean.toMaterial(problems)));
             if (operand != null) {
                 made.add(operand);
             }

@@ -8,6 +8,7 @@ import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Placement.Pivot;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.xml.mistake.Problems;
 import jakarta.xml.bind.annotation.XmlAccessType;
@@ -24,6 +25,8 @@ abstract class ShapeBean extends Located {
     @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 position = Vec3.ZERO;
     @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 rotation = Vec3.ZERO;
     @XmlAttribute @XmlJavaTypeAdapter(Adapters.Scale.class) Vec3 scale = Vec3.ONE;
+    @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) @Nullable Vec3 pivot;
+    @XmlAttribute boolean hidden;
     @XmlAttribute(name = "material") @Nullable String materialName;
     @XmlElement(name = "material") @Nullable MaterialBean ownMaterial;
 
@@ -35,12 +38,16 @@ abstract class ShapeBean extends Located {
     abstract Shape toShape(Problems problems);
 
     SceneObject toObject(Problems problems) {
-        return new SceneObject(name, toShape(problems), toPlacement(), toMaterial(problems));
+        return new SceneObject(name, toShape(problems), toPlacement(), toPivot(), hidden, toMaterial(problems));
     }
 
     Placement toPlacement() {
         boolean plain = position.equals(Vec3.ZERO) && rotation.equals(Vec3.ZERO) && scale.equals(Vec3.ONE);
         return plain ? Placement.NONE : new Placement(position, rotation, scale);
+    }
+
+    Pivot toPivot() {
+        return pivot == null ? Placement.MIDDLE : new Placement.Point(pivot);
     }
 
     MaterialSource toMaterial(Problems problems) {

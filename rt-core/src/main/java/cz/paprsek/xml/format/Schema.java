@@ -52,6 +52,8 @@ final class Schema {
     private record Common(
             @Attribute(value = Kind.NAME, means = "Unique among its siblings", otherwise = Attribute.NOTHING) String name,
             Placement placement,
+            Placement.Pivot pivot,
+            @Attribute(value = Kind.FLAG, means = "Whether it is left out of pictures, as if it were not there", otherwise = "false") boolean hidden,
             @Attribute(value = Kind.NAME, means = "The name of a material. Without one, an operand takes that of its operation", otherwise = Attribute.NOTHING)
             MaterialSource material) {}
 

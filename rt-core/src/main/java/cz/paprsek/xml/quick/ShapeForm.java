@@ -21,11 +21,12 @@ import java.util.stream.Stream;
  */
 record ShapeForm(Name name, TagForm tag, boolean isSolid, boolean isOperation, Maker maker) {
     static final RecordForm<Placement> PLACEMENT = new RecordForm<>(Placement.class);
-    /** Where the attributes of the placement begin, after name and material. */
-    static final int PLACEMENT_AT = 2;
+    /** Where the attributes of the placement begin, after name, material, pivot and whether it is hidden. */
+    static final int PLACEMENT_AT = 4;
     private static final int MEASURES_AT = PLACEMENT_AT + PLACEMENT.slots().size();
     private static final List<Slot> OF_ALL = Stream.concat(
-            Stream.of(Slot.optional("name", ValueForm.TEXT, Slot.NONE), Slot.optional("material", ValueForm.TEXT, Slot.NONE)),
+            Stream.of(Slot.optional("name", ValueForm.TEXT, Slot.NONE), Slot.optional("material", ValueForm.TEXT, Slot.NONE),
+                    Slot.optional("pivot", ValueForm.VECTOR, Slot.NONE), Slot.optional("hidden", ValueForm.FLAG, false)),
             PLACEMENT.slots().stream()).toList();
 
     /** All there are. */

@@ -3,9 +3,11 @@ package cz.paprsek.xml.quick;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Placement.Pivot;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import java.io.IOException;
@@ -33,7 +35,7 @@ final class ShapeReader {
         ShapeForm form = form();
         Object[] values = form.tag().read(markup, room);
         Inside inside = inside(form, depth);
-        return new SceneObject((String) values[0], form.maker().make(values, inside.operands), placement(values), material(values, inside));
+        return new SceneObject((String) values[0], form.maker().make(values, inside.operands), placement(values), pivot(values), (boolean) values[3], material(values, inside));
     }
 
     private Operand operand(int depth) throws IOException {
@@ -42,7 +44,7 @@ final class ShapeReader {
         Object[] values = form.tag().read(markup, room);
         Inside inside = inside(form, depth);
         Shape solid = form.maker().make(values, inside.operands);
-        return new Operand((String) values[0], (Solid) solid, placement(values), material(values, inside));
+        return new Operand((String) values[0], (Solid) solid, placement(values), pivot(values), (boolean) values[3], material(values, inside));
     }
 
     private ShapeForm form() {
@@ -60,6 +62,10 @@ final class ShapeReader {
     private static Placement placement(Object[] values) {
         return ShapeForm.PLACEMENT.isStandard(values, ShapeForm.PLACEMENT_AT) ? Placement.NONE
                 : ShapeForm.PLACEMENT.make(values, ShapeForm.PLACEMENT_AT);
+    }
+
+    private static Pivot pivot(Object[] values) {
+        return values[2] == Slot.NONE ? Placement.MIDDLE : new Placement.Point((Vec3) values[2]);
     }
 
     private static MaterialSource material(Object[] values, Inside inside) {

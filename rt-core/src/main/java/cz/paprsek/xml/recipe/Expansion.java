@@ -13,6 +13,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -26,6 +27,8 @@ final class Expansion {
     /** How many copies there may be in a scene: repetition within repetition makes endless ones of a few lines. */
     private static final int MOST_COPIES = 4_000_000;
     private static final Set<String> PLACEMENT = Set.of("position", "rotation", "scale");
+    /** What a repeat or an instance says in place of its bodies. */
+    private static final List<String> INSTEAD = List.of("pivot", "hidden");
     private static final String INDEX = "i";
 
     private final Output out;
@@ -68,10 +71,11 @@ final class Expansion {
      * @param name what it is called if it has no name, or in its place, as {@code isRenamed} says
      * @param suffix behind its name
      * @param made what gives it a material if it has none: an element with one; empty for nothing
+     * @param instead attributes, as they are written out, that count in place of its own
      */
-    private record Around(Placement placement, String name, boolean isRenamed, String suffix, Optional<Node> made, boolean isOperand) {
-        static final Around SCENE = new Around(Placement.NONE, "", false, "", Optional.empty(), false);
-        static final Around OPERATION = new Around(Placement.NONE, "", false, "", Optional.empty(), true);
+    private record Around(Placement placement, String name, boolean isRenamed, String suffix, Optional<Node> made, Map<String, String> instead, boolean isOperand) {
+        static final Around SCENE = new Around(Placement.NONE, "", false, "", Optional.empty(), Map.of(), false);
+        static final Around OPERATION = new Around(Placement.NONE, "", false, "", Optional.empty(), Map.of(), true);
     }
 
     void scene(Node scene, boolean isRoot) {
@@ -135,7 +139,7 @@ final class Expansion {
     }
 
     private void repeat(Node repeat, Around around) {
-        check(repeat, Set.of("name", "count", "index", "position", "rotation", "scale", "material"));
+        check(repeat, Set.of("name", "count", "index", "position", "rotation", "scale", "pivot", "hidden", "material"));
         int count = count(repeat);
         out.counted(repeat, count);
         Composed.Steps steps = new Composed.Steps(placement(repeat));
@@ -160,6 +164,7 @@ final class Expansion {
             // One solid, wherever it stands.
             out.open("union", repeat, owner, site(repeat));
             nameAndPlace(name(repeat, around), around.placement);
+            said(repeat, around).forEach((attribute, value) -> out.attribute(attribute, value));
             made.ifPresent(this::material);
         }
         String given = repeat.attribute("name").map(Attr::text).orElse("");
@@ -179,7 +184,7 @@ final class Expansion {
                     counted(repeat);
                     String own = name.isEmpty() || bodies.size() == 1 ? name : name + "." + (k + 1);
                     child(bodies.get(k), new Around(placement.get(), own, around.isRenamed && !around.isOperand, suffix, around.isOperand ? Optional.empty() : made,
-                            around.isOperand));
+                            around.isOperand ? Map.of() : said(repeat, around), around.isOperand));
                 }
             } finally {
                 names.unbind();
@@ -217,7 +222,7 @@ final class Expansion {
     }
 
     private void instance(Node instance, Around around) {
-        check(instance, Set.of("name", "of", "position", "rotation", "scale", "material"));
+        check(instance, Set.of("name", "of", "position", "rotation", "scale", "pivot", "hidden", "material"));
         String of = instance.attribute("of").map(Attr::text).orElseThrow(() -> wrong(instance, "<instance> needs the attribute \"of\", the name of a definition"));
         Node body = definitions.get(of);
         if (body == null) {
@@ -245,11 +250,21 @@ final class Expansion {
         site = site(instance);
         open.addLast(of);
         try {
-            child(body, new Around(placement.get(), name, true, around.suffix, made, around.isOperand));
+            child(body, new Around(placement.get(), name, true, around.suffix, made, said(instance, around), around.isOperand));
         } finally {
             open.removeLast();
             site = outer;
         }
+    }
+
+    /** What is said in place of bodies by what is around them, or else here. */
+    private Map<String, String> said(Node here, Around around) {
+        Map<String, String> said = new LinkedHashMap<>();
+        for (String name : INSTEAD) {
+            here.attribute(name).map(one -> raw(here, one)).ifPresent(value -> said.put(name, value));
+        }
+        said.putAll(around.instead);
+        return said;
     }
 
     private Node site(Node node) {
@@ -273,12 +288,13 @@ final class Expansion {
             out.attribute("name", Raw.of(name));
         }
         for (Attr one : node.attributes()) {
-            boolean isSaid = one.name().equals("name") || (PLACEMENT.contains(one.name()) && placed.isPresent());
+            boolean isSaid = one.name().equals("name") || (PLACEMENT.contains(one.name()) && placed.isPresent()) || around.instead.containsKey(one.name());
             if (!isSaid) {
                 out.attribute(one, raw(node, one));
             }
         }
         placed.ifPresent(this::placement);
+        around.instead.forEach((attribute, value) -> out.attribute(attribute, value));
         if (around.made.isPresent() && !isMade(node)) {
             material(around.made.get());
         }

@@ -23,10 +23,11 @@ import java.util.regex.Pattern;
  */
 final class Reconciled {
     private static final Set<String> PLACEMENT = Set.of("position", "rotation", "scale");
+    private static final Set<String> OF_WHOLE = Set.of("pivot", "hidden");
     /** What is not written if nothing else is there. */
     private static final Map<String, String> USUAL = Map.of("position", "0 0 0", "rotation", "0 0 0", "scale", "1 1 1");
     private static final Pattern NUMBERS = Pattern.compile("(\\[\\d+\\])+$");
-    private static final Set<String> OF_INSTANCE = Set.of("name", "position", "rotation", "scale", "material");
+    private static final Set<String> OF_INSTANCE = Set.of("name", "position", "rotation", "scale", "pivot", "hidden", "material");
 
     private final IdentityHashMap<Form, Node> stemming = new IdentityHashMap<>();
     private final IdentityHashMap<Form, Node> owners = new IdentityHashMap<>();
@@ -266,7 +267,9 @@ final class Reconciled {
             renamed = value.equals(before.body().attributes().getOrDefault(own, "")) ? renamed : Rewritten.with(renamed, own, Raw.text(value));
         }
         List<Node> inside = around(renamed, renamed.attributes(), originals(repeat, first.body().children(), level(first, before, now.get())));
-        List<Attr> placed = fresh.entrySet().stream().filter(one -> PLACEMENT.contains(one.getKey())).map(one -> plain(one.getKey(), one.getValue())).toList();
+        Map<String, String> said = before.body().attributes();
+        List<Attr> placed = fresh.entrySet().stream()
+                .filter(one -> PLACEMENT.contains(one.getKey()) || (OF_WHOLE.contains(one.getKey()) && !one.getValue().equals(said.get(one.getKey())))).map(one -> plain(one.getKey(), one.getValue())).toList();
         // What a repeat says of places is that of its copies to each other: as a whole it stands in something.
         return placed.isEmpty() || inside.isEmpty() ? inside : List.of(new Node("union", placed, inside, "", origin, repeat.at()));
     }

@@ -14,6 +14,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.CustomLight;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -26,7 +27,6 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.CustomShape;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
-import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.text.MadeInCode;
 import cz.paprsek.xml.format.SceneFormat;
@@ -231,21 +231,27 @@ public final class SceneWriter {
     }
 
     private void object(SceneObject object) {
-        body(object.name(), object.shape(), object.placement(), object.material());
+        body(Body.of(object));
     }
 
     private void operand(Operand operand) {
-        body(operand.name(), operand.solid(), operand.placement(), operand.material());
+        body(Body.of(operand));
     }
 
-    private void body(String name, Shape shape, Placement placement, MaterialSource material) {
+    private void body(Body body) {
+        Shape shape = body.shape();
+        MaterialSource material = body.material();
         if (shape instanceof CustomShape || (shape instanceof Mesh mesh && mesh.file().isEmpty())) {
             throw MadeInCode.refusedBy(HERE, shape.kind(), "shape");
         }
         String element = shape.kind();
-        xml.open(element).attribute("name", name);
+        xml.open(element).attribute("name", body.name());
         attributes((Record) shape);
-        attributes(placement);
+        attributes(body.placement());
+        attributes((Record) body.pivot());
+        if (body.hidden()) {
+            xml.attribute("hidden", "true");
+        }
         if (material instanceof MaterialName reference) {
             xml.attribute("material", reference.name());
         } else if (material instanceof Material own) {

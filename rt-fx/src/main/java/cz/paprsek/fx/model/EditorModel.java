@@ -256,10 +256,10 @@ public final class EditorModel {
     void preview(EditorState start, Scene changed) {
         Scene before = start.scene();
         // Another camera or other settings are looked at many times a second, and nothing follows them.
-        boolean isOfCopies = !copies().isNone() && !(changed.objects().equals(before.objects()) && changed.lights().equals(before.lights())
-                && changed.materials().equals(before.materials()));
+        boolean isSame = changed.objects() == before.objects() || changed.objects().equals(before.objects());
+        boolean isOfCopies = !copies().isNone() && !(isSame && changed.lights().equals(before.lights()) && changed.materials().equals(before.materials()));
         EditorState shown = start.withScene(isOfCopies ? SceneFiles.following(changed) : changed);
-        show(shown.scene().objects().equals(before.objects()) ? shown : withMeshes(shown));
+        show(isSame && !isOfCopies ? shown : withMeshes(shown));
     }
 
     boolean isOpen(Gesture candidate) {

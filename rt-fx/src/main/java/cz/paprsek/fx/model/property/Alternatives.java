@@ -16,6 +16,7 @@ import cz.paprsek.material.Pattern.Plain;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.AreaLight;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Camera.Aim;
 import cz.paprsek.scene.Camera.Direction;
@@ -24,6 +25,8 @@ import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.SpotLight;
+import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Placement.Pivot;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
@@ -71,6 +74,9 @@ public final class Alternatives {
             AreaLight.Form.class, List.of(
                     new Alternative(AreaLight.Size.class, (owner, old) -> new AreaLight.Size(2 * radius(old), 2 * radius(old))),
                     new Alternative(AreaLight.Radius.class, (owner, old) -> new AreaLight.Radius(radius(old)))),
+            Pivot.class, List.of(
+                    new Alternative(Placement.Middle.class, (owner, old) -> Placement.MIDDLE),
+                    new Alternative(Placement.Point.class, (owner, old) -> new Placement.Point(((Pivot) old).of(((Body) owner).shape())))),
             Lens.class, List.of(
                     new Alternative(Lens.Perspective.class, (owner, old) -> Lens.Perspective.DEFAULT.withFovy(fovy((Camera) owner))),
                     new Alternative(Lens.Orthographic.class, (owner, old) -> new Lens.Orthographic(height((Camera) owner))),

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model.property;
 
 import cz.paprsek.fx.model.edit.Materials;
+import cz.paprsek.fx.model.edit.Pivots;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.scene.Body;
@@ -41,7 +42,7 @@ final class Targets {
 
         @Override
         public Scene change(Scene scene, UnaryOperator<Record> change) {
-            return scene.with(places, (at, body) -> (Body) change.apply(body));
+            return scene.with(places, (at, body) -> Pivots.kept(scene, at, body, (Body) change.apply(body)));
         }
     }
 

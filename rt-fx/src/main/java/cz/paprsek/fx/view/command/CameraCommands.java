@@ -38,7 +38,7 @@ public final class CameraCommands {
         BooleanBinding isFirst = Bindings.createBooleanBinding(() -> model.state().eye() == 0, model.stateProperty());
         BooleanBinding isOnly = Bindings.createBooleanBinding(() -> model.scene().cameras().size() == 1, model.stateProperty());
         commands = List.of(
-                Command.of("view-menu.next-camera", texts, () -> model.look((model.state().eye() + 1) % model.scene().cameras().size())).keys("Shortcut+K").disabledIf(isOnly),
+                Command.of("view-menu.next-camera", texts, () -> model.look((model.state().eye() + 1) % model.scene().cameras().size())).keys("Shortcut+Alt+K").disabledIf(isOnly),
                 Command.of("view-menu.new-camera", texts, edits::addCamera).keys("Shortcut+Shift+K"),
                 Command.of("view-menu.first-camera", texts, () -> edits.makeFirst(model.state().eye())).disabledIf(isFirst),
                 Command.of("view-menu.remove-camera", texts, () -> edits.removeCamera(model.state().eye())).disabledIf(isOnly));

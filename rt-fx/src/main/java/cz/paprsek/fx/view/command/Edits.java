@@ -10,11 +10,13 @@ import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.Clipboard;
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.edit.Pivots;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.edit.Softness;
 import cz.paprsek.fx.model.edit.Structure;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.material.Material;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
@@ -212,6 +214,39 @@ public final class Edits {
     void give(BodyAt at, Scene scene) {
         scene.materials().forEach((name, material) -> edit(Edit.CHANGE, Set.of(at), state ->
                 state.withScene(Materials.give(state.scene(), Set.of(at), name, material)).withSelection(Set.of(at))));
+    }
+
+    /** Makes what is selected of a named material; if nothing is, shows the scene's materials. */
+    public void giveToSelected(String name, Material material) {
+        List<BodyAt> bodies = Places.bodies(model.selection());
+        if (bodies.isEmpty()) {
+            model.select();
+        } else {
+            edit(Edit.CHANGE, bodies, state -> state.withScene(Materials.give(state.scene(), bodies, name, material)));
+        }
+    }
+
+    /** Gives what is selected pivots of their own, to be moved, or takes them away. */
+    void pivot() {
+        List<BodyAt> bodies = Places.bodies(model.selection());
+        boolean isOwn = !hasPivot();
+        edit(Edit.CHANGE, bodies, state -> state.withScene(Pivots.given(state.scene(), bodies, isOwn)));
+    }
+
+    boolean hasPivot() {
+        return Places.bodies(model.selection()).stream().anyMatch(at -> Pivots.given(model.scene(), at).isPresent());
+    }
+
+    /** Leaves what is selected out of pictures, or takes it in again. */
+    void leaveOut() {
+        List<BodyAt> bodies = Places.bodies(model.selection());
+        boolean isOut = !isLeftOut();
+        edit(Edit.CHANGE, bodies, state -> state.withScene(state.scene().with(bodies, (at, body) -> body.hidden(isOut))));
+    }
+
+    boolean isLeftOut() {
+        List<BodyAt> bodies = Places.bodies(model.selection());
+        return !bodies.isEmpty() && bodies.stream().allMatch(at -> at.in(model.scene()).hidden());
     }
 
     public void rename(ScenePath item, String name) {

@@ -43,6 +43,8 @@ public final class SelectionCommands {
     private final Command dissolve;
     private final Command repeat;
     private final Command repeatRound;
+    private final Command pivot;
+    private final Command leaveOut;
     private final Command hide;
     private final Command showAll;
     private final Command lock;
@@ -76,6 +78,8 @@ public final class SelectionCommands {
         Predicate<Set<ScenePath>> bodies = items -> !Places.bodies(items).isEmpty();
         repeat = command("object.repeat", bodies, () -> edits.repeat(false)).keys("Shortcut+Shift+R");
         repeatRound = command("object.repeat-round", bodies, () -> edits.repeat(true));
+        pivot = either(command("object.pivot", bodies, edits::pivot), edits::hasPivot, "object.pivot-middle");
+        leaveOut = either(command("object.leave-out", bodies, edits::leaveOut), edits::isLeftOut, "object.take-in");
         hide = either(command("object.hide", any, edits::hideOrShow).keys("Shortcut+H").icon(MaterialDesignE.EYE_OFF_OUTLINE),
                 edits::isHidden, "object.show");
         showAll = command("object.show-all", items -> true, edits::showAll).keys("Shortcut+Shift+H");
@@ -119,11 +123,11 @@ public final class SelectionCommands {
 
     /** Names, operations, lights and cameras, hiding and locking. */
     public List<MenuItem> objectItems() {
-        List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve, repeat, repeatRound));
+        List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve, repeat, repeatRound, pivot));
         items.add(new SeparatorMenuItem());
         items.addAll(items(soften, look, makeFirst, addCamera));
         items.add(new SeparatorMenuItem());
-        items.addAll(items(hide, showAll, lock, unlockAll));
+        items.addAll(items(leaveOut, hide, showAll, lock, unlockAll));
         return items;
     }
 

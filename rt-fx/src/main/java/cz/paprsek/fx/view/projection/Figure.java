@@ -17,7 +17,7 @@ import java.util.List;
  *
  * @param lines each as u and v in turn
  * @param operands the same of its operands
- * @param ghost whether it takes away rather than adds
+ * @param ghost whether it takes away rather than adds, or is left out of pictures
  * @param box around the lines, its own and those of operands that add; empty for what has no end
  */
 record Figure(List<double[]> lines, List<Figure> operands, boolean ghost, Box box) {
@@ -42,7 +42,8 @@ record Figure(List<double[]> lines, List<Figure> operands, boolean ghost, Box bo
         return of(body, Affine.IDENTITY, axes, fineness, false);
     }
 
-    private static Figure of(Body body, Affine parentToWorld, Axes axes, Fineness fineness, boolean ghost) {
+    private static Figure of(Body body, Affine parentToWorld, Axes axes, Fineness fineness, boolean takenAway) {
+        boolean ghost = takenAway || body.hidden();
         Affine toWorld = parentToWorld.after(body.placement().toParent());
         List<double[]> lines = lines(body.shape(), toWorld, axes, fineness);
         List<Figure> operands = new ArrayList<>();

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.projection;
 import cz.paprsek.fx.model.Copies;
 import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.LightMoves;
+import cz.paprsek.fx.model.edit.Pivots;
 import cz.paprsek.math.Angles;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
@@ -95,7 +96,14 @@ final class Grips {
     List<Grip> of(ScenePath item) {
         return item instanceof LightAt at && at.isIn(scene) ? of(at, scene.lights().get(at.index()))
                 : item instanceof CameraAt at && at.isIn(scene) ? of(at, scene.cameras().get(at.index()))
-                : item instanceof BodyAt at && !copies.isNone() && at.isIn(scene) ? new RepeatGrips(scene, axes).of(at, copies) : List.of();
+                : item instanceof BodyAt at && at.isIn(scene) ? of(at) : List.of();
+    }
+
+    /** By what it is repeated, and by its pivot if that has been put somewhere: in its middle it would lie on the body's own place. */
+    private List<Grip> of(BodyAt at) {
+        List<Grip> grips = new ArrayList<>(copies.isNone() ? List.of() : new RepeatGrips(scene, axes).of(at, copies));
+        Pivots.given(scene, at).ifPresent(pivot -> grips.add(new Grip.Aim(at, pivot, (start, point) -> Pivots.put(start, at, point))));
+        return grips;
     }
 
     private List<Grip> of(LightAt at, Light light) {

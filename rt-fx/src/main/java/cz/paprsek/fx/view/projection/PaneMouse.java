@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.LightMoves;
+import cz.paprsek.fx.model.edit.Pivots;
 import cz.paprsek.fx.view.projection.Grips.Grip;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.math.Vec3;
@@ -183,10 +184,19 @@ final class PaneMouse {
         Set<ScenePath> items = pane.movable();
         Box box = pane.handleBox();
         return handle == Handle.TURN
-                ? new TurnDrag(model.begin(label(Edit.ROTATE, items)), items, pane.axes(), pane.view(), box, pane.snaps(),
+                ? new TurnDrag(model.begin(label(Edit.ROTATE, items)), items, pane.axes(), pane.view(), pivot(items, box), pane.snaps(),
                         pane.theme().palette().selected(), pressX, pressY)
-                : new ResizeDrag(model.begin(label(Edit.RESIZE, items)), items, pane.axes(), pane.view(), box, inDepth(items), handle, pane.snaps(),
+                : new ResizeDrag(model.begin(label(Edit.RESIZE, items)), items, pane.axes(), pane.view(), box, inDepth(items), only(items).flatMap(at -> Pivots.given(model.scene(), at)), handle, pane.snaps(),
                         pane.isProportional(), pressX, pressY);
+    }
+
+    /** What items are turned about: one body about its pivot, others about the middle of their box. */
+    private Vec3 pivot(Set<ScenePath> items, Box box) {
+        return only(items).map(at -> Pivots.of(model.scene(), at)).orElseGet(() -> pane.axes().vector(box.centreU(), box.centreV()));
+    }
+
+    private static Optional<BodyAt> only(Set<ScenePath> items) {
+        return items.size() == 1 ? Places.bodies(items).stream().findFirst() : Optional.empty();
     }
 
     /** What stays at its depth when items grow towards the viewer, too: where a single thing says it is, else their mean. */

@@ -2,30 +2,31 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.ScenePath;
 import java.util.Locale;
 import java.util.Set;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 
-/** Turns items about the axis that points at the viewer, through the middle of their box. */
+/** Turns items about the axis that points at the viewer, through a pivot. */
 final class TurnDrag extends Drag.Changing {
     private static final double SNAP_DEGREES = 15;
     /** Angles of a free hand are of this coarseness, so that they can be read. */
     private static final double FREE_DEGREES = 0.5;
 
     private final Set<ScenePath> items;
-    private final Box box;
+    private final Vec3 pivot;
     private final Color color;
     private final double startAngle;
     private double degrees;
     private double mouseX;
     private double mouseY;
 
-    TurnDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, boolean snaps, Color color, double startX, double startY) {
+    TurnDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Vec3 pivot, boolean snaps, Color color, double startX, double startY) {
         super(gesture, axes, view, snaps, startX, startY);
         this.items = items;
-        this.box = box;
+        this.pivot = pivot;
         this.color = color;
         this.startAngle = angle(startX, startY);
         this.mouseX = startX;
@@ -40,11 +41,11 @@ final class TurnDrag extends Drag.Changing {
         double turned = Math.toDegrees(angle(x, y) - startAngle);
         degrees = Math.IEEEremainder(Math.rint(turned / grain) * grain, 360);
         gesture.preview(scene -> degrees == 0 ? scene
-                : Moves.rotated(scene, items, axes.vector(box.centreU(), box.centreV()), axes.rotation(degrees)));
+                : Moves.rotated(scene, items, pivot, axes.rotation(degrees)));
     }
 
     private double angle(double x, double y) {
-        return Math.atan2(view.y(box.centreV()) - y, x - view.x(box.centreU()));
+        return Math.atan2(view.y(axes.v(pivot)) - y, x - view.x(axes.u(pivot)));
     }
 
     @Override
@@ -55,6 +56,6 @@ final class TurnDrag extends Drag.Changing {
     @Override
     public void draw(GraphicsContext g) {
         g.setStroke(color);
-        g.strokeLine(view.x(box.centreU()), view.y(box.centreV()), mouseX, mouseY);
+        g.strokeLine(view.x(axes.u(pivot)), view.y(axes.v(pivot)), mouseX, mouseY);
     }
 }

@@ -6,8 +6,11 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
+import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
+import javafx.scene.input.KeyCode;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -25,8 +28,11 @@ public final class ProblemList extends BorderPane {
     private final Label title = new Label();
     private final ListView<Entry> list = new ListView<>();
 
-    /** A line, and what goes to the thing it is about when it is clicked or walked to. */
-    public record Entry(String text, Runnable jump) {
+    /** What mends something, as a button. */
+    public record Mend(String text, Runnable action) {}
+
+    /** A line, what goes to the thing it is about when it is clicked or walked to, and what mends it if that is known. */
+    public record Entry(String text, Runnable jump, Optional<Mend> mend) {
         @Override
         public String toString() {
             return text;
@@ -44,6 +50,13 @@ public final class ProblemList extends BorderPane {
         list.setId(name + "-list");
         list.getSelectionModel().selectedItemProperty().addListener((property, old, now) -> jump());
         list.setOnMouseClicked(event -> jump());
+        list.setCellFactory(view -> new MendableCell());
+        list.setOnKeyPressed(event -> {
+            if (event.getCode() == KeyCode.ENTER) {
+                Optional.ofNullable(list.getSelectionModel().getSelectedItem()).flatMap(Entry::mend).ifPresent(mend -> mend.action().run());
+                event.consume();
+            }
+        });
         Button close = new Button("", new FontIcon(MaterialDesignC.CLOSE));
         close.setId(name + "s-close");
         close.setAccessibleText(closeHint);
@@ -60,7 +73,7 @@ public final class ProblemList extends BorderPane {
     }
 
     public void show(String header, List<Problem> problems) {
-        showEntries(header, problems.stream().map(p -> new Entry(p.line() + ":" + p.column() + "   " + language.apply(p.message()), () -> {})).toList());
+        showEntries(header, problems.stream().map(p -> new Entry(p.line() + ":" + p.column() + "   " + language.apply(p.message()), () -> {}, Optional.empty())).toList());
     }
 
     public void showEntries(String header, List<Entry> entries) {
@@ -69,6 +82,26 @@ public final class ProblemList extends BorderPane {
         list.setPrefHeight(Math.min(HIGHEST, ROW * (entries.size() + 0.5)));
         setVisible(true);
         setManaged(true);
+    }
+
+    /** A line with its button at the end: Enter presses it, too. */
+    private static final class MendableCell extends ListCell<Entry> {
+        @Override
+        protected void updateItem(Entry entry, boolean empty) {
+            super.updateItem(entry, empty);
+            setText(empty || entry == null ? null : entry.text());
+            setContentDisplay(ContentDisplay.RIGHT);
+            setGraphic(empty || entry == null ? null : entry.mend().map(MendableCell::button).orElse(null));
+        }
+
+        private static Button button(Mend mend) {
+            Button button = new Button(mend.text());
+            button.getStyleClass().add("mend");
+            button.setFocusTraversable(false);
+            button.setMinWidth(Region.USE_PREF_SIZE);
+            button.setOnAction(event -> mend.action().run());
+            return button;
+        }
     }
 
     private void jump() {

@@ -4,6 +4,8 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.Body;
+import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
 import java.util.Optional;
 import javafx.beans.InvalidationListener;
@@ -88,7 +90,7 @@ final class RowCell extends ListCell<TreeRow> {
         }
         boolean hidden = shown && state.isHidden(row.item());
         boolean locked = shown && state.isLocked(row.item());
-        pseudoClassStateChanged(DIMMED, hidden);
+        pseudoClassStateChanged(DIMMED, hidden || (shown && row.item() instanceof BodyAt at && at.way().anyMatch(around -> around.find(state.scene()).filter(Body::hidden).isPresent())));
         toggled(eye, eyeIcon, hidden, "mdi2e-eye-off-outline", "mdi2e-eye-outline");
         toggled(lock, lockIcon, locked, "mdi2l-lock-outline", "mdi2l-lock-open-variant-outline");
         for (Drop.Where where : Drop.Where.values()) {

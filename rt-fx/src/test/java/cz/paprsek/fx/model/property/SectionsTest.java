@@ -57,7 +57,7 @@ class SectionsTest {
     @Test
     void componentsOfASelectedThingArePropertiesInOrder() {
         assertThat(titles(Set.of(ScenePath.body(0)))).containsExactly("section.object", "kind.sphere", "section.placement", "section.material");
-        assertThat(names(Set.of(ScenePath.body(0)))).containsExactly("name", "radius", "position", "rotation", "scale", "material", "pattern", "color",
+        assertThat(names(Set.of(ScenePath.body(0)))).containsExactly("name", "pivot", "hidden", "radius", "position", "rotation", "scale", "material", "pattern", "color",
                 "diffusion", "specular", "shininess", "reflection", "transparency", "refractiveIndex", "fresnel", "roughness", "thin", "attenuationColor", "attenuationDistance", "emission", "emissionStrength",
                 "diffusion", "specular", "reflection", "transparency", "roughness", "relief");
         assertThat(names(Set.of(ScenePath.light(0)))).containsExactly("name", "position", "color", "intensity", "referenceDistance");
@@ -67,8 +67,8 @@ class SectionsTest {
     @Test
     void severalThingsShowWhatTheyHaveInCommon() {
         Set<ScenePath> both = Set.of(ScenePath.body(0), ScenePath.body(1));
-        assertThat(titles(both)).containsExactly("section.shape", "section.placement", "section.material");
-        assertThat(names(both)).startsWith("radius", "position").doesNotContain("name", "height", "topRadius");
+        assertThat(titles(both)).containsExactly("section.object", "section.shape", "section.placement", "section.material");
+        assertThat(names(both)).startsWith("pivot", "hidden", "radius", "position").doesNotContain("name", "height", "topRadius");
         assertThat(read("radius", both)).isEmpty();
         assertThat(read("scale", both)).contains(Vec3.ONE);
         assertThat(names(Set.of(ScenePath.body(0), ScenePath.light(1)))).contains("radius", "intensity");
