@@ -111,10 +111,10 @@ final class MergeCommand implements Callable<Integer> {
             while (!Files.exists(folder) && (System.nanoTime() - begin) / 1e9 < patience && !stop.requested()) {
                 TimeUnit.MILLISECONDS.sleep(MILLIS_BETWEEN);
             }
-            Survey survey = Survey.of(folder);
+            Survey survey = Survey.of(folder, Optional.empty());
             while (!survey.isWhole() && (System.nanoTime() - begin) / 1e9 < patience && !stop.requested()) {
                 TimeUnit.MILLISECONDS.sleep(MILLIS_BETWEEN);
-                survey = Survey.of(folder);
+                survey = Survey.of(folder, Optional.empty());
             }
             return survey;
         } catch (InterruptedException e) {
@@ -131,9 +131,9 @@ final class MergeCommand implements Callable<Integer> {
             return failed(folder + ": " + Memory.sentence("the picture of " + card.region().width() + "x" + card.region().height() + " pixels", Assembly.memory(card)));
         }
         survey.damaged().forEach(sentence -> terminal.message("note: " + sentence + "; other parts have what it should"));
-        Assembly whole = Assembly.of(survey, stop);
+        Assembly whole = Assembly.of(survey, 0, stop);
         Image image = view.finished(whole.image(), target.format());
-        ImageOptions how = card.applyTo(new Writing(bits, uncompressed).options(), Origins.areToldIn(target.format()) ? card.origin() : Origin.UNTOLD);
+        ImageOptions how = card.applyTo(new Writing(bits, uncompressed).options()).withOrigin(Origins.areToldIn(target.format()) ? whole.origin() : Origin.UNTOLD);
         stop.guard(() -> target.write(view.written(target.format()), image, whole.layers(), view.written(target.format(), how), terminal));
         String line = folder + " -> " + target.shown() + "  " + image.width() + "x" + image.height() + "  " + survey.parts().size() + " parts";
         if (json) {

@@ -24,6 +24,7 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.value.Formats;
 import cz.paprsek.cli.shard.Again;
 import cz.paprsek.cli.shard.ShardWork;
+import cz.paprsek.cli.shard.Span;
 import cz.paprsek.cli.value.Modes;
 import cz.paprsek.cli.value.Shard;
 import cz.paprsek.cli.value.Size;
@@ -253,7 +254,7 @@ final class RenderCommand implements Callable<Integer> {
         try {
             View view = new View(mode, camera, light, !noLegend, pixels, mistakes.made());
             RenderOptions options = view.applyTo(new Wishes(size, maxDepth, rays, shown, region, threads).applyTo(Cameras.through(read, camera).settings()), ImageFormat.EXR);
-            return ShardWork.parts(options, count);
+            return ShardWork.parts(options, Span.STILL, count);
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(String.valueOf(refused.getMessage()));
         }

@@ -12,6 +12,8 @@ import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Card;
 import cz.paprsek.cli.shard.ShardWork;
+import cz.paprsek.cli.shard.Span;
+import cz.paprsek.cli.shard.Told;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
@@ -142,9 +144,19 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
     private Outcome part(ShardWork work, Target target, Scene read, Scene scene, Assets assets, RenderOptions options, long begin) {
         String label = target.source().label();
         try {
-            Card card = Card.of(scene, assets, options, writing.of(read, options, view, ImageFormat.PNG), view.legend());
+            ImageOptions how = writing.of(read, options, view, ImageFormat.PNG);
             PartProgress shown = new PartProgress(terminal, label + ": shard " + work.shard(), progress == Progress.Maker.SILENT);
-            ShardWork.Done done = work.run(card, options, () -> RenderScene.of(scene, assets, stopped()), stop, shown);
+            ShardWork.Done done = work.run(Card.of(scene, assets, options, how, view.legend()), options, Span.STILL, new ShardWork.Footage() {
+                @Override
+                public Told told(int frame) {
+                    return Told.of(how.origin());
+                }
+
+                @Override
+                public RenderScene scene(int frame) {
+                    return RenderScene.of(scene, assets, stopped());
+                }
+            }, stop, shown);
             if (stop.requested()) {
                 return fail(target, Outcome.INTERRUPTED, List.of(label + ": interrupted; what is done stays in " + target.shown() + ", and the same command goes on from there"));
             }

@@ -4,6 +4,7 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.shard.PartFile.Pixels;
 import cz.paprsek.cli.shard.Survey.Found;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageOptions.Origin;
 import cz.paprsek.image.Layers;
 import cz.paprsek.io.Failures;
 import cz.paprsek.render.Tile;
@@ -18,8 +19,9 @@ import java.util.Map;
  * A picture put together of its parts.
  *
  * @param layers what else is known of its pixels; without planes if nothing is
+ * @param origin what its file tells of it
  */
-public record Assembly(Image image, Layers layers) {
+public record Assembly(Image image, Layers layers, Origin origin) {
 
     /** Reads all parts to the end, and leaves out those whose content is damaged. */
     public static Survey checked(Survey survey, Stop stop) throws IOException {
@@ -38,17 +40,19 @@ public record Assembly(Image image, Layers layers) {
     /**
      * Puts them together.
      *
+     * @param frame which of a film; 0 of a picture that is none
      * @param survey of all parts, which have been {@linkplain #checked checked}
      * @throws IOException if a part is no longer what it was
      */
-    public static Assembly of(Survey survey, Stop stop) throws IOException {
+    public static Assembly of(Survey survey, int frame, Stop stop) throws IOException {
         Card card = survey.card().orElseThrow();
         Tile region = card.region();
         Image image = card.transparent() ? Image.ofTransparent(region.width(), region.height()) : new Image(region.width(), region.height());
         List<String> names = card.planes();
         float[][] planes = new float[names.size()][region.width() * region.height()];
         int first = card.channels() - names.size();
-        for (Found part : survey.parts()) {
+        List<Found> parts = survey.of(frame);
+        for (Found part : parts) {
             requireTime(stop);
             try {
                 PartFile.read(part.file(), (column, row, numbers) -> {
@@ -71,7 +75,7 @@ public record Assembly(Image image, Layers layers) {
         for (int i = 0; i < planes.length; i++) {
             layers = layers.with(names.get(i), planes[i]);
         }
-        return new Assembly(image, layers);
+        return new Assembly(image, layers, parts.get(0).head().told().origin(card));
     }
 
     /** How many bytes of memory that takes. */

@@ -3,7 +3,6 @@ package cz.paprsek.cli.shard;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageOptions;
-import cz.paprsek.image.ImageOptions.Origin;
 import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
@@ -18,10 +17,11 @@ import java.util.HexFormat;
 import java.util.List;
 
 /**
- * Which picture parts are of. Two parts belong together if their cards are the same to the letter: of the same scene with the same files beside it, by the same
+ * Which picture, or film, parts are of. Two parts belong together if their cards are the same to the letter: of the same scene with the same files beside it, by the same
  * version with the same options, whatever machine, Java and number of threads there was.
  *
- * @param origin what the picture's file will tell of itself
+ * @param program what renders it, with its version
+ * @param settings how it is rendered, in the words of the command line
  * @param exposure in stops, as the picture is written
  * @param tone likewise
  * @param mode what the picture shows
@@ -33,8 +33,8 @@ import java.util.List;
  * @param scene digest of the scene, and of all files that it needs
  * @param options digest of how it is rendered
  */
-public record Card(Origin origin, double exposure, Tone tone, RenderMode mode, boolean numbers, boolean legend, boolean transparent, Tile region, List<String> planes, String scene,
-        String options) {
+public record Card(String program, String settings, double exposure, Tone tone, RenderMode mode, boolean numbers, boolean legend, boolean transparent, Tile region, List<String> planes,
+        String scene, String options) {
     public Card {
         planes = List.copyOf(planes);
     }
@@ -42,7 +42,7 @@ public record Card(Origin origin, double exposure, Tone tone, RenderMode mode, b
     /**
      * That of a picture which is to be rendered.
      *
-     * @param scene what is shown, whose files are in the assets already
+     * @param scene what is shown, whose files are in the assets already; of a film, all of it
      * @param how the picture will be written in a format that tells its origin
      */
     public static Card of(Scene scene, Assets assets, RenderOptions options, ImageOptions how, boolean legend) {
@@ -51,7 +51,7 @@ public record Card(Origin origin, double exposure, Tone tone, RenderMode mode, b
         String content = hex(digest.digest(SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8)));
         String settings = hex(digest.digest(options.withThreads(1).toString().getBytes(StandardCharsets.UTF_8)));
         List<String> planes = options.layers().stream().flatMap(layer -> layer.planes(scene.lights()).stream()).toList();
-        return new Card(how.origin(), how.exposure(), how.tone(), options.mode(), options.numbers(), legend, options.transparent(), options.region(), planes, content, settings);
+        return new Card(how.origin().program(), how.origin().settings(), how.exposure(), how.tone(), options.mode(), options.numbers(), legend, options.transparent(), options.region(), planes, content, settings);
     }
 
     /** How many numbers each pixel has. */
@@ -60,24 +60,22 @@ public record Card(Origin origin, double exposure, Tone tone, RenderMode mode, b
     }
 
     /** The picture is written like this, by the format's own wishes beside it. */
-    public ImageOptions applyTo(ImageOptions how, Origin told) {
-        return how.withExposure(exposure).withTone(tone).withOrigin(told);
+    public ImageOptions applyTo(ImageOptions how) {
+        return how.withExposure(exposure).withTone(tone);
     }
 
     /** In what the picture of this card differs from that of another one. */
     String difference(Card other) {
-        return !origin.program().equals(other.origin.program()) ? "made by " + origin.program() + ", and not by " + other.origin.program()
+        return !program.equals(other.program) ? "made by " + program + ", and not by " + other.program
                 : !scene.equals(other.scene) ? "of another scene, or of other files beside it"
-                : !origin.settings().equals(other.origin.settings()) ? "rendered with " + origin.settings() + ", and not with " + other.origin.settings()
+                : !settings.equals(other.settings) ? "rendered with " + settings + ", and not with " + other.settings
                 : "of another picture";
     }
 
     String text() {
         StringBuilder text = new StringBuilder();
-        Fields.put(text, "program", origin.program());
-        Fields.put(text, "name", origin.scene());
-        Fields.put(text, "source", origin.digest());
-        Fields.put(text, "settings", origin.settings());
+        Fields.put(text, "program", program);
+        Fields.put(text, "settings", settings);
         Fields.put(text, "exposure", exposure);
         Fields.put(text, "tone", tone.name());
         Fields.put(text, "mode", mode.name());
@@ -94,7 +92,7 @@ public record Card(Origin origin, double exposure, Tone tone, RenderMode mode, b
     /** @throws IllegalArgumentException if a value is none that its kind has, or there can be no such picture */
     static Card read(Fields fields) throws IOException {
         String program = fields.next("program");
-        Origin origin = new Origin(fields.next("name"), fields.next("source"), program, fields.next("settings"));
+        String settings = fields.next("settings");
         ImageOptions how = ImageOptions.shown(Double.parseDouble(fields.next("exposure")), Tone.valueOf(fields.next("tone")));
         RenderMode mode = RenderMode.valueOf(fields.next("mode"));
         boolean numbers = Boolean.parseBoolean(fields.next("numbers"));
@@ -102,7 +100,7 @@ public record Card(Origin origin, double exposure, Tone tone, RenderMode mode, b
         boolean transparent = Boolean.parseBoolean(fields.next("transparent"));
         Tile region = tile(fields, "region");
         Image.requireRoom(region.width(), region.height());
-        return new Card(origin, how.exposure(), how.tone(), mode, numbers, legend, transparent, region, fields.all("plane"), fields.next("scene"), fields.next("options"));
+        return new Card(program, settings, how.exposure(), how.tone(), mode, numbers, legend, transparent, region, fields.all("plane"), fields.next("scene"), fields.next("options"));
     }
 
     static String text(Tile tile) {

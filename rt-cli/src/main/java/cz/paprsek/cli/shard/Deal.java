@@ -9,7 +9,7 @@ import java.util.TreeSet;
 import java.util.function.Predicate;
 
 /**
- * How the work on a picture, or on the frames of an animation, is dealt out, in parts of which each becomes a file. It depends on nothing but the picture and the
+ * How the work on a picture, or on the frames of a film, is dealt out, in parts of which each becomes a file. It depends on nothing but the picture and the
  * number of shares; that of a share takes as long as that of any other, about, as of each few neighbours in picture and time everybody gets one. Of many frames
  * everybody gets whole ones, as each must be prepared by whoever renders something of it.
  */
@@ -29,20 +29,14 @@ final class Deal {
     /**
      * A piece of work.
      *
-     * @param frame from 1; 0 of a picture that is no animation
+     * @param frame from 1; 0 of a picture that is no film
      */
     record Piece(int frame, Tile tile) {}
 
-    /** Of a picture that does not move. */
-    Deal(Tile region, int shards) {
-        this(region, 0, 0, shards);
-    }
-
-    /** Of the frames of an animation from one to another. */
-    Deal(Tile region, int first, int last, int shards) {
-        this.first = first;
+    Deal(Tile region, Span span, int shards) {
+        this.first = span.first();
         this.shards = shards;
-        frames = last - first + 1;
+        frames = span.count();
         tiles = Grid.tiles(region, side(region));
     }
 

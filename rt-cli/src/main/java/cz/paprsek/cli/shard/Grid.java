@@ -12,14 +12,12 @@ final class Grid {
 
     private final Tile region;
     private final int columns;
-    private final int rows;
     private final BitSet covered = new BitSet();
 
     /** Nothing is there yet. */
     Grid(Tile region) {
         this.region = region;
         columns = cells(region.width(), SIDE);
-        rows = cells(region.height(), SIDE);
     }
 
     static int cells(int pixels, int side) {
@@ -94,11 +92,6 @@ final class Grid {
             missing += width - covered.get(from, from + width).cardinality();
         }
         return missing;
-    }
-
-    /** How many cells there are. */
-    int cells() {
-        return columns * rows;
     }
 
     private int column(Tile tile) {

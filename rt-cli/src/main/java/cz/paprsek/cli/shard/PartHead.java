@@ -9,21 +9,25 @@ import java.util.List;
 /**
  * What a part file tells of itself before its pixels.
  *
- * @param card which picture it is of
- * @param frame of an animation, from 1; 0 of a picture that is none
+ * @param card which picture or film it is of
+ * @param told what the picture tells of itself
+ * @param frame of a film, from 1; 0 of a picture that is none
  * @param tile which pixels of the picture it holds
+ * @param span of which frames a share was
  * @param shard whose work it was
  * @param words of the command line that made it, without those that say whose work it is and where it goes: to say how it can be made again
  */
-record PartHead(Card card, int frame, Tile tile, Shard shard, List<String> words) {
+record PartHead(Card card, Told told, int frame, Tile tile, Span span, Shard shard, List<String> words) {
     PartHead {
         words = List.copyOf(words);
     }
 
     String text() {
         StringBuilder text = new StringBuilder(card.text());
+        told.put(text);
         Fields.put(text, "frame", frame);
         Fields.put(text, "tile", Card.text(tile));
+        span.put(text);
         Fields.put(text, "shard", shard.number() + " " + shard.count());
         words.forEach(word -> Fields.put(text, "word", word));
         return text.toString();
@@ -38,15 +42,17 @@ record PartHead(Card card, int frame, Tile tile, Shard shard, List<String> words
         try {
             Fields fields = new Fields(Arrays.asList(text.split("\n", -1)));
             Card card = Card.read(fields);
+            Told told = Told.read(fields);
             int frame = fields.numbers("frame", 1)[0];
             Tile tile = Card.tile(fields, "tile");
+            Span span = Span.read(fields);
             int[] shard = fields.numbers("shard", 2);
-            PartHead head = new PartHead(card, frame, tile, new Shard(shard[0], shard[1]), fields.all("word"));
+            PartHead head = new PartHead(card, told, frame, tile, span, new Shard(shard[0], shard[1]), fields.all("word"));
             if (!head.text().equals(text)) {
                 throw new IOException("its head is not as it was written");
             }
-            if (frame < 0 || !Grid.has(card.region(), tile)) {
-                throw new IOException("its head tells of pixels that the picture does not have");
+            if (!span.has(frame) || !Grid.has(card.region(), tile)) {
+                throw new IOException("its head tells of pixels that there cannot be");
             }
             return head;
         } catch (IllegalArgumentException refused) {

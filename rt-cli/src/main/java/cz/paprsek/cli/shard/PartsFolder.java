@@ -12,17 +12,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 
-/** A folder of part files; those of an animation lie in folders of their frames in it. */
+/** A folder of part files; those of a film lie in folders of their frames in it. */
 record PartsFolder(Path path) {
     private static final Pattern NAME = Pattern.compile("tile-(\\d{5})-(\\d{5})-(\\d{1,5})x(\\d{1,5})" + Pattern.quote(PartFile.ENDING));
-    private static final Pattern FRAME = Pattern.compile("frame-\\d{6,9}");
+    private static final Pattern FRAME = Pattern.compile("frame-(\\d{6,9})");
 
     /** Where a part goes. */
     Path file(Piece piece) {
@@ -35,15 +32,20 @@ record PartsFolder(Path path) {
         return frame == 0 ? path : path.resolve(String.format(Locale.ROOT, "frame-%06d", frame));
     }
 
-    /** All part files, in the order of their names. */
-    List<Path> files() throws IOException {
-        List<Path> files = new ArrayList<>(parts(path));
-        try (DirectoryStream<Path> folders = Files.newDirectoryStream(path, each -> FRAME.matcher(String.valueOf(each.getFileName())).matches() && Files.isDirectory(each))) {
+    /** All part files of some frames, or of all, in the order of their names. */
+    List<Path> files(Optional<Span> frames) throws IOException {
+        List<Path> files = new ArrayList<>(frames.isEmpty() ? parts(path) : List.of());
+        try (DirectoryStream<Path> folders = Files.newDirectoryStream(path, each -> isFrame(each, frames))) {
             for (Path folder : folders) {
                 files.addAll(parts(folder));
             }
         }
         return files.stream().sorted().toList();
+    }
+
+    private static boolean isFrame(Path folder, Optional<Span> frames) {
+        Matcher name = FRAME.matcher(String.valueOf(folder.getFileName()));
+        return name.matches() && (frames.isEmpty() || frames.get().has(Integer.parseInt(name.group(1)))) && Files.isDirectory(folder);
     }
 
     private static List<Path> parts(Path folder) throws IOException {
@@ -57,26 +59,21 @@ record PartsFolder(Path path) {
     }
 
     /**
-     * Which pieces of work are not done, of a share: their pixels are in no part that is whole.
+     * Which pieces of work on a frame are not done: their pixels are in no part that is whole.
      *
      * @throws WrongUsage if there are parts of another picture in their place
      */
-    List<Piece> lacking(Card card, List<Piece> pieces) throws IOException {
-        Map<Integer, List<Piece>> frames = pieces.stream().collect(Collectors.groupingBy(Piece::frame, TreeMap::new, Collectors.toList()));
-        List<Piece> lacking = new ArrayList<>();
-        for (Map.Entry<Integer, List<Piece>> frame : frames.entrySet()) {
-            Grid wanted = new Grid(card.region());
-            frame.getValue().forEach(piece -> wanted.cover(piece.tile()));
-            Grid there = new Grid(card.region());
-            for (Path file : parts(of(frame.getKey()))) {
-                Optional<Tile> tile = tile(file).filter(named -> Grid.has(card.region(), named) && wanted.touches(named));
-                if (tile.isPresent() && isWhole(card, file, new Piece(frame.getKey(), tile.get()))) {
-                    there.cover(tile.get());
-                }
+    List<Piece> lacking(Card card, int frame, List<Piece> pieces) throws IOException {
+        Grid wanted = new Grid(card.region());
+        pieces.forEach(piece -> wanted.cover(piece.tile()));
+        Grid there = new Grid(card.region());
+        for (Path file : parts(of(frame))) {
+            Optional<Tile> tile = tile(file).filter(named -> Grid.has(card.region(), named) && wanted.touches(named));
+            if (tile.isPresent() && isWhole(card, file, new Piece(frame, tile.get()))) {
+                there.cover(tile.get());
             }
-            frame.getValue().stream().filter(piece -> !there.covers(piece.tile())).forEach(lacking::add);
         }
-        return lacking;
+        return pieces.stream().filter(piece -> !there.covers(piece.tile())).toList();
     }
 
     private boolean isWhole(Card card, Path file, Piece piece) throws IOException {

@@ -15,8 +15,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Queue;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -24,7 +27,6 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.Supplier;
 
 /**
  * The work of one share: its parts, as many at once as there are threads, each on one of them and in a file as soon as it is done, so that who is killed loses no
@@ -57,32 +59,44 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
         void made(int done, int parts);
     }
 
+    /** What is to be rendered, frame by frame; a picture that is no film has the frame 0. */
+    public interface Footage {
+        /** What the picture tells of itself. */
+        Told told(int frame) throws IOException;
+
+        /** Prepares the scene. */
+        RenderScene scene(int frame) throws IOException;
+    }
+
     /**
      * Makes what is not there; returns early if a stop is asked for.
      *
-     * @param scene prepares it, if there is something to do
      * @throws IOException if a part cannot be written
      * @throws WrongUsage if there are parts of another picture in the folder
      * @throws IllegalStateException as {@link Renderer}
      */
-    public Done run(Card card, RenderOptions options, Supplier<RenderScene> scene, Stop stop, Listener listener) throws IOException {
+    public Done run(Card card, RenderOptions options, Span span, Footage footage, Stop stop, Listener listener) throws IOException {
         makeFolder();
         PartsFolder parts = new PartsFolder(folder);
-        List<Piece> own = new Deal(options.region(), shard.count()).of(shard);
-        List<Piece> lacking = parts.lacking(card, own);
-        if (lacking.isEmpty()) {
-            return new Done(own.size(), 0);
-        }
+        SortedMap<Integer, List<Piece>> frames = new TreeMap<>();
+        new Deal(options.region(), span, shard.count()).of(shard).forEach(piece -> frames.computeIfAbsent(piece.frame(), key -> new ArrayList<>()).add(piece));
+        int all = frames.values().stream().mapToInt(List::size).sum();
         // Half-written parts are removed before the process ends.
         stop.oweLastWords();
-        Crew crew = new Crew(card, options, scene.get(), stop, parts, new ConcurrentLinkedQueue<>(lacking), own.size() - lacking.size(), own.size(), listener);
-        crew.work(Math.min(options.threads(), lacking.size()));
-        return new Done(own.size(), lacking.size());
+        Crew crew = new Crew(card, options, span, footage, stop, parts, all, listener);
+        for (Map.Entry<Integer, List<Piece>> frame : frames.entrySet()) {
+            List<Piece> lacking = parts.lacking(card, frame.getKey(), frame.getValue());
+            crew.found(frame.getValue().size() - lacking.size());
+            if (!lacking.isEmpty() && !stop.requested()) {
+                crew.work(frame.getKey(), lacking);
+            }
+        }
+        return new Done(all, crew.made.get());
     }
 
-    /** Into how many parts a picture is divided, for so many shares. */
-    public static long parts(RenderOptions options, int shards) {
-        return new Deal(options.region(), shards).parts();
+    /** Into how many parts a picture or film is divided, for so many shares. */
+    public static long parts(RenderOptions options, Span span, int shards) {
+        return new Deal(options.region(), span, shards).parts();
     }
 
     private void makeFolder() throws IOException {
@@ -96,34 +110,44 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
     private final class Crew implements RenderMonitor {
         private final Card card;
         private final RenderOptions options;
-        private final RenderScene scene;
+        private final Span span;
+        private final Footage footage;
         private final Stop stop;
         private final PartsFolder parts;
-        private final Queue<Piece> queue;
-        private final AtomicInteger done;
         private final int all;
         private final Listener listener;
+        private final AtomicInteger made = new AtomicInteger();
         private final AtomicBoolean failed = new AtomicBoolean();
+        private int found;
 
-        Crew(Card card, RenderOptions options, RenderScene scene, Stop stop, PartsFolder parts, Queue<Piece> queue, int before, int all, Listener listener) {
+        Crew(Card card, RenderOptions options, Span span, Footage footage, Stop stop, PartsFolder parts, int all, Listener listener) {
             this.card = card;
-            this.options = options.withThreads(1);
-            this.scene = scene;
+            this.options = options;
+            this.span = span;
+            this.footage = footage;
             this.stop = stop;
             this.parts = parts;
-            this.queue = queue;
-            done = new AtomicInteger(before);
             this.all = all;
             this.listener = listener;
         }
 
-        void work(int threads) throws IOException {
+        /** So many more parts were there before. */
+        void found(int count) {
+            found += count;
+        }
+
+        /** Makes parts of a frame. */
+        void work(int frame, List<Piece> pieces) throws IOException {
+            RenderScene scene = footage.scene(frame);
+            Told told = footage.told(frame);
+            Queue<Piece> queue = new ConcurrentLinkedQueue<>(pieces);
+            int threads = Math.min(options.threads(), pieces.size());
             ExecutorService crew = Executors.newFixedThreadPool(threads);
             try {
                 List<Future<?>> members = new ArrayList<>();
                 for (int i = 0; i < threads; i++) {
                     members.add(crew.submit(() -> {
-                        member();
+                        member(scene, told, queue);
                         return null;
                     }));
                 }
@@ -131,7 +155,6 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
                     member.get();
                 }
             } catch (ExecutionException thrown) {
-                failed.set(true);
                 throw rethrown(thrown);
             } catch (InterruptedException e) {
                 failed.set(true);
@@ -153,10 +176,10 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
             return cause instanceof IOException failure ? failure : new IOException(cause);
         }
 
-        private void member() throws IOException {
+        private void member(RenderScene scene, Told told, Queue<Piece> queue) throws IOException {
             try (Renderer renderer = Renderer.keeping("paprsek-part")) {
                 for (Piece piece = queue.poll(); piece != null && !cancelled(); piece = queue.poll()) {
-                    make(piece, renderer);
+                    make(scene, told, piece, renderer);
                 }
             } catch (Throwable thrown) {
                 failed.set(true);
@@ -164,13 +187,13 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
             }
         }
 
-        private void make(Piece piece, Renderer renderer) throws IOException {
-            RenderResult result = renderer.next(scene, options.withRegion(piece.tile()), this);
+        private void make(RenderScene scene, Told told, Piece piece, Renderer renderer) throws IOException {
+            RenderResult result = renderer.next(scene, options.withRegion(piece.tile()).withThreads(1), this);
             if (result.outcome() == RenderResult.Outcome.DONE) {
                 Path file = parts.file(piece);
                 Files.createDirectories(Objects.requireNonNull(file.getParent()));
-                PartFile.write(file, new PartHead(card, piece.frame(), piece.tile(), shard, words), result.image(), result.layers());
-                listener.made(done.incrementAndGet(), all);
+                PartFile.write(file, new PartHead(card, told, piece.frame(), piece.tile(), span, shard, words), result.image(), result.layers());
+                listener.made(found + made.incrementAndGet(), all);
             }
         }
 

@@ -14,31 +14,33 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.IntFunction;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /**
  * What a folder of parts has in it, by the heads of its files.
  *
- * @param card of the picture of which most is there; empty if nothing is
- * @param parts of that picture, whose heads are right
+ * @param frames those that were looked for; empty for all
+ * @param card of the picture or film of which most is there; empty if nothing is
+ * @param parts of it, whose heads are right
  * @param foreign a sentence for each part of another picture
  * @param damaged a sentence for each file that is no whole part
  */
-public record Survey(Path folder, Optional<Card> card, List<Found> parts, List<String> foreign, List<String> damaged) {
-
+public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, List<Found> parts, List<String> foreign, List<String> damaged) {
     private static final int MOST_TOLD = 8;
 
     /** A part, where it is. */
     record Found(Path file, PartHead head) {}
 
     /**
-     * Looks at all files.
+     * Looks at all files, or those of some frames.
      *
      * @throws WrongUsage if there is no such folder
      * @throws IOException if it cannot be listed
      */
-    public static Survey of(Path folder) throws IOException {
+    public static Survey of(Path folder, Optional<Span> frames) throws IOException {
         if (!Files.isDirectory(folder)) {
             throw new WrongUsage(folder + (Files.exists(folder) ? " is not a directory of parts" : ": there is no such directory"));
         }
@@ -46,11 +48,12 @@ public record Survey(Path folder, Optional<Card> card, List<Found> parts, List<S
         List<String> foreign = new ArrayList<>();
         List<String> damaged = new ArrayList<>();
         Map<Object, Object> known = new HashMap<>();
-        for (Path file : new PartsFolder(folder).files()) {
+        for (Path file : new PartsFolder(folder).files(frames)) {
             try {
                 PartHead head = PartFile.head(file);
                 // Thousands of parts have one card between them.
-                found.add(new Found(file, new PartHead(same(known, head.card()), head.frame(), head.tile(), same(known, head.shard()), same(known, head.words()))));
+                found.add(new Found(file, new PartHead(same(known, head.card()), same(known, head.told()), head.frame(), head.tile(), same(known, head.span()), same(known, head.shard()),
+                        same(known, head.words()))));
             } catch (OtherVersion other) {
                 foreign.add(file + " is " + other.getMessage());
             } catch (IOException wrong) {
@@ -60,7 +63,7 @@ public record Survey(Path folder, Optional<Card> card, List<Found> parts, List<S
         Optional<Card> card = most(found);
         Map<Boolean, List<Found>> own = found.stream().collect(Collectors.partitioningBy(part -> part.head().card().equals(card.orElseThrow())));
         own.getOrDefault(false, List.of()).forEach(part -> foreign.add(part.file() + " is " + part.head().card().difference(card.orElseThrow())));
-        return new Survey(folder, card, own.getOrDefault(true, List.of()), foreign, damaged);
+        return new Survey(folder, frames, card, own.getOrDefault(true, List.of()), foreign, damaged);
     }
 
     @SuppressWarnings("unchecked")
@@ -77,50 +80,77 @@ public record Survey(Path folder, Optional<Card> card, List<Found> parts, List<S
     Survey without(Map<Path, String> broken) {
         List<String> sentences = new ArrayList<>(damaged);
         sentences.addAll(broken.values());
-        return new Survey(folder, card, parts.stream().filter(part -> !broken.containsKey(part.file())).toList(), foreign, sentences);
+        return new Survey(folder, frames, card, parts.stream().filter(part -> !broken.containsKey(part.file())).toList(), foreign, sentences);
     }
 
     /** Whether all of the picture is there, and nothing else. */
     public boolean isWhole() {
-        return card.isPresent() && foreign.isEmpty() && missing() == 0;
+        return foreign.isEmpty() && !parts.isEmpty() && lacking(covered()).findAny().isEmpty();
     }
 
-    /** How many cells of the picture are in no part. */
-    int missing() {
-        return card.map(one -> covered().missing(one.region())).orElse(0);
+    /** The frames of which something is missing. */
+    private IntStream lacking(IntFunction<Grid> covered) {
+        Tile region = card.orElseThrow().region();
+        return IntStream.rangeClosed(span().first(), span().last()).filter(frame -> !covered.apply(frame).covers(region));
     }
 
-    private Grid covered() {
-        Grid grid = new Grid(card.orElseThrow().region());
-        parts.forEach(part -> grid.cover(part.head().tile()));
-        return grid;
+    /** The frames of the film, or those of it that were looked for; of a picture that is none, its only one. */
+    public Span span() {
+        return frames.orElseGet(() -> usual(PartHead::span, part -> true, Comparator.comparing(Span::first).thenComparing(Span::last)));
+    }
+
+    /** The parts of a frame. */
+    List<Found> of(int frame) {
+        return parts.stream().filter(part -> part.head().frame() == frame).toList();
+    }
+
+    /** What is there of each frame. */
+    private IntFunction<Grid> covered() {
+        Tile region = card.orElseThrow().region();
+        Map<Integer, Grid> grids = new HashMap<>();
+        parts.forEach(part -> grids.computeIfAbsent(part.head().frame(), frame -> new Grid(region)).cover(part.head().tile()));
+        Grid nothing = new Grid(region);
+        return frame -> grids.getOrDefault(frame, nothing);
     }
 
     /** What stands in the way of the picture, a sentence each: files first, then what is missing, then the line that makes it. */
     public List<String> obstacles() {
         List<String> sentences = new ArrayList<>(foreign);
         sentences.addAll(damaged);
-        if (card.isEmpty()) {
+        if (parts.isEmpty()) {
             sentences.add(folder + ": there is no part of a picture in it; paprsek render SCENE --shard I/N -o " + Again.quoted(folder.toString()) + " makes them");
             return sentences;
         }
-        if (missing() > 0) {
-            sentences.addAll(lacking());
+        IntFunction<Grid> covered = covered();
+        List<Integer> lacking = lacking(covered).boxed().toList();
+        if (!lacking.isEmpty()) {
+            sentences.add(folder + ": " + missing(covered, lacking) + "; this makes them, where the others were made:");
+            sentences.add(line(covered));
         }
         return sentences;
     }
 
-    /** What is missing, by the shares into which most of the parts were dealt. */
-    private List<String> lacking() {
-        Grid grid = covered();
+    private String missing(IntFunction<Grid> covered, List<Integer> lacking) {
+        if (!span().isStill()) {
+            return "of " + lacking.size() + " of " + span().count() + " frames tiles are missing: " + told(lacking.stream().map(String::valueOf).toList());
+        }
         Tile region = card.orElseThrow().region();
-        List<Tile> tiles = Grid.tiles(region, Grid.SIDE).stream().filter(tile -> !grid.covers(tile)).toList();
-        String places = tiles.stream().limit(MOST_TOLD).map(tile -> tile.x() + "," + tile.y() + "," + tile.width() + "," + tile.height()).collect(Collectors.joining(" "));
+        List<Tile> tiles = Grid.tiles(region, Grid.SIDE);
+        List<Tile> missing = tiles.stream().filter(tile -> !covered.apply(0).covers(tile)).toList();
+        return missing.size() + " of " + tiles.size() + " tiles are missing: " + told(missing.stream().map(tile -> tile.x() + "," + tile.y() + "," + tile.width() + "," + tile.height()).toList());
+    }
+
+    private static String told(List<String> places) {
+        return places.stream().limit(MOST_TOLD).collect(Collectors.joining(" ")) + (places.size() > MOST_TOLD ? " and others" : "");
+    }
+
+    /** What makes all that is missing, by the shares into which most of the parts were dealt. */
+    private String line(IntFunction<Grid> covered) {
         int count = usual(part -> part.shard().count(), part -> true, Comparator.<Integer>naturalOrder());
-        List<String> words = usual(PartHead::words, part -> part.shard().count() == count, Comparator.comparing(List::toString));
-        List<Integer> shares = new Deal(region, count).owners(piece -> !grid.covers(piece.tile()));
-        return List.of(folder + ": " + tiles.size() + " of " + grid.cells() + " tiles are missing: " + places + (tiles.size() > MOST_TOLD ? " and others" : "") + "; this makes them, where the others were made:",
-                Again.line(words, shares, count, folder));
+        Span span = usual(PartHead::span, part -> part.shard().count() == count, Comparator.comparing(Span::first).thenComparing(Span::last));
+        List<String> words = usual(PartHead::words, part -> part.shard().count() == count && part.span().equals(span), Comparator.comparing(List::toString));
+        List<Integer> shares = new Deal(card.orElseThrow().region(), span, count).owners(piece -> span().has(piece.frame()) && !covered.apply(piece.frame()).covers(piece.tile()));
+        return Again.line(words, shares, count, folder);
     }
 
     /** What most of the parts have. */
