@@ -197,8 +197,8 @@ final class RenderCommand implements Callable<Integer> {
         if (time.isPresent() && !(time.get() > 0)) {
             throw new WrongUsage("--time must be a number of seconds above 0, but is " + Numbers.text(time.get()));
         }
-        if (!mistakes.made().equals(Mistakes.NONE) && (mode != RenderMode.SHADED || region.isPresent() || resume || time.isPresent() || pixels.isTransparent() || pixels.haveLayers())) {
-            throw new WrongUsage("--mistake is for whole pictures of light, without --mode, --region, --resume, --time, --transparent and --aov");
+        if (!mistakes.made().equals(Mistakes.NONE) && (mode != RenderMode.SHADED || region.isPresent() || resume || time.isPresent() || pixels.isTransparent() || pixels.haveLayers() || pixels.isDenoised())) {
+            throw new WrongUsage("--mistake is for whole pictures of light, without --mode, --region, --resume, --time, --transparent, --aov and --denoise");
         }
         shard.ifPresent(one -> checkShared());
         if (json) {
@@ -221,6 +221,9 @@ final class RenderCommand implements Callable<Integer> {
         }
         if (resume || time.isPresent() || !mistakes.made().equals(Mistakes.NONE)) {
             throw new WrongUsage("--shard is without --resume, which it does by itself, and without --time and --mistake");
+        }
+        if (pixels.isDenoised()) {
+            throw new WrongUsage("--denoise needs the whole picture, of which --shard makes a part");
         }
         if (bits.isPresent() || uncompressed || raw) {
             throw new WrongUsage("--bits, --uncompressed and --raw are said when the parts are put together: paprsek merge DIR -o FILE");

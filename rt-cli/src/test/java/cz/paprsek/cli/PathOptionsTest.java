@@ -42,6 +42,20 @@ class PathOptionsTest {
     }
 
     @Test
+    void whatIsDenoisedIsWholeAndItsBytesDoNotTellHowItWasMade() throws Exception {
+        Path picture = folder.resolve("a.pfm");
+        Path atOnce = folder.resolve("b.pfm");
+        render(picture, "--denoise", "--samples", 64, "--resume", "--size", "24x16");
+        assertThat(render(picture, "--denoise", "--samples", 128, "--resume", "--size", "24x16").code()).isEqualTo(ExitCode.DONE);
+        render(atOnce, "--denoise", "--samples", 128, "--size", "24x16", "--threads", 1);
+        assertThat(picture).hasSameBinaryContentAs(atOnce);
+        assertThat(render(picture, "--denoise", "--region", "0,0,9,8").err()).contains("a denoiser needs the whole picture, not a region of it");
+        assertThat(render(picture, "--denoise", "--samples", 100).err()).contains("whole passes: samples of a multiple of 64, not 100");
+        assertThat(Run.cli("render", scene, "--denoise", "-o", picture).err()).contains("a denoiser is for integrator path");
+        assertThat(render(folder, "--denoise", "--shard", "1/2").err()).contains("--denoise needs the whole picture");
+    }
+
+    @Test
     void timeEndsAPictureAfterWholePasses() throws Exception {
         Path picture = folder.resolve("a.ppm");
         assertThat(render(picture, "--time", "0.2").code()).isEqualTo(ExitCode.DONE);

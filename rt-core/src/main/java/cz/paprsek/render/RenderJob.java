@@ -2,6 +2,7 @@ package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.image.Layers;
+import cz.paprsek.render.denoise.Denoiser;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.integrate.Integrator;
@@ -218,6 +219,13 @@ final class RenderJob implements Workers.Work {
         }
     }
 
+    /** Takes the noise out of the picture, which is complete, if that is wished. */
+    void denoise(Workers workers) {
+        if (options.denoised() && !new Denoiser(film, image, options.paths(), options.kept(scene.scene()), this::cancelled).run(workers, options.threads())) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
     synchronized RenderResult.Stats stats(double buildSeconds, double traceSeconds) {
         return new RenderResult.Stats(total.primary(), total.reflected(), total.refracted(), total.shadow(), total.hits(),
                 buildSeconds, traceSeconds);
@@ -232,7 +240,7 @@ final class RenderJob implements Workers.Work {
         RenderSettings settings = options.settings();
         // What is shown of things seen is no light whose spread would tell how many rays it takes; what is shown of rays is.
         RenderSettings shown = options.mode().scale().isPresent() ? settings : settings.withSamples(settings.samples()).withFilter(PixelFilter.BOX);
-        List<Object> purpose = List.of(scene.world(), options.mode(), settings.withSize(1, 1), options.fixedSampler(), options.numbers(), depths, options.layers(), options.transparent());
+        List<Object> purpose = List.of(scene.world(), options.mode(), settings.withSize(1, 1), options.fixedSampler(), options.numbers(), depths, options.layers(), options.transparent(), options.denoised());
         return desk.integrator(purpose, () -> options.isInPasses() ? paths() : options.isWatched()
                 ? new LayerTracer(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()), options.layers(), options.transparent())
                 : options.mode() == RenderMode.SHADED ? new Whitted(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()))
@@ -242,7 +250,7 @@ final class RenderJob implements Workers.Work {
     private Integrator paths() {
         int depth = options.settings().maxDepth();
         return options.mode() != RenderMode.SHADED ? new PathCounts(scene.world(), options.mode(), depth, options.paths(), options.numbers())
-                : options.isWatched() ? new PathLayers(scene.world(), depth, options.paths(), options.layers(), options.transparent()) : new Paths(scene.world(), depth, options.paths());
+                : options.isWatched() ? new PathLayers(scene.world(), depth, options.paths(), options.layers(), options.transparent(), options.denoised()) : new Paths(scene.world(), depth, options.paths());
     }
 
     private synchronized void add(Integrator.Work work) {

@@ -24,9 +24,11 @@ import java.util.Objects;
  * @param layers what else is to be known of each pixel, each once
  * @param transparent whether the picture is to have opacity: nothing where nothing is hit, in place of the sky or background that is still seen in mirrors and through glass,
  *     and of a pixel that is hit in part its share
+ * @param denoised whether noise is to be taken out of the finished picture, whole and of paths, in whole passes of {@value RenderSettings#USUAL_PATHS}; layers, and what is
+ *     known of its errors, stay as they are
  */
 public record RenderOptions(RenderSettings settings, Tile region, RenderMode mode, int threads, boolean numbers, boolean fixedSampler, int step,
-        List<Layer> layers, boolean transparent) {
+        List<Layer> layers, boolean transparent, boolean denoised) {
     private static final String ONLY_JUDGED = " is of paths, and of pixels with samples A..B: no others are judged";
 
     /** @throws IllegalArgumentException if the region does not lie inside the picture */
@@ -41,17 +43,22 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
         Require.that(mode == RenderMode.SHADED || (layers.isEmpty() && !transparent), "layers and transparency are of pictures of light, not of " + mode);
         Require.that(!layers.contains(Layer.ERROR) || settings.isPath() || settings.isAdaptive(), "layer error" + ONLY_JUDGED);
         Require.that(mode != RenderMode.ERROR || settings.isPath() || settings.isAdaptive(), "mode error" + ONLY_JUDGED);
+        Require.that(!denoised || mode == RenderMode.SHADED, "a denoiser is for pictures of light, not of " + mode);
+        Require.that(!denoised || settings.isPath(), "a denoiser is for integrator path: other pictures have no noise that it would know");
+        Require.that(!denoised || settings.mostRays() % RenderSettings.USUAL_PATHS == 0,
+                "a denoiser needs whole passes: samples of a multiple of " + RenderSettings.USUAL_PATHS + ", not " + settings.mostRays());
         int columns = coarse(settings.width(), step);
         int rows = coarse(settings.height(), step);
         Require.that(region.x() + region.width() <= columns && region.y() + region.height() <= rows,
                 "region " + region.x() + "," + region.y() + "," + region.width() + "," + region.height()
                         + " must lie inside the picture of " + columns + " × " + rows + " pixels");
+        Require.that(!denoised || (region.width() == columns && region.height() == rows), "a denoiser needs the whole picture, not a region of it");
     }
 
     /** The whole picture, on all processors. */
     public static RenderOptions of(RenderSettings settings) {
         return new RenderOptions(settings, new Tile(0, 0, settings.width(), settings.height()), RenderMode.SHADED,
-                Runtime.getRuntime().availableProcessors(), false, false, 1, List.of(), false);
+                Runtime.getRuntime().availableProcessors(), false, false, 1, List.of(), false, false);
     }
 
     /** What the scene asks for. */
@@ -61,19 +68,19 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
 
     /** With others of the same size, for the same region. */
     public RenderOptions withSettings(RenderSettings other) {
-        return new RenderOptions(other, region, mode, threads, numbers, fixedSampler, step, layers, transparent);
+        return new RenderOptions(other, region, mode, threads, numbers, fixedSampler, step, layers, transparent, denoised);
     }
 
     public RenderOptions withThreads(int count) {
-        return new RenderOptions(settings, region, mode, count, numbers, fixedSampler, step, layers, transparent);
+        return new RenderOptions(settings, region, mode, count, numbers, fixedSampler, step, layers, transparent, denoised);
     }
 
     public RenderOptions withRegion(Tile part) {
-        return new RenderOptions(settings, part, mode, threads, numbers, fixedSampler, step, layers, transparent);
+        return new RenderOptions(settings, part, mode, threads, numbers, fixedSampler, step, layers, transparent, denoised);
     }
 
     public RenderOptions withMode(RenderMode shown) {
-        return new RenderOptions(settings, region, shown, threads, numbers, fixedSampler, step, layers, transparent);
+        return new RenderOptions(settings, region, shown, threads, numbers, fixedSampler, step, layers, transparent, denoised);
     }
 
     /**
@@ -81,29 +88,34 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
      * counts, in all three channels alike.
      */
     public RenderOptions withNumbers() {
-        return new RenderOptions(settings, region, mode, threads, true, fixedSampler, step, layers, transparent);
+        return new RenderOptions(settings, region, mode, threads, true, fixedSampler, step, layers, transparent, denoised);
     }
 
     /** With the same random numbers in every pixel: to be compared, pixel by pixel, with pictures of programs that are given them. */
     public RenderOptions withFixedSampler() {
-        return new RenderOptions(settings, region, mode, threads, numbers, true, step, layers, transparent);
+        return new RenderOptions(settings, region, mode, threads, numbers, true, step, layers, transparent, denoised);
     }
 
     /** With what else is to be known of each pixel. */
     public RenderOptions withLayers(List<Layer> wanted) {
-        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, wanted, transparent);
+        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, wanted, transparent, denoised);
     }
 
     /** With opacity: transparent where nothing is hit. */
     public RenderOptions withTransparency() {
-        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, layers, true);
+        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, layers, true, denoised);
+    }
+
+    /** With noise taken out once the picture is finished. */
+    public RenderOptions withDenoiser() {
+        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, layers, transparent, true);
     }
 
     /** A coarse image of the whole picture, to be shown before it: each pixel stands for step × step of them, and at right and bottom for those there are. */
     public RenderOptions withStep(int pixels) {
         Require.within("step", pixels, 1, RenderSettings.LARGEST_SIDE);
         Tile whole = new Tile(0, 0, coarse(settings.width(), pixels), coarse(settings.height(), pixels));
-        return new RenderOptions(settings, whole, mode, threads, numbers, fixedSampler, pixels, layers, transparent);
+        return new RenderOptions(settings, whole, mode, threads, numbers, fixedSampler, pixels, layers, transparent, denoised);
     }
 
     /** How many numbers each pixel gets: three of light, with opacity that, those of layers, and those that are kept from pass to pass. */
@@ -119,12 +131,12 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
 
     /** How many numbers of each pixel are kept from one pass to the next; none if all of the picture's tiles are made once and for all. */
     int kept(Scene scene) {
-        return !isInPasses() ? 0 : mode != RenderMode.SHADED ? PathCounts.kept(paths()) : isWatched() ? PathLayers.kept(paths(), layers, transparent, scene.lights().size()) : paths().kept();
+        return !isInPasses() ? 0 : mode != RenderMode.SHADED ? PathCounts.kept(paths()) : isWatched() ? PathLayers.kept(paths(), layers, transparent, denoised, scene.lights().size()) : paths().kept();
     }
 
     /** The paths of its pixels. */
     Passes paths() {
-        return new Passes(settings, fixedSampler, isJudged());
+        return new Passes(settings, fixedSampler, isJudged() || denoised);
     }
 
     /** Whether it is to be known how near pixels are to the truth. */
@@ -134,7 +146,7 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
 
     /** Whether more is to be known of pixels than their light. */
     boolean isWatched() {
-        return !layers.isEmpty() || transparent;
+        return !layers.isEmpty() || transparent || denoised;
     }
 
     /** Whether the picture is made in passes, each of which makes all of it better. */

@@ -97,6 +97,9 @@ public final class Renderer implements AutoCloseable {
             job.throwFailure();
         } while (job.isComplete() && job.goesOn());
         job.throwFailure();
+        if (job.isComplete()) {
+            job.denoise(workers);
+        }
         RenderResult.Stats stats = job.stats(scene.buildSeconds(), (System.nanoTime() - begin) / 1e9);
         return new RenderResult(job.image(), job.layers(), stats, job.isComplete() ? Outcome.DONE : Outcome.CANCELLED, job.certainty());
     }

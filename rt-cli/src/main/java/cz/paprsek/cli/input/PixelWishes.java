@@ -18,6 +18,14 @@ public final class PixelWishes {
                 + "Normals and distances are of what is seen first, in scene units."})
     private List<Layer> layers = List.of();
 
+    @Option(names = "--denoise", description =
+            "Takes the noise out of a picture of --integrator path once it is whole, led by colours, normals, distances and by how sure each pixel is. Layers stay as they are.")
+    private boolean denoised;
+
+    public boolean isDenoised() {
+        return denoised;
+    }
+
     public boolean isTransparent() {
         return transparent;
     }
@@ -29,6 +37,7 @@ public final class PixelWishes {
     /** @throws IllegalArgumentException if the mode is none of light, or a layer is wished for twice */
     public RenderOptions applyTo(RenderOptions options) {
         RenderOptions layered = options.withLayers(layers);
-        return transparent ? layered.withTransparency() : layered;
+        RenderOptions seen = transparent ? layered.withTransparency() : layered;
+        return denoised ? seen.withDenoiser() : seen;
     }
 }

@@ -255,6 +255,7 @@ public final class Checkpoint implements AutoCloseable {
     private static RenderOptions comparable(RenderOptions options) {
         RenderOptions alone = options.withThreads(1);
         RenderSettings settings = options.settings();
-        return options.isInPasses() ? alone.withSettings(settings.withSamples(1, settings.isAdaptive() ? 1 : 0).withError(1).withConfidence(RenderSettings.DEFAULT.confidence())) : alone;
+        int few = options.denoised() ? RenderSettings.USUAL_PATHS : 1;
+        return options.isInPasses() ? alone.withSettings(settings.withSamples(few, settings.isAdaptive() ? few : 0).withError(1).withConfidence(RenderSettings.DEFAULT.confidence())) : alone;
     }
 }

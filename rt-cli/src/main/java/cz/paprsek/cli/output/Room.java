@@ -16,6 +16,8 @@ final class Room {
     private static final int LIGHT = 3;
     /** Two copies of 8-bit pixels, which the platform's writers need; OpenEXR's table of blocks comes before them. */
     private static final int ENCODED = 8;
+    /** Numbers of a pixel that a denoiser works with. */
+    private static final int DENOISED = 41;
     /** About what an object takes with all that is prepared of it. */
     private static final int OBJECT = 600;
 
@@ -28,7 +30,7 @@ final class Room {
             case PNG, PPM, PGM, PFM, TXT, RAW, PPM16, HDR -> false;
         };
         // Layers are copied when all is there; what is kept from pass to pass is not.
-        long traced = Float.BYTES * ((long) options.channels(scene) + options.keptFrom(scene) - LIGHT);
+        long traced = Float.BYTES * ((long) options.channels(scene) + options.keptFrom(scene) - LIGHT + (options.denoised() ? DENOISED : 0));
         return (long) options.region().width() * options.region().height() * (isEncoded ? traced + ENCODED : traced);
     }
 

@@ -136,6 +136,11 @@ public final class PassSums extends PixelSums {
         mean(now, count);
     }
 
+    /** Finds what one of the sequences that whole passes are taken from brings: red, green and blue. Of judged samples only. */
+    public void sequence(int number) {
+        mean(scrambles[number], count / scrambles.length);
+    }
+
     @Override
     boolean areNear() {
         return target.isMet(halfWidth()) && isTrusted();
@@ -165,7 +170,7 @@ public final class PassSums extends PixelSums {
 
     private void tellGroups() {
         for (int i = 0; i < scrambles.length; i++) {
-            mean(scrambles[i], count / scrambles.length);
+            sequence(i);
             target.group(i, this);
         }
     }

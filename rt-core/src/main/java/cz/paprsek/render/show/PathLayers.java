@@ -17,24 +17,25 @@ public final class PathLayers extends Paths {
     private final PathSums sums;
     private final float[] kept;
 
-    public PathLayers(World scene, int maxDepth, Passes sampling, List<Layer> layers, boolean transparent) {
-        this(scene, maxDepth, sampling, new PathSums(scene, sampling, layers, transparent));
+    /** @param guided whether a denoiser is to be guided */
+    public PathLayers(World scene, int maxDepth, Passes sampling, List<Layer> layers, boolean transparent, boolean guided) {
+        this(scene, maxDepth, sampling, new PathSums(scene, sampling, layers, transparent, guided), guided);
     }
 
-    private PathLayers(World scene, int maxDepth, Passes sampling, PathSums sums) {
+    private PathLayers(World scene, int maxDepth, Passes sampling, PathSums sums, boolean guided) {
         super(scene, maxDepth, sampling, sums.sight);
         this.sampling = sampling;
         this.sums = sums;
-        kept = new float[kept(sampling, sums.layers, sums.transparent, scene.lamps().length)];
+        kept = new float[kept(sampling, sums.layers, sums.transparent, guided, scene.lamps().length)];
     }
 
     /**
-     * How many numbers of a pixel are kept from pass to pass.
+     * How many numbers of a pixel are kept from pass to pass: first the sums of its light, and last, if a denoiser is guided, its {@link Guides}.
      *
      * @param lights how many the scene has
      */
-    public static int kept(Passes sampling, List<Layer> layers, boolean transparent, int lights) {
-        return PathSums.kept(sampling, layers, transparent, lights);
+    public static int kept(Passes sampling, List<Layer> layers, boolean transparent, boolean guided, int lights) {
+        return PathSums.kept(sampling, layers, transparent, guided, lights);
     }
 
     @Override
@@ -50,6 +51,7 @@ public final class PathLayers extends Paths {
             sums.sight.begin();
             traceAlone(eye, x, y, before + i);
             sums.add(alone());
+            sums.guide();
         }
         if (isCancelled()) {
             return;

@@ -3,6 +3,7 @@ package cz.paprsek.render.show;
 import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.sample.PassSums;
 import cz.paprsek.render.sample.Passes;
+import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.surface.World;
 import java.util.List;
 import java.util.stream.Stream;
@@ -13,13 +14,16 @@ final class PathSums extends LayerSums<PassSums> {
     private final boolean asksForHits;
     private final boolean asksForObject;
     private final boolean asksForError;
+    private final boolean isGuided;
+    private final Guides guides = new Guides();
     private int object;
     private double interval;
 
-    PathSums(World scene, Passes sampling, List<Layer> layers, boolean transparent) {
+    PathSums(World scene, Passes sampling, List<Layer> layers, boolean transparent, boolean guided) {
         super(scene, new FirstSight(scene), layers, transparent, sampling::newSums, sampling::newOtherSums);
         asksForHits = layers.contains(Layer.NORMAL) || layers.contains(Layer.DEPTH);
         asksForObject = layers.contains(Layer.OBJECT);
+        isGuided = guided;
         asksForError = layers.contains(Layer.ERROR);
         Stream<PassSums> more = Stream.of(transparent ? Stream.of(cover) : Stream.<PassSums>empty(), layers.contains(Layer.ALBEDO) ? Stream.of(albedo) : Stream.<PassSums>empty(),
                 asksForDirect(layers) ? Stream.of(direct) : Stream.<PassSums>empty(), sources.stream()).flatMap(one -> one);
@@ -30,9 +34,9 @@ final class PathSums extends LayerSums<PassSums> {
         return layers.contains(Layer.DIRECT) || layers.contains(Layer.INDIRECT);
     }
 
-    /** How many numbers of a pixel are kept. */
-    static int kept(Passes sampling, List<Layer> layers, boolean transparent, int lights) {
-        return sampling.kept() * (transparent ? 2 : 1)
+    /** How many numbers of a pixel are kept: last those that guide. */
+    static int kept(Passes sampling, List<Layer> layers, boolean transparent, boolean guided, int lights) {
+        return (guided ? Guides.SIZE : 0) + sampling.kept() * (transparent ? 2 : 1)
                 + sampling.keptOfOthers() * ((layers.contains(Layer.ALBEDO) ? 1 : 0) + (asksForDirect(layers) ? 1 : 0) + (layers.contains(Layer.LIGHT) ? lights + 1 : 0))
                 + (layers.contains(Layer.NORMAL) || layers.contains(Layer.DEPTH) ? FirstHits.SIZE : 0) + (layers.contains(Layer.OBJECT) ? 1 : 0);
     }
@@ -45,7 +49,10 @@ final class PathSums extends LayerSums<PassSums> {
         }
         sight.hits.clear();
         at = asksForHits ? sight.hits.load(numbers, at) : at;
-        object = asksForObject ? (int) numbers[at] : 0;
+        object = asksForObject ? (int) numbers[at++] : 0;
+        if (isGuided) {
+            guides.load(numbers, at);
+        }
         judge();
     }
 
@@ -62,13 +69,24 @@ final class PathSums extends LayerSums<PassSums> {
         }
         at = asksForHits ? sight.hits.save(numbers, at) : at;
         if (asksForObject) {
-            numbers[at] = object;
+            numbers[at++] = object;
+        }
+        if (isGuided) {
+            guides.save(numbers, at);
+        }
+    }
+
+    /** What guides is taken from the sample that was added last as well, if anything is to be guided. */
+    void guide() {
+        if (isGuided) {
+            guides.add(2 * Sampler.scramble(light.count() - 1) / Sampler.SCRAMBLES, sight.guide);
         }
     }
 
     /** A pass has ended, be it whole or the last. Which object most samples meet is known from the first one. */
     void endPass(boolean isFirst) {
         sight.hits.round();
+        guides.round();
         object = isFirst ? sight.hits.mostFrequent() : object;
         if (light.areWhole()) {
             judge();

@@ -1,0 +1,52 @@
+package cz.paprsek.render.denoise;
+
+import cz.paprsek.image.Image;
+import cz.paprsek.render.film.Film;
+import cz.paprsek.render.sample.Passes;
+import cz.paprsek.render.show.Guides;
+import cz.paprsek.render.work.Workers;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Takes the noise out of a picture of paths. Each pixel becomes what a plane says that is laid through its neighbours: light as a linear function of their colours, normals and
+ * distances, and of their place. Neighbours count as far as noise may explain how they differ from the pixel, of which the paths' own variances tell. The paths are taken as two
+ * halves: of each, the other half says which neighbours count, and how good what was found is; so of several ways that with the least error is chosen, pixel by pixel.
+ *
+ * @source Rousselle, Knaus and Zwicker, 2012, and Bitterli et al., 2016, as cited in {@link Likeness} and {@link Fit}
+ */
+public final class Denoiser {
+    private final Film film;
+    private final Image image;
+    private final Passes paths;
+    private final int kept;
+    private final BooleanSupplier stop;
+
+    /**
+     * Of a picture that is whole.
+     *
+     * @param image what becomes of the film
+     * @param kept how many numbers of a pixel are kept: the sums of its light first, its guides last
+     */
+    public Denoiser(Film film, Image image, Passes paths, int kept, BooleanSupplier stop) {
+        this.film = film;
+        this.image = image;
+        this.paths = paths;
+        this.kept = kept;
+        this.stop = stop;
+    }
+
+    /** Changes the image; false if the calling thread was interrupted, or all is to stop. */
+    public boolean run(Workers workers, int threads) {
+        Noisy noisy = new Noisy(image.width(), image.height(), Guides.COUNT);
+        return Stage.run(workers, threads, noisy, () -> new Gathering(film, paths, kept, noisy), stop) && clean(noisy, image, workers, threads, stop);
+    }
+
+    /** Puts into an image what is left of a noisy one without its noise; false as {@link #run}. */
+    static boolean clean(Noisy noisy, Image image, Workers workers, int threads, BooleanSupplier stop) {
+        Noisy calm = new Noisy(noisy);
+        Found found = new Found(Fitting.WAYS, noisy.width, noisy.height);
+        return Stage.run(workers, threads, noisy, () -> new Calming(noisy, calm), stop)
+                && Stage.run(workers, threads, noisy, () -> new Fitting(calm, found), stop)
+                && Stage.run(workers, threads, noisy, () -> new Choosing(calm, found, image), stop);
+    }
+}

@@ -1,0 +1,2 @@
+/** Takes noise out of pictures of paths. */
+package cz.paprsek.render.denoise;
