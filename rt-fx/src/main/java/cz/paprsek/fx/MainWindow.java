@@ -19,7 +19,7 @@ import cz.paprsek.fx.view.shell.FocusOrder;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.shell.ProblemList;
 import cz.paprsek.fx.view.shell.StatusBar;
-import cz.paprsek.fx.view.texts.PathNames;
+import cz.paprsek.fx.view.texts.Measures;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.fx.view.tree.ObjectTree;
 import cz.paprsek.scene.ScenePath;
@@ -196,7 +196,7 @@ final class MainWindow {
 
     private void showSelection() {
         EditorModel model = editor.model();
-        status.showSelection(PathNames.of(model.scene(), model.selection(), editor.texts()));
+        status.showSelection(Measures.of(model.state(), editor.texts()));
     }
 
     /**

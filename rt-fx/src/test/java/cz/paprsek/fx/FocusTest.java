@@ -138,7 +138,7 @@ class FocusTest {
         find("snap");
         assertThat(editor.editor.snapping().get()).as("what is switched").isFalse();
         editor.gui.keys(KeyCode.CONTROL, KeyCode.K);
-        type("intersection");
+        type("make it the first: that");
         editor.gui.keys(KeyCode.ENTER);
         assertThat(owner()).as("what cannot be done now is not done").isEqualTo("finder-field");
         editor.gui.keys(KeyCode.ESCAPE);

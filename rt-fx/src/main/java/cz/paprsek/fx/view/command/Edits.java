@@ -39,6 +39,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
@@ -224,6 +225,11 @@ public final class Edits {
         } else {
             edit(Edit.CHANGE, bodies, state -> state.withScene(Materials.give(state.scene(), bodies, name, material)));
         }
+    }
+
+    /** Does one of the things of {@code Arranging} to what is selected. */
+    void arrange(Edit edit, BiFunction<EditorState, Set<ScenePath>, EditorState> arranging) {
+        edit(edit, model.selection(), state -> arranging.apply(state, state.selection()));
     }
 
     /** Gives what is selected pivots of their own, to be moved, or takes them away. */

@@ -124,6 +124,8 @@ public final class SelectionCommands {
     /** Names, operations, lights and cameras, hiding and locking. */
     public List<MenuItem> objectItems() {
         List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve, repeat, repeatRound, pivot));
+        items.add(new ArrangeCommands(edits).menu());
+        items.addAll(new ArrangeCommands(edits).operandItems());
         items.add(new SeparatorMenuItem());
         items.addAll(items(soften, look, makeFirst, addCamera));
         items.add(new SeparatorMenuItem());

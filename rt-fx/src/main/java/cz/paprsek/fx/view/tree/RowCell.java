@@ -2,11 +2,14 @@ package cz.paprsek.fx.view.tree;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.edit.Arranging;
+import cz.paprsek.fx.model.edit.Arranging.Role;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
+import java.util.Locale;
 import java.util.Optional;
 import javafx.beans.InvalidationListener;
 import javafx.beans.WeakInvalidationListener;
@@ -91,6 +94,10 @@ final class RowCell extends ListCell<TreeRow> {
         boolean hidden = shown && state.isHidden(row.item());
         boolean locked = shown && state.isLocked(row.item());
         pseudoClassStateChanged(DIMMED, hidden || (shown && row.item() instanceof BodyAt at && at.way().anyMatch(around -> around.find(state.scene()).filter(Body::hidden).isPresent())));
+        Optional<Role> role = shown && row.item() instanceof BodyAt at && at.isIn(state.scene()) ? Arranging.role(state.scene(), at) : Optional.empty();
+        for (Role each : Role.values()) {
+            pseudoClassStateChanged(PseudoClass.getPseudoClass(each.name().toLowerCase(Locale.ROOT)), role.equals(Optional.of(each)));
+        }
         toggled(eye, eyeIcon, hidden, "mdi2e-eye-off-outline", "mdi2e-eye-outline");
         toggled(lock, lockIcon, locked, "mdi2l-lock-outline", "mdi2l-lock-open-variant-outline");
         for (Drop.Where where : Drop.Where.values()) {

@@ -1,0 +1,188 @@
+package cz.paprsek.fx.model.edit;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Places;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Body;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Csg.Operation;
+import cz.paprsek.shape.Plane;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/** Puts bodies in line, on the floor, and in their roles, as changes for {@link EditorModel#editState}. All go by the boxes of bodies in the world. */
+public final class Arranging {
+    /** Bodies that stand on each other may reach into each other by rounding, in parts of their size. */
+    private static final double SLACK = 1e-6;
+    private static final double INF = Double.POSITIVE_INFINITY;
+
+    private Arranging() {}
+
+    /** An axis of the world. */
+    public enum Axis {
+        X, Y, Z;
+
+        private double of(Vec3 v) {
+            return this == X ? v.x() : this == Y ? v.y() : v.z();
+        }
+
+        private Vec3 times(double length) {
+            return this == X ? new Vec3(length, 0, 0) : this == Y ? new Vec3(0, length, 0) : new Vec3(0, 0, length);
+        }
+
+        private double least(Bounds box) {
+            return this == X ? box.minX() : this == Y ? box.minY() : box.minZ();
+        }
+
+        private double most(Bounds box) {
+            return this == X ? box.maxX() : this == Y ? box.maxY() : box.maxZ();
+        }
+    }
+
+    /** What of boxes is brought in line. */
+    public enum Side { LEAST, MIDDLE, MOST }
+
+    /** The box of a body in the world; empty if it has no end. */
+    public static Optional<Bounds> box(Scene scene, BodyAt at) {
+        return at.find(scene).map(body -> at.placed(scene).bounds()).filter(box -> box.isFinite() && !box.isEmpty());
+    }
+
+    /** Moves bodies along an axis, so that a side or the middle of each is where that of the first is. */
+    public static EditorState aligned(EditorState state, Collection<? extends ScenePath> items, Axis axis, Side side) {
+        List<BodyAt> bodies = withBoxes(state.scene(), items);
+        if (bodies.size() < 2) {
+            throw new IllegalArgumentException("select at least two bodies that have an end");
+        }
+        double line = place(box(state.scene(), bodies.get(0)).orElseThrow(), axis, side);
+        return moved(state, bodies, at -> axis.times(line - place(box(state.scene(), at).orElseThrow(), axis, side)));
+    }
+
+    /** Moves bodies along an axis, so that the middles of all are equally far apart; the outermost stay. */
+    public static EditorState distributed(EditorState state, Collection<? extends ScenePath> items, Axis axis) {
+        Scene scene = state.scene();
+        List<BodyAt> bodies = withBoxes(scene, items);
+        if (bodies.size() < 3) {
+            throw new IllegalArgumentException("select at least three bodies that have an end");
+        }
+        Map<BodyAt, Double> middles = new HashMap<>();
+        bodies.forEach(at -> middles.put(at, place(box(scene, at).orElseThrow(), axis, Side.MIDDLE)));
+        List<BodyAt> sorted = bodies.stream().sorted(Comparator.comparingDouble(at -> middles.getOrDefault(at, 0.0))).toList();
+        double first = middles.getOrDefault(sorted.get(0), 0.0);
+        double step = (middles.getOrDefault(sorted.get(sorted.size() - 1), 0.0) - first) / (sorted.size() - 1);
+        return moved(state, bodies, at -> axis.times(first + step * sorted.indexOf(at) - middles.getOrDefault(at, 0.0)));
+    }
+
+    /** Moves bodies down, or up, onto the highest thing below each, or else onto the floor y = 0. Of things that are not boxes, the boxes count. */
+    public static EditorState onFloor(EditorState state, Collection<? extends ScenePath> items) {
+        Scene scene = state.scene();
+        List<BodyAt> bodies = withBoxes(scene, items);
+        if (bodies.isEmpty()) {
+            throw new IllegalArgumentException("select a body that has an end");
+        }
+        Set<Integer> moving = Set.copyOf(bodies.stream().map(at -> at.object().index()).distinct().toList());
+        List<Bounds> others = IntStream.range(0, scene.objects().size()).filter(i -> !moving.contains(i) && !state.isHidden(ScenePath.body(i)) && !scene.objects().get(i).hidden())
+                .mapToObj(i -> support(scene, ScenePath.body(i))).filter(box -> Double.isFinite(box.maxY())).toList();
+        return moved(state, bodies, at -> {
+            Bounds box = box(scene, at).orElseThrow();
+            double middle = (box.minY() + box.maxY()) / 2;
+            double slack = SLACK * (1 + box.maxY() - box.minY());
+            double support = others.stream().filter(other -> other.maxY() <= middle + slack && isBelow(other, box)).mapToDouble(Bounds::maxY).max().orElse(0);
+            return new Vec3(0, support - box.minY(), 0);
+        });
+    }
+
+    /** What a body may be put on: of a plane, if it is level, all below it. */
+    private static Bounds support(Scene scene, BodyAt at) {
+        Body body = at.in(scene);
+        Vec3 turned = body.placement().rotation();
+        boolean isLevel = turned.x() == 0 && turned.z() == 0 && body.placement().scale().y() > 0;
+        return !(body.shape() instanceof Plane) ? at.placed(scene).bounds()
+                : isLevel ? new Bounds(-INF, -INF, -INF, INF, body.placement().position().y(), INF) : Bounds.EMPTY;
+    }
+
+    /** Whether a box, drawn out upwards, would meet another one with more than its rim. */
+    private static boolean isBelow(Bounds other, Bounds box) {
+        return other.minX() < box.maxX() && other.maxX() > box.minX() && other.minZ() < box.maxZ() && other.maxZ() > box.minZ();
+    }
+
+    /** Makes an operand the first of its operation; of an operation, the second. */
+    public static EditorState base(EditorState state, Collection<? extends ScenePath> items) {
+        BodyAt operand = Places.bodies(items).stream().findFirst().map(at -> at.in(state.scene()).shape() instanceof Csg csg && csg.operands().size() > 1 ? at.child(1) : at)
+                .filter(at -> at.depth() > 0 && at.index() > 0).orElseThrow(() -> new IllegalArgumentException("select an operand that is not the first, or an operation of several"));
+        return Structure.move(state, List.of(operand), Optional.of(operand.parent()), 0);
+    }
+
+    /** Leaves all other operands of an operation out; takes all in again if they are out already. */
+    public static EditorState solo(EditorState state, Collection<? extends ScenePath> items) {
+        List<BodyAt> chosen = Places.bodies(items).stream().filter(at -> at.depth() > 0).toList();
+        List<BodyAt> others = chosen.stream().map(BodyAt::parent).distinct().flatMap(parent -> children(state.scene(), parent)).filter(at -> !chosen.contains(at)).toList();
+        if (others.isEmpty()) {
+            throw new IllegalArgumentException("select an operand of several");
+        }
+        boolean isOut = others.stream().allMatch(at -> at.in(state.scene()).hidden());
+        return state.withScene(state.scene().with(others, (at, body) -> body.hidden(!isOut)));
+    }
+
+    private static Stream<BodyAt> children(Scene scene, BodyAt parent) {
+        return IntStream.range(0, parent.in(scene).operands().size()).mapToObj(parent::child);
+    }
+
+    /** What an operand does in its operation; empty for objects of the scene. */
+    public static Optional<Role> role(Scene scene, BodyAt at) {
+        return at.depth() == 0 || !(at.parent().in(scene).shape() instanceof Csg csg) ? Optional.empty()
+                : Optional.of(csg.operation() == Operation.INTERSECTION ? Role.COMMON : csg.operation() == Operation.DIFFERENCE && at.index() > 0 ? Role.CUTTER : Role.BASE);
+    }
+
+    /** What is there, what is taken from it, and what is left where all are. */
+    public enum Role { BASE, CUTTER, COMMON }
+
+    private static List<BodyAt> withBoxes(Scene scene, Collection<? extends ScenePath> items) {
+        return Places.outermost(items).stream().filter(at -> box(scene, at).isPresent()).toList();
+    }
+
+    private static double place(Bounds box, Axis axis, Side side) {
+        return switch (side) {
+            case LEAST -> axis.least(box);
+            case MIDDLE -> axis.of(box.middle());
+            case MOST -> axis.most(box);
+        };
+    }
+
+    private interface Way {
+        Vec3 of(BodyAt at);
+    }
+
+    private static EditorState moved(EditorState state, List<BodyAt> bodies, Way way) {
+        Map<BodyAt, Vec3> ways = new HashMap<>();
+        bodies.stream().filter(at -> !state.isLocked(at)).forEach(at -> ways.put(at, way.of(at)));
+        Scene scene = state.scene();
+        for (BodyAt at : new ArrayList<>(bodies)) {
+            Vec3 by = ways.getOrDefault(at, Vec3.ZERO);
+            scene = Moves.translated(scene, List.of(at), new Vec3(readable(by.x()), readable(by.y()), readable(by.z())));
+        }
+        Scene arranged = scene.with(bodies, (at, body) -> body.placed(body.placement().withPosition(readable(body.placement().position()))));
+        return state.withScene(arranged);
+    }
+
+    private static Vec3 readable(Vec3 v) {
+        return new Vec3(readable(v.x()), readable(v.y()), readable(v.z()));
+    }
+
+    /** Without what sums of decimals leave behind. */
+    private static double readable(double value) {
+        return Math.rint(value * 1e9) / 1e9 + 0.0;
+    }
+}
