@@ -41,12 +41,12 @@ import picocli.CommandLine.Parameters;
         description = {
             "Writes pixels as exercises to be printed: of each the sketch of its rays, what is given, and lines to fill in, each reckoned from the numbers above it "
                     + "with a pocket calculator, to four decimals. The solutions are on a sheet of their own. Of the ray through the middle of a pixel.",
-            "A browser prints the page, also to a PDF."
+            "A PDF has pages of A4; a page of HTML is printed by a browser."
         },
         footer = {
             "",
             "Examples:",
-            "  paprsek worksheet csg.xml --pixel 480,300 -o sheet.html",
+            "  paprsek worksheet csg.xml --pixel 480,300 -o sheet.pdf",
             "  paprsek worksheet csg.xml --pixel 480,300 --pixel 200,400 --seed 7 --language cs -o 7.html"
         })
 final class WorksheetCommand implements Callable<Integer> {
@@ -66,7 +66,7 @@ final class WorksheetCommand implements Callable<Integer> {
     @Option(names = "--language", paramLabel = "LANGUAGE", defaultValue = "en", description = "${COMPLETION-CANDIDATES}: English or Czech. Default: ${DEFAULT-VALUE}.")
     private Language language;
 
-    @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true, description = "The page, which ends in .html.")
+    @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true, description = "The worksheet, which ends in .pdf or .html.")
     private Path output;
 
     @Option(names = "--scene", paramLabel = "NAME", description = "Which scene of a database.")
@@ -91,10 +91,10 @@ final class WorksheetCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        if (!output.toString().toLowerCase(Locale.ROOT).endsWith(".html")) {
-            throw new WrongUsage("a worksheet is a page that browsers print, also to PDF: name a file that ends in .html, not " + output);
+        if (!isPdf() && !output.toString().toLowerCase(Locale.ROOT).endsWith(".html")) {
+            throw new WrongUsage("a worksheet is a PDF, or a page that browsers print: name a file that ends in .pdf or .html, not " + output);
         }
-        String page;
+        byte[] page;
         try {
             Scene scene = ChosenScene.of(file, name, camera, given);
             page = page(scene);
@@ -113,7 +113,7 @@ final class WorksheetCommand implements Callable<Integer> {
             return ExitCode.FAILED;
         }
         try {
-            stop.guard(() -> AtomicFile.write(output, out -> out.write(page.getBytes(StandardCharsets.UTF_8))));
+            stop.guard(() -> AtomicFile.write(output, out -> out.write(page)));
             return ExitCode.DONE;
         } catch (IOException e) {
             terminal.message(Failures.sentence(output.toString(), e));
@@ -121,7 +121,11 @@ final class WorksheetCommand implements Callable<Integer> {
         }
     }
 
-    private String page(Scene scene) throws IOException {
+    private boolean isPdf() {
+        return output.toString().toLowerCase(Locale.ROOT).endsWith(".pdf");
+    }
+
+    private byte[] page(Scene scene) throws IOException {
         RenderMonitor monitor = new RenderMonitor() {
             @Override
             public boolean cancelled() {
@@ -131,8 +135,9 @@ final class WorksheetCommand implements Callable<Integer> {
         RenderSettings settings = size.map(wanted -> scene.settings().withSize(wanted.width(), wanted.height())).orElse(scene.settings());
         try {
             RenderScene ready = RenderScene.of(scene, given.pictures().read(file, scene), monitor);
-            return new Worksheet(scene, ready, settings, places.stream().map(place -> new int[] {place.column(), place.row()}).toList(),
-                    seed.map(OptionalLong::of).orElse(OptionalLong.empty()), Words.in(Locale.forLanguageTag(language.name()))).html();
+            Worksheet sheet = new Worksheet(scene, ready, settings, places.stream().map(place -> new int[] {place.column(), place.row()}).toList(),
+                    seed.map(OptionalLong::of).orElse(OptionalLong.empty()), Words.in(Locale.forLanguageTag(language.name())));
+            return isPdf() ? sheet.pdf() : sheet.html().getBytes(StandardCharsets.UTF_8);
         } catch (UncheckedIOException unreadable) {
             throw new IOException(unreadable.getMessage(), unreadable);
         }

@@ -64,6 +64,14 @@ class WorksheetCommandTest {
         assertThat(page.replace("http://www.w3.org/2000/svg", "")).as("nothing is fetched").doesNotContain("http", "src=", "@import");
     }
 
+    @Test
+    void aFileThatEndsInPdfIsOne() throws IOException {
+        Path file = folder.resolve("sheet.PDF");
+        Run run = Run.cli("worksheet", scene, "--pixel", "24,12", "-o", file);
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(Files.readAllBytes(file)).startsWith('%', 'P', 'D', 'F', '-', '1', '.', '7').endsWith('%', '%', 'E', 'O', 'F', '\n');
+    }
+
     /** Whoever reckons with the four decimals that stand there gets to the program's own pixel, to a step or two of 255. */
     @Test
     void fourDecimalsLeadToTheProgramsPixel() throws IOException {
@@ -177,7 +185,7 @@ class WorksheetCommandTest {
     @Test
     void whatCannotBeIsSaidInALine() {
         Path page = folder.resolve("x.html");
-        assertThat(Run.cli("worksheet", scene, "--pixel", "24,12", "-o", folder.resolve("x.pdf")).err()).contains("name a file that ends in .html");
+        assertThat(Run.cli("worksheet", scene, "--pixel", "24,12", "-o", folder.resolve("x.txt")).err()).contains("name a file that ends in .pdf or .html");
         assertThat(Run.cli("worksheet", scene, "--pixel", "99,12", "-o", page).err()).startsWith("paprsek: " + scene + ": pixel 99,12 must lie inside");
         assertThat(Run.cli("worksheet", scene, "--pixel", "24", "-o", page).err()).contains("expected COLUMN,ROW");
         assertThat(Run.cli("worksheet", folder.resolve("none.xml"), "--pixel", "2,2", "-o", page).code()).isEqualTo(3);

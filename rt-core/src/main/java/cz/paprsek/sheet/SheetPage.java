@@ -4,6 +4,7 @@ import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.sheet.Worksheet.Task;
 import cz.paprsek.words.Words;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalLong;
 
@@ -31,6 +32,17 @@ final class SheetPage {
         this.words = words;
     }
 
+    /** What a line shows: a formula with numbers, a result, or room to write that. */
+    record Row(String formula, String numbers, String result, boolean isBlank) {}
+
+    String title() {
+        return title;
+    }
+
+    String solutions() {
+        return words.of("sheet.solution") + (seed.isPresent() ? ", " + words.of("sheet.variant", seed.getAsLong()) : "");
+    }
+
     String page(List<Task> tasks) {
         html.append("<!DOCTYPE html>\n<html lang=\"").append(words.of("sheet.language")).append("\">\n<head>\n<meta charset=\"utf-8\">\n<title>").append(escaped(title))
                 .append("</title>\n<style>\n").append(STYLE).append("</style>\n</head>\n<body>\n");
@@ -41,7 +53,7 @@ final class SheetPage {
             task(i + 1, tasks.get(i), false);
         }
         html.append("<div class=\"solution\">\n");
-        element("h1", "", words.of("sheet.solution") + (seed.isPresent() ? ", " + words.of("sheet.variant", seed.getAsLong()) : ""));
+        element("h1", "", solutions());
         for (int i = 0; i < tasks.size(); i++) {
             task(i + 1, tasks.get(i), true);
         }
@@ -63,40 +75,52 @@ final class SheetPage {
             }
             html.append("</table>\n");
         }
-        screen(task, isSolved);
+        element("p", "remark", words.of("sheet.screen"));
+        html.append("<table>\n");
+        screen(task).forEach(line -> line(line, isSolved));
+        html.append("</table>\n");
         if (isSolved) {
-            LinearRgb light = task.pixel().developed();
-            element("p", "remark", words.of("sheet.all-digits", Pocket.text(light), Pocket.shown(light)));
+            element("p", "remark", allDigits(task));
         }
     }
 
+    String allDigits(Task task) {
+        LinearRgb light = task.pixel().developed();
+        return words.of("sheet.all-digits", Pocket.text(light), Pocket.shown(light));
+    }
+
     /** What becomes of the light on a screen: exposed and toned if the picture is, and in sRGB. */
-    private void screen(Task task, boolean isSolved) {
+    List<Line> screen(Task task) {
         double exposure = Pocket.of(task.pixel().exposure());
         Tone tone = task.pixel().tone();
         String light = words.of("name.light-of", task.rays().get(task.rays().size() - 1).name());
         String twice = exposure == 0 ? "" : "2^(" + Pocket.text(exposure) + ")·";
         LinearRgb shown = Pocket.of(task.reckoned().times(StrictMath.pow(2, exposure)));
-        element("p", "remark", words.of("sheet.screen"));
-        html.append("<table>\n");
-        line(new Line("B = " + twice + light, twice + Pocket.text(task.reckoned()), Pocket.text(shown), false), isSolved);
+        List<Line> lines = new ArrayList<>();
+        lines.add(new Line("B = " + twice + light, twice + Pocket.text(task.reckoned()), Pocket.text(shown), false));
         if (tone != Tone.NONE) {
             shown = Pocket.of(new LinearRgb(tone.of(shown.red()), tone.of(shown.green()), tone.of(shown.blue())));
-            line(new Line(words.of("sheet.toned", words.of("kind." + tone)), "", Pocket.text(shown), true), isSolved);
+            lines.add(new Line(words.of("sheet.toned", words.of("kind." + tone)), "", Pocket.text(shown), true));
         }
-        line(new Line("v = 255·(1.055·B^(1/2.4) − 0.055)", "", "sRGB " + Pocket.shown(shown), false), isSolved);
-        html.append("</table>\n");
+        lines.add(new Line("v = 255·(1.055·B^(1/2.4) − 0.055)", "", "sRGB " + Pocket.shown(shown), false));
+        return lines;
+    }
+
+    static Row row(Line line, boolean isSolved) {
+        if (line.isGiven()) {
+            // What begins with a letter says itself what is equal to what.
+            return new Row(line.formula(), (Character.isLetter(line.result().charAt(0)) ? "" : "= ") + line.result(), "", false);
+        }
+        return isSolved ? new Row(line.formula(), (line.numbers().isEmpty() ? "" : "= " + line.numbers() + " ") + "=", line.result(), false) : new Row(line.formula(), "", "", true);
     }
 
     private void line(Line line, boolean isSolved) {
-        html.append("<tr><td class=\"f\">").append(escaped(line.formula())).append("</td>");
-        if (line.isGiven()) {
-            // What begins with a letter says itself what is equal to what.
-            html.append("<td>").append(Character.isLetter(line.result().charAt(0)) ? "" : "= ").append(escaped(line.result())).append("</td>");
-        } else if (isSolved) {
-            html.append("<td>").append(line.numbers().isEmpty() ? "" : "= " + escaped(line.numbers()) + " ").append("= <span class=\"result\">").append(escaped(line.result())).append("</span></td>");
-        } else {
+        Row row = row(line, isSolved);
+        html.append("<tr><td class=\"f\">").append(escaped(row.formula())).append("</td>");
+        if (row.isBlank()) {
             html.append("<td class=\"blank\">=</td>");
+        } else {
+            html.append("<td>").append(escaped(row.numbers())).append(row.result().isEmpty() ? "" : " <span class=\"result\">" + escaped(row.result()) + "</span>").append("</td>");
         }
         html.append("</tr>\n");
     }

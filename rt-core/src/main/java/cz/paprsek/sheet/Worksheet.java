@@ -85,6 +85,11 @@ public final class Worksheet {
         order.add(outline);
     }
 
+    /** The same as a PDF of A4 pages, which has its fonts in it. */
+    public byte[] pdf() {
+        return new SheetPdf(scene.name(), seed, words).file(tasks);
+    }
+
     /** The page: a whole HTML document that needs nothing beside it; printed, the solutions begin on a sheet of their own. */
     public String html() {
         return new SheetPage(scene.name(), seed, words).page(tasks);

@@ -93,7 +93,7 @@ public final class Font {
     }
 
     /** How many of its units the size of letters has. */
-    int unitsPerEm() {
+    public int unitsPerEm() {
         return unitsPerEm;
     }
 
@@ -103,13 +103,13 @@ public final class Font {
     }
 
     /** The number of a character's glyph; 0 if there is none. */
-    int glyph(int character) {
+    public int glyph(int character) {
         int glyph = characters.glyph(character);
         return glyph < glyphs ? glyph : 0;
     }
 
     /** How far it is from a glyph's beginning to that of the next, in its units. */
-    int width(int glyph) {
+    public int width(int glyph) {
         return hmtx.unsigned16(4L * Math.min(glyph, widths - 1));
     }
 

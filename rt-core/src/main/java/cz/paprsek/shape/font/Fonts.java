@@ -20,6 +20,15 @@ public final class Fonts {
         return NAMES.contains(Objects.requireNonNull(name, "name")) ? Optional.of(Objects.requireNonNull(Shipped.ALL.get(name))) : Optional.empty();
     }
 
+    /** The file of one that is shipped. */
+    public static byte[] file(String name) {
+        try (InputStream input = Objects.requireNonNull(Fonts.class.getResourceAsStream(Objects.requireNonNull(name, "name") + ".ttf"), name)) {
+            return input.readAllBytes();
+        } catch (IOException e) {
+            throw new IllegalStateException("the font " + name + " is not where the program is", e);
+        }
+    }
+
     /** Read when the first text is made, all of them: that takes no time. */
     private static final class Shipped {
         static final Map<String, Font> ALL = read();
@@ -27,11 +36,7 @@ public final class Fonts {
         private static Map<String, Font> read() {
             Map<String, Font> all = new LinkedHashMap<>();
             for (String name : NAMES) {
-                try (InputStream input = Objects.requireNonNull(Fonts.class.getResourceAsStream(name + ".ttf"), name)) {
-                    all.put(name, new Font(input.readAllBytes()));
-                } catch (IOException e) {
-                    throw new IllegalStateException("the font " + name + " is not where the program is", e);
-                }
+                all.put(name, new Font(file(name)));
             }
             return all;
         }

@@ -13,7 +13,7 @@ import java.util.OptionalLong;
 
 /** The forms in which the tree of a pixel can be kept; one is a worksheet. */
 enum TreeFiles {
-    TXT, JSON, SVG, HTML;
+    TXT, JSON, SVG, PDF, HTML;
 
     /** With the dot. */
     String extension() {
@@ -21,6 +21,7 @@ enum TreeFiles {
             case TXT -> ".txt";
             case JSON -> ".json";
             case SVG -> ".svg";
+            case PDF -> ".pdf";
             case HTML -> ".html";
         };
     }
@@ -29,12 +30,21 @@ enum TreeFiles {
      * @param ray which of the pixel's rays is drawn, counted from 0
      */
     void write(PicturePoint point, Explained pixel, int ray, Words words, Path file) throws IOException {
-        String content = switch (this) {
-            case TXT -> pixel.text(words) + "\n";
-            case JSON -> pixel.json() + "\n";
-            case HTML -> new Worksheet(point.scene().scene(), point.scene(), point.settings(), List.of(new int[] {point.column(), point.row()}), OptionalLong.empty(), words).html();
-            case SVG -> TreeDrawing.svg(point.scene().scene(), pixel.ray(ray), pixel.smallestShare(), words);
+        byte[] content = switch (this) {
+            case TXT -> bytes(pixel.text(words) + "\n");
+            case JSON -> bytes(pixel.json() + "\n");
+            case PDF -> worksheet(point, words).pdf();
+            case HTML -> bytes(worksheet(point, words).html());
+            case SVG -> bytes(TreeDrawing.svg(point.scene().scene(), pixel.ray(ray), pixel.smallestShare(), words));
         };
-        AtomicFile.write(file, out -> out.write(content.getBytes(StandardCharsets.UTF_8)));
+        AtomicFile.write(file, out -> out.write(content));
+    }
+
+    private static Worksheet worksheet(PicturePoint point, Words words) {
+        return new Worksheet(point.scene().scene(), point.scene(), point.settings(), List.of(new int[] {point.column(), point.row()}), OptionalLong.empty(), words);
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
     }
 }
