@@ -2,6 +2,8 @@ package cz.paprsek.cli;
 
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.value.Words;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -23,6 +25,7 @@ final class Evidence {
                 throw new WrongUsage("evidence of " + pictures.size() + " pictures does not fit into " + place + "; name a directory that ends in /");
             }
             pictures.forEach(picture -> add(picture, isFolder ? Path.of(place, stem(picture) + ".png") : Words.path(place)));
+            targets.values().forEach(target -> pictures.forEach(picture -> refuseOver(picture, target)));
         });
     }
 
@@ -32,10 +35,22 @@ final class Evidence {
                 throw new WrongUsage("evidence of " + other + " and of " + picture + " would both be " + target + "; grade them one by one");
             }
         });
-        if (target.toAbsolutePath().normalize().equals(picture.toAbsolutePath().normalize())) {
+        targets.put(picture, target);
+    }
+
+    /** Over no picture that is graded, its own or another's. */
+    private static void refuseOver(Path picture, Path target) {
+        if (isSame(target, picture)) {
             throw new WrongUsage("evidence would be written over " + picture + "; name another place");
         }
-        targets.put(picture, target);
+    }
+
+    private static boolean isSame(Path target, Path picture) {
+        try {
+            return Files.exists(target) ? Files.isSameFile(target, picture) : target.toAbsolutePath().normalize().equals(picture.toAbsolutePath().normalize());
+        } catch (IOException notThere) {
+            return false;
+        }
     }
 
     /** The file's name without what says its format. */

@@ -77,13 +77,15 @@ class GradeCommandTest {
     }
 
     @Test
-    void evidenceHasTheNameOfItsPictureAndIsWrittenOverNoneOfThem() {
+    void evidenceHasTheNameOfItsPictureAndIsWrittenOverNoneOfThem() throws IOException {
         Path picture = picture("a.ppm", "flip-y");
         assertThat(Run.cli("grade", scene, picture, "--evidence", folder.resolve("why") + "/").code()).isEqualTo(1);
         assertThat(folder.resolve("why/a.png")).exists();
         picture("a.png", "flip-x");
         assertThat(Run.cli("grade", scene, folder, "--evidence", folder.resolve("both") + "/").err()).contains("would both be", "a.png; grade them one by one\n");
         assertThat(Run.cli("grade", scene, folder.resolve("a.png"), "--evidence", folder + "/").err()).contains("evidence would be written over " + folder.resolve("a.png") + "; name another place\n");
+        Path link = Files.createSymbolicLink(folder.resolve("link.png"), folder.resolve("a.png"));
+        assertThat(Run.cli("grade", scene, folder.resolve("a.png"), "--evidence", link).err()).contains("evidence would be written over " + folder.resolve("a.png"));
     }
 
     @Test
