@@ -6,6 +6,7 @@ import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Disc;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Placement.Pivot;
 import cz.paprsek.shape.Rectangle;
@@ -21,6 +22,8 @@ import java.util.Objects;
  * @param hidden whether it is left out of pictures, as if it were not there
  */
 public record SceneObject(String name, Shape shape, Placement placement, Pivot pivot, boolean hidden, MaterialSource material) {
+    private static final int MOST_TRIANGLES = 100_000;
+
     public SceneObject {
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(shape, "shape");
@@ -69,7 +72,8 @@ public record SceneObject(String name, Shape shape, Placement placement, Pivot p
      */
     public boolean isSoughtIfItShines() {
         return shape instanceof Rectangle || shape instanceof Disc || (shape instanceof Block block && block.rounding() == 0)
-                || (shape instanceof Sphere && placement.toParent().uniformScale() > 0);
+                || (shape instanceof Sphere && placement.toParent().uniformScale() > 0)
+                || (shape instanceof Mesh mesh && !(material instanceof Inherited) && (!mesh.isRead() || mesh.triangles().count() <= MOST_TRIANGLES));
     }
 
     /** Left out of pictures, or not. */

@@ -281,7 +281,7 @@ public final class SceneWarnings {
             BodyAt object = ScenePath.body(i);
             if (!scene.objects().get(i).hidden() && !scene.objects().get(i).isSoughtIfItShines() && object.withOperands(scene).anyMatch(part -> part.material(scene).shines())) {
                 String label = label(object);
-                add("shines-by-chance", label, object, label + " shines, but paths meet its light only by chance, which is grain; they look for balls, rectangles, discs and blocks with sharp edges that shine by themselves");
+                add("shines-by-chance", label, object, label + " shines, but paths meet its light only by chance, which is grain; they look for balls, rectangles, discs, blocks with sharp edges and meshes of one material that shine by themselves");
             }
         }
     }

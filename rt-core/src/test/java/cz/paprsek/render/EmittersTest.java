@@ -2,6 +2,7 @@ package cz.paprsek.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.material.Material;
@@ -18,10 +19,12 @@ import cz.paprsek.scene.SphereLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Disc;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.mesh.Triangles;
 import cz.paprsek.warning.SceneWarning;
 import cz.paprsek.warning.SceneWarnings;
 import java.util.List;
@@ -30,6 +33,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Bodies that shine are looked for by paths as lights are. */
 class EmittersTest {
@@ -89,9 +93,54 @@ class EmittersTest {
         assertThat((double) image.red(0, 0)).isCloseTo(expected, within(0.002 * expected));
     }
 
+    /** A sheet 1.5 × 1 in squares of two triangles each. */
+    private static Mesh sheet(int columns, int rows) {
+        double[] places = new double[3 * (columns + 1) * (rows + 1)];
+        for (int i = 0; i < places.length / 3; i++) {
+            int row = i / (columns + 1);
+            places[3 * i] = 1.5 * (i % (columns + 1)) / columns - 0.75;
+            places[3 * i + 1] = (double) row / rows - 0.5;
+        }
+        int[] corners = new int[6 * columns * rows];
+        for (int i = 0; i < columns * rows; i++) {
+            int at = i / columns * (columns + 1) + i % columns;
+            System.arraycopy(new int[] {at, at + 1, at + columns + 2, at, at + columns + 2, at + columns + 1}, 0, corners, 6 * i, 6);
+        }
+        return Mesh.of(Triangles.of(places, corners));
+    }
+
+    /** Few triangles are looked for each; of many one is chosen at a time. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 12})
+    void trianglesShineAsTheSheetThatTheyAre(int perSide) {
+        whatFallsBelowItIsThatOfTheClosedForm(sheet(perSide, perSide), (double) closedForms().findFirst().orElseThrow().get()[1]);
+    }
+
+    /** A light of its own for each of many balls, all out of sight, gives the same as one of them at a time. */
+    @Test
+    void ofManyBallsOneIsLookedForAndCountsForAll() {
+        Scene each = FLOOR;
+        Scene chosen = FLOOR;
+        for (int i = 0; i < 40; i++) {
+            int row = i / 8;
+            Vec3 place = new Vec3(0.9 * (i % 8) - 3, 3.5 + 0.3 * (i % 3), 0.8 * row - 3);
+            each = each.withLights(Stream.concat(each.lights().stream(), Stream.of((Light) SphereLight.of(place, 0.1).withColor(new Rgb(255, 200, 90)).withIntensity(RADIANCE * 0.01))).toList());
+            chosen = chosen.plus(SceneObject.of(new Sphere(0.1)).at(place.x(), place.y(), place.z()).madeOf(GLOW));
+        }
+        assertThat(brightness(picture(chosen, 3, 1024))).isCloseTo(brightness(picture(each, 3, 256)), withinPercentage(2));
+    }
+
+    private static double brightness(Image image) {
+        double sum = 0;
+        for (int i = 0; i < image.width() * image.height(); i++) {
+            sum += image.red(i % image.width(), i / image.width());
+        }
+        return sum;
+    }
+
     @Test
     void whatPathsOnlyFindByChanceIsWarnedOf() {
-        Scene scene = FLOOR.plus(hung(Csg.union((Solid) new Sphere(1))).named("lamp")).plus(hung(new Disc(1)).named("disc"))
+        Scene scene = FLOOR.plus(hung(Csg.union((Solid) new Sphere(1))).named("lamp")).plus(hung(new Disc(1)).named("disc")).plus(hung(sheet(9, 9)).named("sheet"))
                 .withSettings(RenderSettings.DEFAULT.withIntegrator(Integrator.PATH));
         assertThat(warned(scene)).containsExactly("union \"lamp\"");
         assertThat(warned(scene.withSettings(RenderSettings.DEFAULT))).isEmpty();

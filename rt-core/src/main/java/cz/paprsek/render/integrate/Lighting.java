@@ -5,6 +5,7 @@ import cz.paprsek.ray.Hit;
 import cz.paprsek.render.light.Emitters;
 import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.light.Lamp;
+import cz.paprsek.render.light.ManyLamps;
 import cz.paprsek.render.light.PointLamp;
 import cz.paprsek.render.light.SkyLamp;
 import cz.paprsek.render.light.SkyLight;
@@ -51,6 +52,9 @@ final class Lighting {
     /** All that is looked for: the scene's lights, and for paths bodies that shine, and last a picture that is the sky. */
     final Lamp[] lamps;
     final Emitters emitters;
+    /** Of many bodies that shine, the lamp that is one of them at a time. */
+    private final Optional<ManyLamps> chosen;
+    private final int lights;
     final Optional<SkyLight> sky;
     private final boolean isRandom;
     private final Glows glows;
@@ -106,7 +110,9 @@ final class Lighting {
         this.parts = scene.parts();
         this.emitters = isPath ? scene.emitters() : Emitters.NONE;
         this.sky = isPath ? scene.sky().picture() : Optional.empty();
-        this.lamps = emitters.after(scene.lamps(), sky.map(picture -> new SkyLamp(picture, scene.glows())));
+        this.chosen = emitters.chosen();
+        this.lights = scene.lamps().length;
+        this.lamps = emitters.after(scene.lamps(), chosen, sky.map(picture -> new SkyLamp(picture, scene.glows())));
         this.isRandom = Stream.of(lamps).anyMatch(lamp -> lamp.samples() > 1) || scene.isRough() || isPath;
         this.glows = scene.glows().forOneWorker();
         this.finder = intersector.finder;
@@ -232,7 +238,20 @@ final class Lighting {
         }
         double share = 1.0 / samples;
         level.add(sumRed * share, sumGreen * share, sumBlue * share);
-        witness.averaged(light, sumRed * share, sumGreen * share, sumBlue * share);
+        witness.averaged(told(light), sumRed * share, sumGreen * share, sumBlue * share);
+    }
+
+    /** The number by which a light is known that was looked for last: of many bodies that shine, that of the one which was chosen. */
+    private int told(int light) {
+        return light < lights || chosen.isEmpty() ? light : light == lights ? lights + chosen.get().chosen() : emitters.end();
+    }
+
+    /** How probable it is that a ray's direction is chosen to look for the light with a number, which it meets. */
+    double density(int number, Ray ray) {
+        if (chosen.isPresent() && emitters.has(number)) {
+            return chosen.get().density(number - lights, ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.max);
+        }
+        return lamps[number].density(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.max);
     }
 
     /** Looks along one shadow ray, that of the arrival: whether it brings anything. */
@@ -249,7 +268,7 @@ final class Lighting {
             return lookRoughly(depth, light, shines, level, finish, facing);
         }
         if (!shines || !(facing > 0)) {
-            witness.sought(light, arrival, facing, 0);
+            witness.sought(told(light), arrival, facing, 0);
             return false;
         }
         double visibility = reach(depth, light, level, finish, facing);
@@ -274,7 +293,7 @@ final class Lighting {
             if (isBefore) {
                 arrival.light(0, 0, 0);
             }
-            witness.sought(light, arrival, facing, 0);
+            witness.sought(told(light), arrival, facing, 0);
             return false;
         }
         double visibility = reach(depth, light, level, finish, facing);
@@ -309,7 +328,7 @@ final class Lighting {
         if (isDimmed) {
             witness.dimmed(dimming.red, dimming.green, dimming.blue);
         }
-        witness.sought(light, arrival, facing, visibility);
+        witness.sought(told(light), arrival, facing, visibility);
         if (isDimmed) {
             arrival.light(arrival.red * dimming.red, arrival.green * dimming.green, arrival.blue * dimming.blue);
         }

@@ -11,7 +11,6 @@ import cz.paprsek.render.sample.Turn;
 import cz.paprsek.render.surface.Finish;
 import cz.paprsek.render.surface.Level;
 import cz.paprsek.render.surface.World;
-import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 
 /**
@@ -92,7 +91,8 @@ public class Paths extends BlockTracer {
 
     @Override
     final void emit(Level level, Finish finish) {
-        int number = level.isLit ? lighting.emitters.of(scene.index(scene.parts().object(level.ray.part))) : Emitters.NOT_SOUGHT;
+        int face = level.ray.face;
+        int number = level.isLit ? lighting.emitters.of(scene.index(scene.parts().object(level.ray.part)), face < 0 ? ~face : face) : Emitters.NOT_SOUGHT;
         double share = number == Emitters.NOT_SOUGHT ? 1 : unlit(level, number);
         level.glow = share;
         level.add(share * finish.red, share * finish.green, share * finish.blue);
@@ -104,7 +104,7 @@ public class Paths extends BlockTracer {
         if (level.isLit && lighting.sky.isPresent()) {
             Hit hit = level.hit;
             lighting.sky.get().look(level.ray.dx, level.ray.dy, level.ray.dz, hit);
-            double share = unlit(level, lighting.lamps.length - 1);
+            double share = unsought(level, lighting.sky.get().density(level.ray.dx, level.ray.dy, level.ray.dz));
             level.light(share * hit.red, share * hit.green, share * hit.blue);
         } else {
             super.seeSky(level);
@@ -113,8 +113,11 @@ public class Paths extends BlockTracer {
 
     @Override
     final double unlit(Level level, int lamp) {
-        Ray ray = level.ray;
-        double other = lighting.lamps[lamp].density(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.max);
+        return unsought(level, lighting.density(lamp, level.ray));
+    }
+
+    /** @param other how probable it is that who looks for the light chooses the ray's direction */
+    private static double unsought(Level level, double other) {
         // Of what it is never looked for at, such as its dark side, all comes this way.
         return other > 0 ? level.density / (level.density + other) : 1;
     }

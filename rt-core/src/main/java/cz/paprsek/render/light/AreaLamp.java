@@ -41,13 +41,14 @@ abstract class AreaLamp extends Lamp {
     }
 
     /**
-     * A flat body that shines to both sides with the radiance L: each of its points brings L·A·cos θ/(π·d²).
+     * A flat body that shines with the radiance L: each of its points brings L·A·cos θ/(π·d²).
      *
      * @param across from its middle as far as it reaches one way, world space
      * @param along likewise the other way, not along the first
      * @param share how large it is by a parallelogram that the two span
+     * @param toBothSides whether it shines to both sides, or only to that from which the way from the first to the second runs counter-clockwise
      */
-    AreaLamp(Rgb color, double strength, Vec3 middle, Vec3 across, Vec3 along, double share) {
+    AreaLamp(Rgb color, double strength, Vec3 middle, Vec3 across, Vec3 along, double share, boolean toBothSides) {
         super(color, strength);
         samples = BODY_SAMPLES;
         this.middle = middle;
@@ -57,12 +58,16 @@ abstract class AreaLamp extends Lamp {
         normal = upright.normalized();
         area = share * upright.length();
         square = area / Math.PI;
-        shinesToBothSides = true;
+        shinesToBothSides = toBothSides;
     }
 
     @Override
     public final int samples() {
         return samples;
+    }
+
+    final double area() {
+        return area;
     }
 
     /** Puts a point of it into the arrival's x and y: ±1 where it ends. */

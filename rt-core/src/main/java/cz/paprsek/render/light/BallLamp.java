@@ -20,6 +20,7 @@ final class BallLamp extends Lamp {
     private final double bright;
     /** Up to which square of the sine of its half angle it is looked for: on the body itself, where rounding says whether that is 1, paths find it by chance. */
     private final double widest;
+    private final boolean isBody;
 
     BallLamp(SphereLight light) {
         super(light.color(), light.intensity());
@@ -31,6 +32,7 @@ final class BallLamp extends Lamp {
         double by = light.referenceDistance() / radius;
         bright = by * by;
         widest = 1;
+        isBody = false;
     }
 
     /** A body that shines with a radiance. */
@@ -43,6 +45,7 @@ final class BallLamp extends Lamp {
         this.radius = radius;
         bright = 1;
         widest = 1 - 1e-6;
+        isBody = true;
     }
 
     @Override
@@ -73,9 +76,10 @@ final class BallLamp extends Lamp {
         double wx = out.x;
         double wy = out.y;
         double wz = out.z;
-        Unit.cap(wx, wy, wz, depth, u, v, out);
-        double cosine = wx * out.x + wy * out.y + wz * out.z;
-        double half = square - (1 - cosine) * (1 + cosine);
+        double down = Unit.cap(wx, wy, wz, depth, u, v, out);
+        double cosine = isBody ? 1 - down : wx * out.x + wy * out.y + wz * out.z;
+        // A body must not hide its own points: the way to them must be known well, also where it is seen as a dot.
+        double half = square - (isBody ? down * (2 - down) : (1 - cosine) * (1 + cosine));
         out.distance = distance * (cosine - Math.sqrt(half > 0 ? half : 0));
         return arrives(2 * bright * depth, out);
     }

@@ -42,6 +42,11 @@ final class BlockLamp extends Lamp {
         }
     }
 
+    /** Of all its faces. */
+    double area() {
+        return 2 * (area[0] + area[1] + area[2]);
+    }
+
     @Override
     public int samples() {
         return BODY_SAMPLES;

@@ -13,7 +13,7 @@ final class DiscLamp extends AreaLamp {
 
     /** A body, an ellipse, that shines to both sides. */
     DiscLamp(Rgb color, double strength, Vec3 middle, Vec3 across, Vec3 along) {
-        super(color, strength, middle, across, along, Math.PI);
+        super(color, strength, middle, across, along, Math.PI, true);
     }
 
     @Override

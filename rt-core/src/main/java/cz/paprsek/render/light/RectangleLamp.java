@@ -13,7 +13,7 @@ final class RectangleLamp extends AreaLamp {
 
     /** A body, a parallelogram, that shines to both sides. */
     RectangleLamp(Rgb color, double strength, Vec3 middle, Vec3 across, Vec3 along) {
-        super(color, strength, middle, across, along, 4);
+        super(color, strength, middle, across, along, 4, true);
     }
 
     @Override

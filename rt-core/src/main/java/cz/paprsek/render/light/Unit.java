@@ -35,9 +35,10 @@ final class Unit {
      *
      * @param wx the middle, of length 1
      * @param depth 1 − cos of the angle between the middle and the rim
+     * @return 1 − cos of the angle between the middle and the direction, to the last bits also where that is small
      * @source Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017
      */
-    static void cap(double wx, double wy, double wz, double depth, double u, double v, Arrival out) {
+    static double cap(double wx, double wy, double wz, double depth, double u, double v, Arrival out) {
         disc(u, v, out);
         double p = out.x;
         double q = out.y;
@@ -51,6 +52,7 @@ final class Unit {
         out.x = (1 - down) * wx + p * (1 + sign * wx * wx * a) + q * b;
         out.y = (1 - down) * wy + p * sign * b + q * (sign + wy * wy * a);
         out.z = (1 - down) * wz - p * sign * wx - q * wy;
+        return down;
     }
 
     /** Of an angle up to an eighth of a turn: Taylor's series, to the last bit or two. */
