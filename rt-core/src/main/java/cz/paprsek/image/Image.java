@@ -157,6 +157,18 @@ public final class Image {
         return pixels;
     }
 
+    /** All pixels in linear light: red, green and blue of each, row by row from the top left; with opacity premultiplied. */
+    public float[] toLinear() {
+        if (!isEightBit()) {
+            return linear.clone();
+        }
+        float[] all = new float[eightBit.length];
+        for (int i = 0; i < all.length; i++) {
+            all[i] = light(i);
+        }
+        return all;
+    }
+
     /** A copy for AWT and ImageIO, of type {@link BufferedImage#TYPE_INT_RGB}, or {@link BufferedImage#TYPE_INT_ARGB} with opacity. */
     public BufferedImage toBufferedImage() {
         BufferedImage copy = new BufferedImage(width, height, isTransparent() ? BufferedImage.TYPE_INT_ARGB : BufferedImage.TYPE_INT_RGB);

@@ -10,6 +10,8 @@ import cz.paprsek.tree.Kernel;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 
 /** Renders scenes to images. The same scene gives the same image, to the last bit, for any number of threads. */
 public final class Renderer implements AutoCloseable {
@@ -76,7 +78,31 @@ public final class Renderer implements AutoCloseable {
         return render(scene, options, monitor, TileStore.NONE);
     }
 
-    /** As above, with tiles that are known from earlier, or are kept for later: throwing also if a method of the store throws anything. */
+    /**
+     * Begins to render a prepared scene, and returns at once. Cancelling the future stops it soon.
+     *
+     * @param executor runs what waits for the picture, and all that is done with it; the rays are traced by as many threads as the options say
+     * @return ends as {@link #render(RenderScene, RenderOptions, RenderMonitor)} does, or throws
+     * @throws java.util.concurrent.RejectedExecutionException if the executor takes no more
+     */
+    public static CompletableFuture<RenderResult> start(RenderScene scene, RenderOptions options, RenderMonitor monitor, Executor executor) {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(options, "options");
+        CompletableFuture<RenderResult> result = new CompletableFuture<>();
+        RenderMonitor asking = new AskingMonitor(Objects.requireNonNull(monitor, "monitor"), result::isCancelled);
+        executor.execute(() -> {
+            if (!result.isDone()) {
+                try {
+                    result.complete(render(scene, options, asking));
+                } catch (RuntimeException | Error failed) {
+                    result.completeExceptionally(failed);
+                }
+            }
+        });
+        return result;
+    }
+
+    /** As {@link #render(RenderScene, RenderOptions, RenderMonitor)}, with tiles that are known from earlier, or are kept for later: throwing also if a method of the store throws anything. */
     public static RenderResult render(RenderScene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
         try (Workers workers = new Workers("paprsek-render")) {
             return render(scene, options, monitor, store, workers);
