@@ -21,6 +21,8 @@ import javafx.event.EventHandler;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
+import javafx.scene.control.DialogPane;
+import javafx.scene.control.Hyperlink;
 import javafx.scene.control.TextArea;
 import javafx.scene.input.InputEvent;
 import javafx.stage.FileChooser;
@@ -181,5 +183,15 @@ final class SystemDialogs implements Dialogs {
         });
         alert.setOnShown(event -> Platform.runLater(() -> centre(alert)));
         alert.show();
+        translate(alert.getDialogPane());
+    }
+
+    /** What shows the details has words of the system's language, if JavaFX has any in that, and not of the window's. */
+    private void translate(DialogPane pane) {
+        if (pane.lookup(".details-button") instanceof Hyperlink link) {
+            Runnable say = () -> link.setText(texts.get().of(pane.isExpanded() ? "dialog.fault.less" : "dialog.fault.more"));
+            pane.expandedProperty().addListener(property -> say.run());
+            say.run();
+        }
     }
 }

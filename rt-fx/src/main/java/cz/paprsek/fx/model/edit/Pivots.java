@@ -27,8 +27,13 @@ public final class Pivots {
 
     /** Puts the pivot of a body somewhere in the world; nothing else is moved. */
     public static Scene put(Scene scene, BodyAt at, Vec3 point) {
-        Vec3 own = Moves.rounded(at.toWorld(scene).inverse().point(point));
-        return scene.with(at, body -> body.turnedAbout(new Placement.Point(own)));
+        Vec3 own = at.toWorld(scene).inverse().point(point);
+        return scene.with(at, body -> body.turnedAbout(new Placement.Point(new Vec3(readable(own.x()), readable(own.y()), readable(own.z())))));
+    }
+
+    /** As exactly as hands are. */
+    private static double readable(double value) {
+        return Math.rint(value * 1e4) / 1e4 + 0.0;
     }
 
     /** Gives bodies a pivot of their own, where it is already, to be moved; or takes it away. */
