@@ -96,8 +96,8 @@ final class MainWindow {
         editor.lessons().currentProperty().addListener(new WeakChangeListener<>(showLesson));
         showLesson();
         root.addEventHandler(KeyEvent.KEY_PRESSED, views.explaining()::key);
-        root.setId("main-window");
-        root.getStylesheets().add(String.valueOf(MainWindow.class.getResource("editor.css")));
+        whole.setId("main-window");
+        whole.getStylesheets().add(String.valueOf(MainWindow.class.getResource("editor.css")));
         root.setTop(new VBox(menuBar, menus.toolBar(), messages));
         root.setCenter(columns.root());
         root.setBottom(new VBox(problems, warningList, status));
