@@ -177,7 +177,7 @@ public final class PresenterPane extends BorderPane {
         steps.setId("present-steps");
         steps.setPlaceholder(new Label(""));
         steps.setCellFactory(view -> {
-            StepCell cell = new StepCell(line -> blank.isSelected() && telling.filter(told -> told.isAsked(line)).isEmpty(), this::isLinked);
+            StepCell cell = new StepCell(view, line -> blank.isSelected() && telling.filter(told -> told.isAsked(line)).isEmpty(), this::isLinked);
             cell.setOnMouseEntered(event -> mean(Optional.ofNullable(cell.getItem())));
             cell.setOnMouseExited(event -> mean(Optional.ofNullable(steps.getSelectionModel().getSelectedItem())));
             cell.setOnMouseClicked(event -> ask(cell.getIndex()));

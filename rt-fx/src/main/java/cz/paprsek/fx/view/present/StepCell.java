@@ -5,29 +5,43 @@ import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 import javafx.css.PseudoClass;
 import javafx.scene.control.ListCell;
+import javafx.scene.control.ListView;
 import javafx.scene.text.Text;
 import javafx.scene.text.TextFlow;
 
 /** A line of the exercise in large type, broken where it must; blank, only its formula. */
 final class StepCell extends ListCell<Step> {
     private static final PseudoClass LINKED = PseudoClass.getPseudoClass("linked");
-    private static final double PADDING = 40;
+    /** Beside the words, also for a bar to scroll by: rows are measured before it is known whether there is one. */
+    private static final double BESIDE = 60;
 
     private final Text name = new Text();
     private final Text equation = new Text();
     private final TextFlow both = new TextFlow(name, equation);
+    private final ListView<Step> list;
     private final IntPredicate isHidden;
     private final Predicate<Step> isLinked;
 
-    /** @param isLinked whether a line speaks of what the mouse is at */
-    StepCell(IntPredicate isHidden, Predicate<Step> isLinked) {
+    /**
+     * A cell of a list.
+     *
+     * @param isLinked whether a line speaks of what the mouse is at
+     */
+    StepCell(ListView<Step> list, IntPredicate isHidden, Predicate<Step> isLinked) {
+        this.list = list;
         this.isHidden = isHidden;
         this.isLinked = isLinked;
         name.getStyleClass().add("present-name");
         equation.getStyleClass().add("present-equation");
         setPrefWidth(0);
-        both.maxWidthProperty().bind(widthProperty().subtract(PADDING));
-        both.prefWidthProperty().bind(widthProperty().subtract(PADDING));
+        both.maxWidthProperty().bind(list.widthProperty().subtract(BESIDE));
+        both.prefWidthProperty().bind(list.widthProperty().subtract(BESIDE));
+    }
+
+    @Override
+    protected double computePrefHeight(double width) {
+        double room = list.getWidth() - BESIDE;
+        return isEmpty() || room <= 0 ? super.computePrefHeight(width) : snappedTopInset() + Math.ceil(both.prefHeight(room)) + snappedBottomInset();
     }
 
     @Override

@@ -19,11 +19,13 @@ import javafx.beans.property.SimpleObjectProperty;
 import javafx.scene.Node;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import javafx.scene.paint.Color;
 import javafx.scene.text.Text;
+import javafx.scene.text.TextFlow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -112,6 +114,19 @@ class PresenterPaneTest {
         gui.keys(KeyCode.B);
         assertThat(shown()).doesNotContain("……");
         assertThat(label("sum")).contains("sRGB");
+    }
+
+    /** Rows are as high as their lines, however wide the window has become. */
+    @Test
+    void everyLineIsSeenWhole() {
+        gui.act(() -> pane().show(240, 135));
+        // With a bar to scroll by, rows are some pixels narrower: at one of these widths a line breaks because of it.
+        for (int width = 1024; width < 1324; width += 10) {
+            int now = width;
+            gui.act(() -> gui.stage().setWidth(now));
+            assertThat(Gui.on(() -> steps().lookupAll(".list-cell").stream().map(ListCell.class::cast).filter(cell -> cell.getGraphic() instanceof TextFlow)
+                    .filter(cell -> cell.getHeight() < ((TextFlow) cell.getGraphic()).prefHeight(((TextFlow) cell.getGraphic()).getWidth())).toList())).as("cut off at %s", width).isEmpty();
+        }
     }
 
     @Test
