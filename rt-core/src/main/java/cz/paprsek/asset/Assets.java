@@ -126,6 +126,7 @@ public final class Assets {
 
     /** What a file is called in messages; empty if it stands beside that of the scene, and is called as it is seen from there. */
     public Optional<String> called(String name) {
+        Objects.requireNonNull(name, "name");
         return source instanceof Folder known && known.isBeside() ? Optional.empty() : Optional.of(source instanceof Folder other ? other.folder().resolve(name).toString() : name);
     }
 
