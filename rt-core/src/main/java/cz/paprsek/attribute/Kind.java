@@ -50,6 +50,8 @@ public enum Kind {
     MOST_SAMPLES(Form.FROM_TO, "samples", "a whole number from 1 to 16, of paths to 1000000, or two such as 2..8", Range.from(0).to(1_000_000)),
     /** Doublings of light. */
     STOPS(Form.NUMBER, "stops", "a number of stops from -100 to 100", Range.from(-100).to(100)),
+    /** Pictures a second. */
+    FRAME_RATE(Form.NUMBER, "frameRate", "a number above 0 and at most 1000", Range.above(0).to(1000)),
     CONFIDENCE(Form.NUMBER, "confidence", "a number above 0 and below 1", Range.above(0).below(1)),
     LIGHT_SAMPLES(Form.WHOLE, "lightSamples", "a whole number from 1 to 4096", Range.from(1).to(4096)),
     /** Of a file, relative to the folder of the scene. */
@@ -63,6 +65,8 @@ public enum Kind {
     LETTERS(Form.TEXT, "letters", "a text of 1 to 1000 characters", Range.from(1).to(1000)),
     /** One that is shipped, or of a file, relative to the folder of the scene. */
     FONT(Form.TEXT, "font", "sans, sans-bold, serif or the name of a TrueType file beside the scene's, of 1 to 1000 characters", Range.from(1).to(1000)),
+    /** Of a key. */
+    VALUES(Form.TEXT, "values", "one to three finite numbers, or a colour", Range.from(1).to(200)),
     /** A formula. */
     EXPRESSION(Form.TEXT, "expression", "a formula of x, y and z, of 1 to 1000 characters", Range.from(1).to(1000)),
     FREE_TEXT(Form.TEXT, "text", "a text of at most 100000 characters", Range.from(0).to(100_000)),

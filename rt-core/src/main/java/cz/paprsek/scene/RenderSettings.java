@@ -28,6 +28,8 @@ import java.util.stream.Stream;
  * @param filter how a pixel's rays are strewn around its centre
  * @param exposure in stops, each of which doubles the light of the picture as it is shown and written; ±{@value #MOST_STOPS}
  * @param tone how light is fitted to a screen when the picture is shown and written
+ * @param fps frames per second, above 0 and at most 1000: of a film, the picture of frame n is that of the time (n − 1)/fps
+ * @param shutter for how much of the time from one frame to the next light falls in, 0–1
  */
 @Element(name = "render", value = "How the scene wishes to be rendered.")
 public record RenderSettings(
@@ -44,7 +46,9 @@ public record RenderSettings(
         @Attribute(value = Kind.CONFIDENCE, inForce = "wantedConfidence", means = "How probable it is to be that close", otherwise = "0.95") double confidence,
         @Attribute(value = Kind.WORD, means = "How a pixel's rays are strewn around its centre", otherwise = "box") PixelFilter filter,
         @Attribute(value = Kind.STOPS, means = "Brightens the picture as it is shown and written; each stop doubles the light", otherwise = "0") double exposure,
-        @Attribute(value = Kind.WORD, means = "How light is fitted to a screen: none, or filmic, which bends highlights towards white as film does", otherwise = "none") Tone tone) {
+        @Attribute(value = Kind.WORD, means = "How light is fitted to a screen: none, or filmic, which bends highlights towards white as film does", otherwise = "none") Tone tone,
+        @Attribute(value = Kind.FRAME_RATE, inForce = "ownFps", means = "Pictures a second, if it is rendered as many of them", otherwise = "25") double fps,
+        @Attribute(value = Kind.SHARE, inForce = "openShutter", means = "How long light falls in for each of them, as a share of the time from one to the next", otherwise = "0") double shutter) {
     public static final int LARGEST_SIDE = 32_768;
     public static final int DEEPEST = 250;
     public static final int MOST_SAMPLES = 16;
@@ -52,6 +56,7 @@ public record RenderSettings(
     /** In a pixel, if nobody says how many. */
     public static final int USUAL_PATHS = 64;
     public static final int MOST_STOPS = 100;
+    private static final double USUAL_FPS = 25;
     public static final RenderSettings DEFAULT = new RenderSettings(800, 600, 5, 1);
 
     public RenderSettings {
@@ -68,11 +73,28 @@ public record RenderSettings(
         Objects.requireNonNull(filter, "filter");
         Require.within("render exposure", exposure, -MOST_STOPS, MOST_STOPS);
         Objects.requireNonNull(tone, "tone");
+        Require.within("render fps", Require.positive("render fps", fps), 0, Kind.FRAME_RATE.most());
+        Require.within("render shutter", shutter, 0, 1);
+    }
+
+    /** The frames per second, if they are others than usual. */
+    public OptionalDouble ownFps() {
+        return fps == USUAL_FPS ? OptionalDouble.empty() : OptionalDouble.of(fps);
+    }
+
+    /** The share of the time in which light falls in, if it does not just for a moment. */
+    public OptionalDouble openShutter() {
+        return shutter > 0 ? OptionalDouble.of(shutter) : OptionalDouble.empty();
+    }
+
+    /** The time of a frame, in seconds: the first, whose number is 1, is at 0. */
+    public double seconds(double frame) {
+        return (frame - 1) / fps;
     }
 
     /** A regular grid of rays in each pixel. */
     public RenderSettings(int width, int height, int maxDepth, int samples) {
-        this(width, height, maxDepth, Integrator.WHITTED, samples, 0, 0.01, 0.95, PixelFilter.BOX, 0, Tone.NONE);
+        this(width, height, maxDepth, Integrator.WHITTED, samples, 0, 0.01, 0.95, PixelFilter.BOX, 0, Tone.NONE, USUAL_FPS, 0);
     }
 
     /** Whether light comes any way it can, rather than by mirrors, glass and straight from the lights. */
@@ -107,16 +129,16 @@ public record RenderSettings(
     }
 
     public RenderSettings withSize(int newWidth, int newHeight) {
-        return new RenderSettings(newWidth, newHeight, maxDepth, integrator, samples, mostSamples, error, confidence, filter, exposure, tone);
+        return new RenderSettings(newWidth, newHeight, maxDepth, integrator, samples, mostSamples, error, confidence, filter, exposure, tone, fps, shutter);
     }
 
     public RenderSettings withMaxDepth(int levels) {
-        return new RenderSettings(width, height, levels, integrator, samples, mostSamples, error, confidence, filter, exposure, tone);
+        return new RenderSettings(width, height, levels, integrator, samples, mostSamples, error, confidence, filter, exposure, tone, fps, shutter);
     }
 
     /** With another integrator, and as many samples as that takes if nobody says how many; as it is if that is its own. */
     public RenderSettings withIntegrator(Integrator kind) {
-        return kind == integrator ? this : new RenderSettings(width, height, maxDepth, kind, kind.usualSamples(), 0, error, confidence, filter, exposure, tone);
+        return kind == integrator ? this : new RenderSettings(width, height, maxDepth, kind, kind.usualSamples(), 0, error, confidence, filter, exposure, tone, fps, shutter);
     }
 
     /** With a regular grid, or of paths with a number of them. */
@@ -126,7 +148,7 @@ public record RenderSettings(
 
     /** With random rays, from least² to most² in a pixel, or as many paths; a most of 0 stands for a regular grid, or as many paths as the least. */
     public RenderSettings withSamples(int least, int most) {
-        return new RenderSettings(width, height, maxDepth, integrator, least, most, error, confidence, filter, exposure, tone);
+        return new RenderSettings(width, height, maxDepth, integrator, least, most, error, confidence, filter, exposure, tone, fps, shutter);
     }
 
     /**
@@ -140,23 +162,31 @@ public record RenderSettings(
     }
 
     public RenderSettings withError(double target) {
-        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, target, confidence, filter, exposure, tone);
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, target, confidence, filter, exposure, tone, fps, shutter);
     }
 
     public RenderSettings withConfidence(double probability) {
-        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, probability, filter, exposure, tone);
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, probability, filter, exposure, tone, fps, shutter);
     }
 
     public RenderSettings withFilter(PixelFilter kind) {
-        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, confidence, kind, exposure, tone);
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, confidence, kind, exposure, tone, fps, shutter);
     }
 
     public RenderSettings withExposure(double stops) {
-        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, confidence, filter, stops, tone);
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, confidence, filter, stops, tone, fps, shutter);
     }
 
     public RenderSettings withTone(Tone curve) {
-        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, confidence, filter, exposure, curve);
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, confidence, filter, exposure, curve, fps, shutter);
+    }
+
+    public RenderSettings withFps(double framesPerSecond) {
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, confidence, filter, exposure, tone, framesPerSecond, shutter);
+    }
+
+    public RenderSettings withShutter(double share) {
+        return new RenderSettings(width, height, maxDepth, integrator, samples, mostSamples, error, confidence, filter, exposure, tone, fps, share);
     }
 
     /** Which ways light comes. */

@@ -37,6 +37,7 @@ import java.util.function.UnaryOperator;
  * @param lights any number, also none
  * @param materials the named materials, in the order of the file
  * @param objects any number, also none
+ * @param animations what is not the same at all times; all else that is here is the scene as it is written, which is rendered if nobody asks for a time
  * @param recipe how the file makes it, with its formulas; {@link Recipe#NONE} if it is only written down
  */
 @Element("A scene. Its elements may come in any order; at least one camera, at most one render, background or sky, ambient and description.")
@@ -52,6 +53,7 @@ public record Scene(
         List<Light> lights,
         Map<String, Material> materials,
         List<SceneObject> objects,
+        List<Animation> animations,
         Recipe recipe) {
 
     /** No object, no light, black all around. */
@@ -78,17 +80,37 @@ public record Scene(
         materials = palette;
         objects = checked(objects, palette, all -> SceneRules.checkObjects(all, palette, SceneRules.REFUSE));
         Objects.requireNonNull(recipe, "recipe");
+        animations = List.copyOf(animations);
+        if (!animations.isEmpty()) {
+            SceneRules.checkAnimations(new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects), animations, SceneRules.REFUSE);
+        }
     }
 
-    /** A scene that is only written down. */
+    /** A scene that is only written down, and in which nothing moves. */
     public Scene(String name, String description, List<String> tags, RenderSettings settings, Rgb background, Sky sky, Rgb ambient, List<Camera> cameras,
             List<Light> lights, Map<String, Material> materials, List<SceneObject> objects) {
-        this(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects, Recipe.NONE);
+        this(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects, List.of(), Recipe.NONE);
     }
 
     /** With another note of how it is made; what it has stays. */
     public Scene withRecipe(Recipe value) {
-        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects, value);
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects, animations, value);
+    }
+
+    /** @throws IllegalArgumentException if one is of nothing in the scene, of several things, or of an attribute that has no such values */
+    public Scene withAnimations(List<Animation> value) {
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects, value, recipe);
+    }
+
+    /**
+     * The scene at a time, in which nothing moves any more. What does not move is the very same as in this scene. Animations of parameters, and formulas with the time, are for
+     * whoever makes scenes of their recipes: the scene files.
+     *
+     * @param t seconds
+     * @throws IllegalArgumentException if a value between two keys is none that it can have
+     */
+    public Scene at(double t) {
+        return Animations.at(this, t);
     }
 
     /** The list as it is kept. What another scene has been made of is not checked again. */
@@ -101,33 +123,33 @@ public record Scene(
     }
 
     public Scene withName(String value) {
-        return new Scene(value, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects, recipe);
+        return new Scene(value, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects, animations, recipe);
     }
 
     public Scene withDescription(String value) {
-        return new Scene(name, value, tags, settings, background, sky, ambient, cameras, lights, materials, objects, recipe);
+        return new Scene(name, value, tags, settings, background, sky, ambient, cameras, lights, materials, objects, animations, recipe);
     }
 
     public Scene withTags(List<String> value) {
-        return new Scene(name, description, value, settings, background, sky, ambient, cameras, lights, materials, objects, recipe);
+        return new Scene(name, description, value, settings, background, sky, ambient, cameras, lights, materials, objects, animations, recipe);
     }
 
     public Scene withSettings(RenderSettings value) {
-        return new Scene(name, description, tags, value, background, sky, ambient, cameras, lights, materials, objects, recipe);
+        return new Scene(name, description, tags, value, background, sky, ambient, cameras, lights, materials, objects, animations, recipe);
     }
 
     /** With a background, and no sky. */
     public Scene withBackground(Rgb value) {
-        return new Scene(name, description, tags, settings, value, Sky.NONE, ambient, cameras, lights, materials, objects, recipe);
+        return new Scene(name, description, tags, settings, value, Sky.NONE, ambient, cameras, lights, materials, objects, animations, recipe);
     }
 
     /** With a sky, and no background. */
     public Scene withSky(Sky value) {
-        return new Scene(name, description, tags, settings, Rgb.BLACK, value, ambient, cameras, lights, materials, objects, recipe);
+        return new Scene(name, description, tags, settings, Rgb.BLACK, value, ambient, cameras, lights, materials, objects, animations, recipe);
     }
 
     public Scene withAmbient(Rgb value) {
-        return new Scene(name, description, tags, settings, background, sky, value, cameras, lights, materials, objects, recipe);
+        return new Scene(name, description, tags, settings, background, sky, value, cameras, lights, materials, objects, animations, recipe);
     }
 
     /** The names of the files it needs besides its own: pictures and meshes, relative to its folder. */
@@ -148,7 +170,7 @@ public record Scene(
     }
 
     public Scene withCameras(List<Camera> value) {
-        return new Scene(name, description, tags, settings, background, sky, ambient, value, lights, materials, objects, recipe);
+        return new Scene(name, description, tags, settings, background, sky, ambient, value, lights, materials, objects, animations, recipe);
     }
 
     /** As one of its cameras sees it, counted from 0: that one comes first, the others as they were. */
@@ -178,7 +200,7 @@ public record Scene(
     }
 
     public Scene withLights(List<Light> value) {
-        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, value, materials, objects, recipe);
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, value, materials, objects, animations, recipe);
     }
 
     /**
@@ -189,13 +211,13 @@ public record Scene(
         List<Light> dark = new ArrayList<>(lights);
         dark.replaceAll(LightRules::unlit);
         dark.set(light, lights.get(light));
-        return new Scene(name, description, tags, settings, Rgb.BLACK, Sky.NONE, Rgb.BLACK, cameras, dark, materials, objects, recipe);
+        return new Scene(name, description, tags, settings, Rgb.BLACK, Sky.NONE, Rgb.BLACK, cameras, dark, materials, objects, animations, recipe);
     }
 
     public Scene withMaterials(Map<String, Material> value) {
         Palette fresh = value instanceof Palette known ? known : new Palette(value);
         List<SceneObject> known = SceneRules.allow(materials, fresh) ? pieces().checkedWith(fresh) : objects;
-        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, fresh, known, recipe);
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, fresh, known, animations, recipe);
     }
 
     /** Only those are checked that are not the very same as before in their places. */
@@ -212,7 +234,7 @@ public record Scene(
         if (!fresh.isCheckedWith(materials)) {
             SceneRules.checkChanged(objects, fresh, Difference.of(pieces(), fresh), materials, SceneRules.REFUSE);
         }
-        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, fresh.checkedWith(materials), recipe);
+        return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, fresh.checkedWith(materials), animations, recipe);
     }
 
     private Pieces<SceneObject> pieces() {

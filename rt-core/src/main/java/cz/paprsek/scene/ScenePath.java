@@ -100,6 +100,10 @@ public sealed interface ScenePath {
         public boolean isIn(Scene scene) {
             return scene.materials().containsKey(name);
         }
+
+        Material in(Scene scene) {
+            return Objects.requireNonNull(scene.materials().get(name), name);
+        }
     }
 
     /**

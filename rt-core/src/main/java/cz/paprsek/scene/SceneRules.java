@@ -37,7 +37,7 @@ public final class SceneRules {
     @FunctionalInterface
     public interface Report {
         /**
-         * @param culprit the camera, light, material, object or operand at fault: the very instance that was passed in
+         * @param culprit the camera, light, material, object, operand or animation at fault: the very instance that was passed in
          * @param attribute which of its attributes is at fault, by its name in files; empty if none is, or several are
          * @param sentence what is wrong and what to do
          */
@@ -58,6 +58,12 @@ public final class SceneRules {
         checkLights(lights, report);
         checkMaterials(materials, report);
         checkObjects(objects, materials, report);
+    }
+
+    /** Checks animations of a scene that has none yet: that each is of one thing in it, and of an attribute that can be animated, whose keys it takes. */
+    public static void checkAnimations(Scene scene, List<Animation> animations, Report report) {
+        Objects.requireNonNull(scene, "scene");
+        Animations.check(scene, animations, Objects.requireNonNull(report, "report"));
     }
 
     static void checkLights(List<Light> lights, Report report) {

@@ -10,6 +10,7 @@ import cz.paprsek.xml.mistake.Mistake;
 import cz.paprsek.xml.quick.PlainMarkup;
 import cz.paprsek.xml.quick.QuickReader;
 import cz.paprsek.xml.recipe.IncludedFiles;
+import cz.paprsek.xml.recipe.Moment;
 import cz.paprsek.xml.recipe.Script;
 import cz.paprsek.xml.recipe.Script.Wrong;
 import cz.paprsek.xml.text.Encoding;
@@ -30,9 +31,10 @@ import java.util.regex.Pattern;
  * How scenes are made of files that have parameters, formulas, repetition and the like: they are written out, and read as all others.
  *
  * @param parameters values in place of those that the file gives, by name
+ * @param moment the time that formulas know
  * @param files what may be included
  */
-record Making(Map<String, String> parameters, IncludedFiles files) {
+record Making(Map<String, String> parameters, Moment moment, IncludedFiles files) {
     /** How long such a file may be, in bytes. */
     static final int LONGEST = 1 << 24;
     /** As the file says, with no files beside it. */
@@ -42,6 +44,11 @@ record Making(Map<String, String> parameters, IncludedFiles files) {
 
     Making {
         parameters = Map.copyOf(parameters);
+    }
+
+    /** Of a picture at rest. */
+    Making(Map<String, String> parameters, IncludedFiles files) {
+        this(parameters, Moment.REST, files);
     }
 
     /** With the files that a scene may name. */
@@ -64,7 +71,12 @@ record Making(Map<String, String> parameters, IncludedFiles files) {
 
     /** As a scene that has been read was made. */
     static Making of(Recipe recipe, Map<String, String> parameters) {
-        return new Making(parameters, name -> {
+        return of(recipe, parameters, Moment.REST);
+    }
+
+    /** As the other, at another time. */
+    static Making of(Recipe recipe, Map<String, String> parameters, Moment moment) {
+        return new Making(parameters, moment, name -> {
             String text = recipe.included().get(name);
             if (text == null) {
                 throw new IOException("\"" + name + "\" is not among the files that the scene was made of");
@@ -100,7 +112,7 @@ record Making(Map<String, String> parameters, IncludedFiles files) {
         if ((parameters.isEmpty() && !Script.mayBeIn(utf8)) || !isWellFormed(file)) {
             return Optional.empty();
         }
-        Optional<Script> script = Script.of(utf8, name, parameters, files, SceneFiles.LARGEST);
+        Optional<Script> script = Script.of(utf8, name, parameters, moment, files, SceneFiles.LARGEST);
         return script.isEmpty() ? Optional.empty() : Optional.of(contents(script.get(), name));
     }
 

@@ -198,6 +198,16 @@ public final class SceneFiles {
     }
 
     /**
+     * What the frames of a film show: for the number of a frame, from 1, the scene in which all that is animated, and all formulas with {@code t} and {@code frame}, are as they are at its time. In
+     * that scene nothing moves or is made any more. What does not change is the very same as in the scene that is given. Between two whole numbers there are times as well.
+     *
+     * @return a function that throws an {@link IllegalArgumentException} where a value makes no scene, naming the frame
+     */
+    public static DoubleFunction<Scene> frames(Scene scene) {
+        return new Frames(Objects.requireNonNull(scene, "scene"));
+    }
+
+    /**
      * A changed scene in which all copies of what is repeated are as the first of them, which has been changed; else as {@link #settled}.
      *
      * @throws IllegalArgumentException if each copy has of its own what has been changed of the first

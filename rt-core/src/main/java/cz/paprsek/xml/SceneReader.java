@@ -1,5 +1,6 @@
 package cz.paprsek.xml;
 
+import cz.paprsek.scene.Animation;
 import cz.paprsek.xml.SceneFiles.Contents;
 import cz.paprsek.xml.bind.ThoroughReader;
 import cz.paprsek.xml.format.FileScenes;
@@ -47,6 +48,11 @@ final class SceneReader {
         return read(Source.of(input), heard -> heard, file, how);
     }
 
+    /** Whether nothing in it is of a parameter: what is written out knows those. */
+    private static boolean isComplete(FileScenes found) {
+        return found.scenes().stream().flatMap(scene -> scene.animations().stream()).noneMatch(Animation::isOfParameter);
+    }
+
     /** The stream that was listened to last is read to its end. */
     static Contents read(Source source, Listening listening, String file, Making how) throws SceneFileException, IOException {
         try {
@@ -60,7 +66,7 @@ final class SceneReader {
         if (how.parameters().isEmpty()) {
             InputStream first = new LimitedInput(listening.to(source.fromStart()), file, SceneFiles.LARGEST);
             Optional<FileScenes> quick = QuickReader.read(first);
-            if (quick.isPresent()) {
+            if (quick.isPresent() && isComplete(quick.get())) {
                 first.transferTo(OutputStream.nullOutputStream());
                 return contents(quick.get());
             }
@@ -113,7 +119,7 @@ final class SceneReader {
         // Halves of characters, which no bytes stand for, are told apart from question marks.
         Optional<FileScenes> quick = new String(bytes, StandardCharsets.UTF_8).equals(text)
                 ? QuickReader.read(new ByteArrayInputStream(bytes)) : Optional.empty();
-        if (quick.isPresent()) {
+        if (quick.isPresent() && isComplete(quick.get())) {
             return contents(quick.get());
         }
         Optional<Contents> made = Making.PLAIN.contents(bytes, file);

@@ -6,6 +6,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.xml.recipe.Moment;
 import cz.paprsek.xml.recipe.Script;
 import cz.paprsek.xml.text.Unpatchable;
 import cz.paprsek.xml.write.SceneForms;
@@ -56,7 +57,12 @@ final class Settled {
         if (settled.recipe().isNone()) {
             throw new IllegalArgumentException("the scene has no parameters");
         }
-        return like(scene, made(settled.recipe(), parameters));
+        return like(scene, made(settled.recipe(), parameters, Moment.REST));
+    }
+
+    /** As {@link #with(Scene, Map)}, of a scene that has been settled, at another time. */
+    static Scene at(Scene settled, Map<String, String> parameters, Moment moment) throws SceneFileException, IOException {
+        return settled.recipe().isNone() ? settled : like(settled, made(settled.recipe(), parameters, moment));
     }
 
     /** The scene where what has become of a first copy becomes of all copies; else as {@link #of}. */
@@ -129,8 +135,8 @@ final class Settled {
         throw new IllegalArgumentException("no formula can stand here");
     }
 
-    private static Scene made(Recipe recipe, Map<String, String> parameters) throws SceneFileException, IOException {
-        return SceneFiles.only(Making.of(recipe, parameters).contents(recipe.text().getBytes(StandardCharsets.UTF_8), "scene").orElseThrow(), "scene");
+    private static Scene made(Recipe recipe, Map<String, String> parameters, Moment moment) throws SceneFileException, IOException {
+        return SceneFiles.only(Making.of(recipe, parameters, moment).contents(recipe.text().getBytes(StandardCharsets.UTF_8), "scene").orElseThrow(), "scene");
     }
 
     private static Scene like(Scene before, Scene now) {
@@ -145,7 +151,7 @@ final class Settled {
 
     static Script script(Recipe recipe) {
         Making how = Making.of(recipe, Map.of());
-        return Script.of(recipe.text().getBytes(StandardCharsets.UTF_8), "scene", Map.of(), how.files(), SceneFiles.LARGEST)
+        return Script.of(recipe.text().getBytes(StandardCharsets.UTF_8), "scene", Map.of(), Moment.REST, how.files(), SceneFiles.LARGEST)
                 .orElseThrow(() -> new Unpatchable("nothing is made in the scene any more"));
     }
 

@@ -8,6 +8,10 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Animation;
+import cz.paprsek.scene.Animation.Ease;
+import cz.paprsek.scene.Animation.Key;
+import cz.paprsek.scene.Animation.Turning;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Lens;
@@ -64,10 +68,21 @@ public final class RandomScenes {
         Scene bare = new Scene("Scene < & > \" '", random.nextBoolean() ? "" : "Two\nlines, <tags> & all", List.of("one", "two-2"),
                 gathering(new RenderSettings(1 + random.nextInt(3000), 1 + random.nextInt(3000), 1 + random.nextInt(20), Integrator.WHITTED, 1 + random.nextInt(5), random.nextInt(2) * (5 + random.nextInt(12)),
                         random.nextInt(3) > 0 ? 0.01 : random.nextDouble() + 1e-9, random.nextInt(3) > 0 ? 0.95 : 0.5 + random.nextDouble() / 3, List.of(PixelFilter.values()).get(random.nextInt(4)),
-                        random.nextInt(2) * random.nextDouble(), List.of(Tone.values()).get(random.nextInt(2)))),
+                        random.nextInt(2) * random.nextDouble(), List.of(Tone.values()).get(random.nextInt(2)),
+                        random.nextBoolean() ? 25 : 1000 * (1 - random.nextDouble()), random.nextInt(2) * random.nextDouble())),
                 Rgb.BLACK, Sky.NONE, color(), cameras(), lights(),
                 materials, objects);
-        return under(bare);
+        return under(random.nextBoolean() ? bare : bare.withAnimations(animations()));
+    }
+
+    /** Of what no edit takes away. */
+    private List<Animation> animations() {
+        String target = "camera:side & \"top\"";
+        List<Key> keys = new ArrayList<>();
+        for (int i = 0; i <= random.nextInt(4); i++) {
+            keys.add(new Key(i + random.nextDouble(), "-7000 " + number() + " " + random.nextInt(9), pick(Ease.values())));
+        }
+        return List.of(new Animation(target, "position", Turning.ANGLES, keys), new Animation(target, "up", Turning.ANGLES, List.of(new Key(-number(), "0 1 0", Ease.LINEAR))));
     }
 
     private RenderSettings gathering(RenderSettings settings) {

@@ -4,6 +4,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Require;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -55,6 +56,7 @@ final class SceneBean extends Located {
     List<LightBeans.LightBean> lights = new ArrayList<>();
     @XmlElement(name = "material") List<MaterialBean> materials = new ArrayList<>();
     @XmlElementRef List<ShapeBean> objects = new ArrayList<>();
+    @XmlElement(name = "animate") List<AnimationBean> animations = new ArrayList<>();
 
     /** The scene; null, and at least one problem reported, if there is none. */
     @Nullable Scene toScene(Problems problems) {
@@ -76,9 +78,14 @@ final class SceneBean extends Located {
         if (Similar.nearest("material", problems.skipped()).isEmpty()) {
             SceneRules.check(lamps, named, made, (culprit, attribute, sentence) -> problems.add(problems.origin(culprit, this), sentence, attribute));
         }
-        return problems.size() > 0 || eyes.isEmpty() || settings == null || above == null ? null
-                : new Scene(name, description, tags, settings, background == null ? Rgb.BLACK : background.color, above,
-                        ambient == null ? Rgb.BLACK : ambient.color, eyes, lamps, named, made);
+        List<Animation> moves = made(animations, problems, bean -> bean.toAnimation(problems));
+        if (problems.size() > 0 || eyes.isEmpty() || settings == null || above == null) {
+            return null;
+        }
+        Scene still = new Scene(name, description, tags, settings, background == null ? Rgb.BLACK : background.color, above,
+                ambient == null ? Rgb.BLACK : ambient.color, eyes, lamps, named, made);
+        SceneRules.checkAnimations(still, moves, (culprit, attribute, sentence) -> problems.add(problems.origin(culprit, this), sentence, attribute));
+        return problems.size() > 0 ? null : still.withAnimations(moves);
     }
 
     private static <B extends Located, T> List<T> made(List<B> beans, Problems problems, Function<B, T> maker) {
@@ -130,13 +137,15 @@ final class SceneBean extends Located {
         @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String filter = RenderSettings.DEFAULT.filter().toString();
         @XmlAttribute double exposure = RenderSettings.DEFAULT.exposure();
         @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String tone = RenderSettings.DEFAULT.tone().toString();
+        @XmlAttribute double fps = RenderSettings.DEFAULT.fps();
+        @XmlAttribute double shutter = RenderSettings.DEFAULT.shutter();
 
         RenderSettings toSettings() {
             Integrator kind = Integrator.valueOf(integrator.toUpperCase(Locale.ROOT));
             int least = samples == null ? kind.usualSamples() : samples[0];
             int most = samples == null ? 0 : samples[1];
             return new RenderSettings(width, height, maxDepth, kind, least, most, error, confidence, PixelFilter.valueOf(filter.toUpperCase(Locale.ROOT)),
-                    exposure, Tone.valueOf(tone.toUpperCase(Locale.ROOT)));
+                    exposure, Tone.valueOf(tone.toUpperCase(Locale.ROOT)), fps, shutter);
         }
     }
 

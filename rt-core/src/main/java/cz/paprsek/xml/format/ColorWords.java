@@ -1,6 +1,7 @@
 package cz.paprsek.xml.format;
 
 import cz.paprsek.material.Rgb;
+import cz.paprsek.text.Numbers;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -72,6 +73,16 @@ public final class ColorWords {
         }
         int length = digits.length() / 3;
         return new Rgb(channel(digits, 0, length), channel(digits, length, length), channel(digits, 2 * length, length));
+    }
+
+    /** A text that may be such a colour as three numbers then; else as it is. */
+    public static String asNumbers(String text) {
+        String word = text.strip();
+        if (!isWord(word)) {
+            return text;
+        }
+        Rgb color = of(word);
+        return Numbers.text(color.red()) + " " + Numbers.text(color.green()) + " " + Numbers.text(color.blue());
     }
 
     /** One digit stands for two of the same. */

@@ -9,6 +9,7 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -77,6 +78,7 @@ final class Schema {
         text.close("complexType");
         materials();
         bodies();
+        animations();
         if (hasFormulas) {
             MadeTypes.elements(text, shapes(Shape.class).filter(shape -> !Solid.class.isAssignableFrom(shape)).map(shape -> new String[] {ElementTable.name(shape), type(shape)}).toList());
         }
@@ -85,7 +87,7 @@ final class Schema {
 
     /** All enumerations of words that attributes have. */
     private static Stream<Class<?>> enumerations() {
-        Stream<Class<?>> records = Stream.of(Stream.of(RenderSettings.class, Camera.class, Material.class, Material.ByPattern.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
+        Stream<Class<?>> records = Stream.of(Stream.of(RenderSettings.class, Camera.class, Animation.class, Animation.Key.class, Material.class, Material.ByPattern.class), ElementTable.of(Light.class), ElementTable.of(Pattern.class),
                 ElementTable.of(Shape.class)).flatMap(some -> some);
         return records.flatMap(record -> Described.of(record).stream()).filter(one -> one.says().value() == Kind.WORD).<Class<?>>map(Described::type).distinct();
     }
@@ -130,6 +132,7 @@ final class Schema {
         ElementTable.of(Light.class).forEach(this::element);
         text.leaf("element", "name", "material", "type", "s:NamedMaterial");
         shapes(Shape.class).filter(shape -> !Solid.class.isAssignableFrom(shape)).forEach(this::element);
+        element(Animation.class);
         text.leaf("group", "ref", "s:solid").close("choice");
         attributes(Scene.class);
         text.close("complexType");
@@ -175,6 +178,14 @@ final class Schema {
         leaf("Object", Common.class);
         shapes(Shape.class).forEach(shape -> extension(type(shape), shape, "Object", () -> inside(() -> {})));
         extension(OPERATION, Csg.class, "Object", () -> inside(() -> text.leaf("group", "ref", "s:solid", "maxOccurs", "unbounded")));
+    }
+
+    private void animations() {
+        text.open("complexType", "name", type(Animation.class)).documentation(ElementTable.means(Animation.class));
+        text.open("sequence").leaf("element", "name", ElementTable.name(Animation.Key.class), "type", "s:" + type(Animation.Key.class), "maxOccurs", "unbounded").close("sequence");
+        attributes(Animation.class);
+        text.close("complexType");
+        leaf(Animation.Key.class);
     }
 
     private void inside(Runnable more) {

@@ -3,6 +3,7 @@ package cz.paprsek.xml.mistake;
 import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.io.PlainText;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
@@ -31,6 +32,7 @@ public final class Complaints {
     private static final Set<String> SURFACES = ElementTable.of(Shape.class).filter(shape -> !Solid.class.isAssignableFrom(shape)).map(ElementTable::name)
             .collect(Collectors.toUnmodifiableSet());
     private static final Set<String> OPERATIONS = Arrays.stream(Csg.Operation.values()).map(Described::word).collect(Collectors.toUnmodifiableSet());
+    private static final String ANIMATION = ElementTable.name(Animation.class);
     private static final int LONGEST_QUOTE = 60;
 
     private final Grammar grammar = Grammar.ofScenes();
@@ -65,7 +67,7 @@ public final class Complaints {
             }
             case "cvc-complex-type.2.4.b" -> {
                 if (!isToldInside) {
-                    problems.add(line, column, "<" + element + "> needs at least one solid inside");
+                    problems.add(line, column, "<" + element + "> needs at least one " + (element.equals(ANIMATION) ? "<key>" : "solid") + " inside");
                 }
             }
             case "cvc-complex-type.3.2.2", "cvc-type.3.1.1" -> unknownAttributes(element, type, found, line, column);

@@ -3,10 +3,12 @@ package cz.paprsek.xml.quick;
 import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SceneRules;
@@ -58,6 +60,7 @@ final class WholeSceneReader {
         private final List<Light> lights = new ArrayList<>();
         private final Map<String, Material> materials = new LinkedHashMap<>();
         private final List<SceneObject> objects = new ArrayList<>();
+        private final List<Animation> animations = new ArrayList<>();
     }
 
     /** The scene whose start tag is at hand, and which is the whole file. */
@@ -90,7 +93,7 @@ final class WholeSceneReader {
         Unusual.unless(!parts.cameras.isEmpty() && (parts.background == null || parts.sky == null));
         return new Scene(name, parts.description == null ? "" : parts.description, tags, parts.settings == null ? RenderSettings.DEFAULT : parts.settings,
                 parts.background == null ? Rgb.BLACK : parts.background, parts.sky == null ? Sky.NONE : parts.sky, parts.ambient == null ? Rgb.BLACK : parts.ambient,
-                parts.cameras, parts.lights, parts.materials, parts.objects);
+                parts.cameras, parts.lights, parts.materials, parts.objects, parts.animations, Recipe.NONE);
     }
 
     private void part(Parts parts, int depth) throws IOException {
@@ -114,6 +117,8 @@ final class WholeSceneReader {
         } else if (markup.isNamed(DESCRIPTION)) {
             Unusual.unless(parts.description == null);
             parts.description = text(DESCRIPTION);
+        } else if (markup.isNamed(AnimationForm.ELEMENT)) {
+            parts.animations.add(AnimationForm.read(markup, room, depth));
         } else {
             bodyOrLight(parts, depth);
         }

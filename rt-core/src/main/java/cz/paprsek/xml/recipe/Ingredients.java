@@ -32,11 +32,11 @@ final class Ingredients {
     private final Deque<String> open = new ArrayDeque<>();
     private final Set<String> used = new TreeSet<>();
 
-    Ingredients(Node written, IncludedFiles files, Mistakes mistakes, Map<String, String> given) {
+    Ingredients(Node written, IncludedFiles files, Mistakes mistakes, Map<String, String> given, Moment moment) {
         this.files = files;
         this.mistakes = mistakes;
         this.given = given;
-        names = new Names((param, why) -> mistakes.add(param.node(), param.node().attribute("value").orElseThrow(), why));
+        names = new Names((param, why) -> mistakes.add(param.node(), param.node().attribute("value").orElseThrow(), why), moment);
         scene = withGiven(written);
         // Its own parameters win over those that come along.
         scene.children().stream().filter(one -> one.name().equals(Node.PARAM)).forEach(one -> param(one, true));

@@ -18,18 +18,20 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 
-/** What names in formulas stand for: numbers of copies, innermost first, then parameters, then the time, which is that of a picture at rest. */
+/** What names in formulas stand for: numbers of copies, innermost first, then parameters, then the time. */
 final class Names implements Values {
-    private static final Map<String, Double> AT_REST = Map.of("t", 0.0, "frame", 1.0);
+    private static final Set<String> TIME = Set.of("t", "frame");
 
     private final Map<String, Param> params = new LinkedHashMap<>();
     private final Deque<Bound> bound = new ArrayDeque<>();
     private final Wrong wrong;
+    private final Moment moment;
 
     private record Bound(String name, double value) {}
 
-    Names(Wrong wrong) {
+    Names(Wrong wrong, Moment moment) {
         this.wrong = wrong;
+        this.moment = moment;
     }
 
     /** Hears of parameters that have no value. */
@@ -86,7 +88,7 @@ final class Names implements Values {
     }
 
     static boolean isTaken(String name) {
-        return AT_REST.containsKey(name);
+        return TIME.contains(name);
     }
 
     /**
@@ -160,8 +162,11 @@ final class Names implements Values {
             }
             return param.number;
         }
-        Double still = AT_REST.get(name);
-        return still == null ? OptionalDouble.empty() : OptionalDouble.of(still);
+        return switch (name) {
+            case "t" -> OptionalDouble.of(moment.t());
+            case "frame" -> OptionalDouble.of(moment.frame());
+            default -> OptionalDouble.empty();
+        };
     }
 
     /** Not a word alone, which may be that of a colour. */

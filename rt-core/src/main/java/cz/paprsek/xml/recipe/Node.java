@@ -1,5 +1,6 @@
 package cz.paprsek.xml.recipe;
 
+import cz.paprsek.scene.Animation;
 import cz.paprsek.xml.text.Form;
 import cz.paprsek.xml.text.Places.Place;
 import java.util.List;
@@ -20,6 +21,7 @@ record Node(String name, List<Attr> attributes, List<Node> children, String cont
     static final String PARAM = "param";
     static final String DEFINE = "define";
     static final String INCLUDE = "include";
+    static final String ANIMATE = "animate";
     /** The elements that are gone when all is written out. */
     static final Set<String> NAMES = Set.of(REPEAT, INSTANCE, PARAM, DEFINE, INCLUDE);
     /** Whose operands are bodies. */
@@ -59,7 +61,12 @@ record Node(String name, List<Attr> attributes, List<Node> children, String cont
 
     /** Whether there is nothing in it, at any depth, that must be written out. */
     boolean isPlain() {
-        return !NAMES.contains(name) && attributes.stream().allMatch(one -> one.template().isEmpty()) && children.stream().allMatch(Node::isPlain);
+        return !NAMES.contains(name) && !isOfParameter() && attributes.stream().allMatch(one -> one.template().isEmpty()) && children.stream().allMatch(Node::isPlain);
+    }
+
+    /** Whether it animates a parameter. */
+    boolean isOfParameter() {
+        return name.equals(ANIMATE) && attribute("target").filter(one -> one.text().startsWith(Animation.PARAMETER)).isPresent();
     }
 
     boolean isOperation() {

@@ -82,7 +82,7 @@ final class NodeReader {
 
     private Attr attribute(String element, Source.Attribute one) {
         String raw = source.text(one.valueFrom(), one.valueTo());
-        boolean isText = TEXTS.contains(one.name()) || (element.equals("text") && one.name().equals("value"));
+        boolean isText = TEXTS.contains(one.name()) || (element.equals("text") && one.name().equals("value")) || (element.equals(Node.ANIMATE) && one.name().equals("target"));
         Optional<Template> template = Optional.empty();
         if (!isText && Template.isIn(raw)) {
             try {

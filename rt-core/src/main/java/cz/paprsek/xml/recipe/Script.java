@@ -4,6 +4,7 @@ import cz.paprsek.formula.Formula;
 import cz.paprsek.formula.Function;
 import cz.paprsek.formula.Maker;
 import cz.paprsek.formula.Written;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.Scene.Recipe.Parameter;
 import cz.paprsek.scene.ScenePath;
@@ -39,6 +40,7 @@ public final class Script {
     private final Mistakes mistakes = new Mistakes();
     private final List<Recipe> recipes = new ArrayList<>();
     private final Map<String, String> given;
+    private final Moment moment;
     private final Set<String> used = new TreeSet<>();
     private final Set<String> known = new TreeSet<>();
     private final IncludedFiles files;
@@ -46,8 +48,9 @@ public final class Script {
     private @Nullable Node only;
     private @Nullable Names names;
 
-    private Script(Map<String, String> given, IncludedFiles files, long mostCharacters) {
+    private Script(Map<String, String> given, Moment moment, IncludedFiles files, long mostCharacters) {
         this.given = given;
+        this.moment = moment;
         this.files = files;
         this.mostCharacters = mostCharacters;
     }
@@ -93,22 +96,24 @@ public final class Script {
      * @param utf8 well-formed XML
      * @param file its name, for messages
      * @param given values of parameters that are to have others than the file says
+     * @param moment the time that formulas know
      * @param mostCharacters how long what is written may become
      * @return empty if there is nothing to be written out, or it is no scene file
      */
-    public static Optional<Script> of(byte[] utf8, String file, Map<String, String> given, IncludedFiles files, long mostCharacters) {
-        return of(utf8, file, given, files, mostCharacters, false);
+    public static Optional<Script> of(byte[] utf8, String file, Map<String, String> given, Moment moment, IncludedFiles files, long mostCharacters) {
+        return of(utf8, file, given, moment, files, mostCharacters, false);
     }
 
     /** As the other, also of a scene with nothing to be written out. */
     public static Optional<Script> ofAny(byte[] utf8, IncludedFiles files, long mostCharacters) {
-        return of(utf8, "scene", Map.of(), files, mostCharacters, true);
+        return of(utf8, "scene", Map.of(), Moment.REST, files, mostCharacters, true);
     }
 
-    private static Optional<Script> of(byte[] utf8, String file, Map<String, String> given, IncludedFiles files, long mostCharacters, boolean isAny) {
+    private static Optional<Script> of(byte[] utf8, String file, Map<String, String> given, Moment moment, IncludedFiles files, long mostCharacters, boolean isAny) {
         Objects.requireNonNull(file, "file");
+        Objects.requireNonNull(moment, "moment");
         Objects.requireNonNull(files, "files");
-        Script script = new Script(Map.copyOf(given), files, mostCharacters);
+        Script script = new Script(Map.copyOf(given), moment, files, mostCharacters);
         try {
             Node root = NodeReader.read(utf8, file, script.mistakes::add);
             if (root.isPlain() && script.mistakes.isEmpty() && given.isEmpty() && !isAny) {
@@ -144,7 +149,7 @@ public final class Script {
     }
 
     private void scene(Node written, boolean isRoot) {
-        Ingredients found = new Ingredients(written, files, mistakes, given);
+        Ingredients found = new Ingredients(written, files, mistakes, given, moment);
         used.addAll(found.used());
         known.addAll(found.names().params().keySet());
         List<Parameter> parameters = new ArrayList<>();
@@ -152,8 +157,18 @@ public final class Script {
         Node scene = found.scene();
         only = scene;
         names = found.names();
+        scene.children().forEach(child -> checkAnimated(child, found.names().params().keySet()));
         new Expansion(scene, out, found.names(), found.definitions(), found.materials(), mistakes, mostCharacters).scene(scene, isRoot);
         recipes.add(scene.isPlain() ? Recipe.NONE : new Recipe(NodeText.of(scene), found.included(), parameters));
+    }
+
+    private void checkAnimated(Node child, Set<String> params) {
+        if (child.isOfParameter()) {
+            String name = child.attribute("target").orElseThrow().text().substring(Animation.PARAMETER.length());
+            if (!params.contains(name)) {
+                mistakes.add(child, "target", "there is no parameter \"" + name + "\"" + Similar.suggestion(name, params));
+            }
+        }
     }
 
     private Optional<Parameter> parameter(String name, Param param, Names names) {
@@ -266,7 +281,7 @@ public final class Script {
 
     /** What a formula comes to where there are no parameters. */
     public static double valueOfPlain(String formula) {
-        return Formula.of(formula).value(new Names((param, why) -> {}));
+        return Formula.of(formula).value(new Names((param, why) -> {}, Moment.REST));
     }
 
     /** Where formulas stand in what is written out, by what has them; without a place, those of the scene itself and of what there is once in it. */

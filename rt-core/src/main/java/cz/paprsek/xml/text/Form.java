@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 public final class Form {
     /** What is neither body nor light, each an element or a choice of some. All bodies are one group, whose order matters, and so are all lights. */
     static final List<String> GROUPS = List.of("description", "param", "include", "define", "render", "background", "sky", "ambient", "camera", "light", "material",
-            "pattern", "diffusion", "specular", "reflection", "transparency", "roughness", "relief", "scene", "body");
+            "pattern", "diffusion", "specular", "reflection", "transparency", "roughness", "relief", "scene", "body", "animate", "key");
     private static final String LIGHT = "-light";
     private static final Set<String> NAMES = Set.copyOf(GROUPS);
     private static final Set<String> PATTERNS = Set.of("checkerboard", "checker", "gradient", "stripes", "brick", "marble", "wood", "granite", "noise", "image");

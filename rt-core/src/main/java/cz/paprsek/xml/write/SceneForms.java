@@ -1,6 +1,7 @@
 package cz.paprsek.xml.write;
 
 import cz.paprsek.attribute.ElementTable;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.format.SceneFormat;
 import cz.paprsek.xml.text.Form;
@@ -48,6 +49,7 @@ public final class SceneForms {
         scene.lights().forEach(light -> children.add(form(ElementTable.name(light.getClass()), light, () -> SceneWriter.text(light))));
         scene.materials().entrySet().forEach(named -> children.add(form("material", named, () -> SceneWriter.text(named.getKey(), named.getValue()))));
         scene.objects().forEach(object -> children.add(form(object.shape().kind(), object, () -> SceneWriter.text(object))));
+        scene.animations().forEach(animation -> children.add(form(ElementTable.name(Animation.class), animation, () -> SceneWriter.text(animation))));
         return new Form.Body("scene", head.attributes(), children, "");
     }
 

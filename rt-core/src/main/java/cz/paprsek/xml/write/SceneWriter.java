@@ -14,6 +14,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.CustomLight;
 import cz.paprsek.scene.Light;
@@ -60,10 +61,10 @@ public final class SceneWriter {
         return xml.toString();
     }
 
-    /** A scene without lights, materials and objects. */
+    /** A scene without lights, materials, objects and animations. */
     static String head(Scene scene, boolean isRoot) {
         SceneWriter writer = new SceneWriter();
-        writer.scene(scene.withLights(List.of()).withObjects(List.of()).withMaterials(Map.of()), isRoot);
+        writer.scene(scene.withAnimations(List.of()).withLights(List.of()).withObjects(List.of()).withMaterials(Map.of()), isRoot);
         return writer.xml.toString();
     }
 
@@ -82,6 +83,12 @@ public final class SceneWriter {
     static String text(SceneObject object) {
         SceneWriter writer = new SceneWriter();
         writer.object(object);
+        return writer.xml.toString();
+    }
+
+    static String text(Animation animation) {
+        SceneWriter writer = new SceneWriter();
+        writer.animation(animation);
         return writer.xml.toString();
     }
 
@@ -118,7 +125,16 @@ public final class SceneWriter {
         scene.lights().forEach(this::light);
         scene.materials().forEach(this::material);
         scene.objects().forEach(this::object);
+        scene.animations().forEach(this::animation);
         xml.close("scene");
+    }
+
+    private void animation(Animation animation) {
+        String element = ElementTable.name(Animation.class);
+        xml.open(element);
+        attributes(animation);
+        animation.keys().forEach(this::leaf);
+        xml.close(element);
     }
 
     /** An element with the attributes of a record, those that are not as by default. */

@@ -1,0 +1,167 @@
+package cz.paprsek.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import cz.paprsek.attribute.Described;
+import cz.paprsek.attribute.Kind;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Affine;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Animation.Ease;
+import cz.paprsek.scene.Animation.Key;
+import cz.paprsek.scene.Animation.Turning;
+import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFiles;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What is where at which time, against what can be worked out by hand. */
+class AnimationTest {
+    private static final double ROUNDING = 1e-12;
+
+    private static Animation of(String target, String attribute, Ease ease, String... values) {
+        return new Animation(target, attribute, Turning.ANGLES, IntStream.range(0, values.length).mapToObj(i -> new Key(2 * i, values[i], ease)).toList());
+    }
+
+    private static double[] at(Ease ease, double t) {
+        return of("x", "radius", ease, "1", "5", "2", "9").at(t);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"-3, 1", "0, 1", "0.5, 2", "1, 3", "2, 5", "3, 3.5", "6, 9", "60, 9"})
+    void linearIsEvenBetweenKeysAndHeldOutside(double t, double value) {
+        assertThat(at(Ease.LINEAR, t)).containsExactly(value);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.5, 1.625", "1, 3", "1.5, 4.375", "2, 5", "7, 9"})
+    void smoothIsThreeUSquaredMinusTwoUCubed(double t, double value) {
+        assertThat(at(Ease.SMOOTH, t)).containsExactly(value);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 1", "1.99, 1", "2, 5", "5.99, 2", "6, 9"})
+    void holdStaysUntilTheNextKey(double t, double value) {
+        assertThat(at(Ease.HOLD, t)).containsExactly(value);
+    }
+
+    @Test
+    void catmullRomIsThePublishedCubicBetweenEvenKeys() {
+        for (double u = 0; u < 1; u += 1.0 / 16) {
+            double expected = 0.5 * (2 * 5 + (2 - 1) * u + (2 * 1 - 5 * 5 + 4 * 2 - 9) * u * u + (3 * 5 - 1 - 3 * 2 + 9) * u * u * u);
+            assertThat(at(Ease.CATMULL_ROM, 2 + 2 * u)[0]).isEqualTo(expected, within(ROUNDING));
+        }
+    }
+
+    @Test
+    void catmullRomThroughUnevenKeysOfAnEvenMotionIsThatMotion() {
+        Animation even = new Animation("x", "radius", Turning.ANGLES, List.of(new Key(0, "3", Ease.CATMULL_ROM), new Key(0.5, "4", Ease.CATMULL_ROM), new Key(3, "9", Ease.CATMULL_ROM), new Key(4, "11", Ease.HOLD)));
+        for (double t = 0; t <= 4; t += 0.25) {
+            assertThat(even.at(t)[0]).isEqualTo(3 + 2 * t, within(ROUNDING));
+        }
+    }
+
+    /** The angle of a rotation, in degrees, by the trace of its matrix. */
+    private static double angle(Affine rotation) {
+        return Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, (rotation.xx() + rotation.yy() + rotation.zz() - 1) / 2))));
+    }
+
+    private static Affine rotation(double[] degrees) {
+        return Affine.rotation(new Vec3(degrees[0], degrees[1], degrees[2]));
+    }
+
+    @Test
+    void theShortestTurnIsAboutOneAxisAndEven() {
+        Random random = new Random(7);
+        for (int i = 0; i < 300; i++) {
+            String from = random.nextInt(720) - 360 + " " + (i % 5 == 0 ? 90 : random.nextInt(720) - 360) + " " + (random.nextInt(720) - 360);
+            String to = random.nextInt(720) - 360 + " " + (random.nextInt(720) - 360) + " " + (i % 7 == 0 ? 180 : random.nextInt(720) - 360);
+            Animation turn = new Animation("x", "rotation", Turning.SHORTEST, List.of(new Key(0, from, Ease.LINEAR), new Key(1, to, Ease.LINEAR)));
+            Affine start = rotation(turn.at(0));
+            double whole = angle(start.inverse().after(rotation(turn.at(1))));
+            assertThat(whole).isLessThanOrEqualTo(180);
+            for (double t : new double[] {0.25, 0.5, 0.875}) {
+                assertThat(angle(start.inverse().after(rotation(turn.at(t))))).as(from + " to " + to).isEqualTo(t * whole, within(2e-5));
+            }
+        }
+        Animation across = new Animation("x", "rotation", Turning.SHORTEST, List.of(new Key(0, "0 350 0", Ease.LINEAR), new Key(1, "0 10 0", Ease.LINEAR)));
+        assertThat(across.at(0.25)[1]).isEqualTo(-5, within(1e-9));
+        assertThat(of("x", "rotation", Ease.LINEAR, "0 350 0", "0 10 0").at(0.5)).containsExactly(0, 265, 0);
+    }
+
+    @Test
+    void everyNumberVectorAndColourCanBeAnimatedAndIsWhatItIs() {
+        int tried = 0;
+        for (Scene scene : SceneFiles.examples().scenes()) {
+            Scene named = scene.withAnimations(List.of()).withRecipe(Scene.Recipe.NONE);
+            for (ScenePath place : ScenePath.bodies(named).filter(at -> at.depth() == 0).limit(40).toList()) {
+                Body body = ((ScenePath.BodyAt) place).in(named);
+                for (Record record : List.of(body.placement(), (Record) body.shape())) {
+                    for (Described one : Described.inline(record.getClass())) {
+                        if (one.isOf(record) && isNumbers(one.says().value())) {
+                            Animation animation = of(place.text(named), one.name(), Ease.LINEAR, text(one.value(record)));
+                            // Which of both zeros it is does not matter.
+                            assertThat(((ScenePath.BodyAt) place).in(named.withAnimations(List.of(animation)).at(1)).toString().replace("-0.0", "0.0"))
+                                    .isEqualTo(body.toString().replace("-0.0", "0.0"));
+                            tried++;
+                        }
+                    }
+                }
+            }
+        }
+        assertThat(tried).isGreaterThan(300);
+    }
+
+    private static boolean isNumbers(Kind kind) {
+        return switch (kind.form()) {
+            case NUMBER, WHOLE, VECTOR, PAIR, SCALE, COLOR -> true;
+            default -> false;
+        };
+    }
+
+    private static String text(Object value) {
+        return value instanceof Vec3 v ? v.x() + " " + v.y() + " " + v.z() : value instanceof Rgb c ? c.red() + " " + c.green() + " " + c.blue()
+                : value instanceof double[] two ? Arrays.stream(two).mapToObj(String::valueOf).collect(Collectors.joining(" ")) : String.valueOf(value);
+    }
+
+    private static final Scene SCENE = Scene.EMPTY.plus(SceneObject.of(new Sphere(1)).named("ball"), SceneObject.of(new Sphere(2)).at(5, 0, 0).named("other"))
+            .plus(Light.at(0, 5, 0).named("lamp")).plus("paint", cz.paprsek.material.Material.color(10, 20, 30))
+            .withCamera(Camera.lookingAt(new Vec3(0, 0, 9), Vec3.ZERO).named("eye"));
+
+    @Test
+    void allThatMovesIsMovedAndNothingElseIsTouched() {
+        Scene moving = SCENE.withAnimations(List.of(of("ball", "position", Ease.LINEAR, "0 0 0", "4 2 0"), of("ball", "radius", Ease.LINEAR, "1", "3"),
+                of("camera:eye", "target", Ease.LINEAR, "0 0 0", "2 0 0"), of("camera:eye", "fovy", Ease.LINEAR, "40", "60"), of("camera:eye", "aperture", Ease.LINEAR, "0", "1"),
+                of("light:lamp", "color", Ease.LINEAR, "255 255 255", "255 55 5"), of("material:paint", "color", Ease.LINEAR, "10 20 30", "20 20 40")));
+        Scene then = moving.at(1);
+        assertThat(then.objects().get(0)).isEqualTo(SceneObject.of(new Sphere(2)).at(2, 1, 0).named("ball"));
+        assertThat(then.objects().get(1)).isSameAs(SCENE.objects().get(1));
+        assertThat(then.camera()).isEqualTo(new Camera("eye", new Vec3(0, 0, 9), new Camera.Target(new Vec3(1, 0, 0)), Vec3.Y, new Lens.Perspective(50, 0.5, 0)));
+        assertThat(then.lights()).containsExactly(Light.at(0, 5, 0).named("lamp").withColor(new Rgb(255, 155, 130)));
+        assertThat(then.materials()).isEqualTo(Map.of("paint", cz.paprsek.material.Material.color(15, 20, 35)));
+        assertThat(then.animations()).isEmpty();
+        assertThat(moving.withAnimations(List.of())).isEqualTo(SCENE);
+    }
+
+    @Test
+    void aFlightOfTheCameraTouchesNoBody() {
+        Scene flight = SCENE.withAnimations(List.of(of("camera:eye", "position", Ease.SMOOTH, "0 0 9", "9 0 9")));
+        assertThat(flight.at(0.7).objectsOtherThanIn(flight)).isEmpty();
+        assertThat(flight.at(0.7).lights()).isSameAs(SCENE.lights());
+    }
+
+    @Test
+    void aValueThatIsNoneBetweenTheKeysIsRefusedWhenItsTimeComes() {
+        Scene scene = SCENE.withAnimations(List.of(of("ball", "radius", Ease.CATMULL_ROM, "9", "0.1", "0.1", "9")));
+        assertThatIllegalArgumentException().isThrownBy(() -> scene.at(3)).withMessageStartingWith("sphere radius must be a finite number above 0");
+    }
+}
