@@ -30,6 +30,7 @@ module cz.paprsek.core {
     exports cz.paprsek.format to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.format.model to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.formula to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.image.film to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.io to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.lesson to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.origin to cz.paprsek.cli, cz.paprsek.fx;

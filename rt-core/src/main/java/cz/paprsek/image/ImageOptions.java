@@ -136,7 +136,7 @@ public record ImageOptions(OptionalInt bits, double exposure, Tone tone, Origin 
         }
 
         /** What is told, by the words that PNG has for it. */
-        Map<String, String> texts() {
+        public Map<String, String> texts() {
             Map<String, String> texts = new LinkedHashMap<>();
             put(texts, "Title", scene);
             put(texts, "Source", digest);

@@ -2,9 +2,11 @@ package cz.paprsek.render;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.image.Layers;
+import cz.paprsek.math.Require;
 import cz.paprsek.render.denoise.Denoiser;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
+import cz.paprsek.render.integrate.Exposure;
 import cz.paprsek.render.integrate.Integrator;
 import cz.paprsek.render.integrate.Paths;
 import cz.paprsek.render.integrate.Whitted;
@@ -66,6 +68,8 @@ final class RenderJob implements Workers.Work {
 
     RenderJob(RenderScene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
         this.scene = scene;
+        Require.that(scene.instants().isEmpty() || (options.mode() == RenderMode.SHADED && !options.isWatched()),
+                "while the shutter is open, pictures show light alone: no mode, no layers, no transparency");
         eye = Eye.of(scene.scene().camera(), options.settings().width(), options.settings().height(), options.step());
         this.options = options;
         this.monitor = monitor;
@@ -241,10 +245,21 @@ final class RenderJob implements Workers.Work {
         // What is shown of things seen is no light whose spread would tell how many rays it takes; what is shown of rays is.
         RenderSettings shown = options.mode().scale().isPresent() ? settings : settings.withSamples(settings.samples()).withFilter(PixelFilter.BOX);
         List<Object> purpose = List.of(scene.world(), options.mode(), settings.withSize(1, 1), options.fixedSampler(), options.numbers(), depths, options.layers(), options.transparent(), options.denoised());
+        if (!scene.instants().isEmpty()) {
+            return exposure();
+        }
         return desk.integrator(purpose, () -> options.isInPasses() ? paths() : options.isWatched()
                 ? new LayerTracer(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()), options.layers(), options.transparent())
                 : options.mode() == RenderMode.SHADED ? new Whitted(scene.world(), settings.maxDepth(), Sampling.of(settings, options.fixedSampler()))
                 : new ModeTracer(scene.world(), options.mode(), settings.maxDepth(), Sampling.of(shown, options.fixedSampler()), depths, options.numbers()));
+    }
+
+    /** Of what moves; scratch that is not kept from one picture to the next, whose instants are others. */
+    private Integrator exposure() {
+        RenderSettings settings = options.settings();
+        Sampling sampling = options.isInPasses() ? options.paths() : Sampling.of(settings, options.fixedSampler());
+        List<Eye> eyes = scene.instants().stream().map(world -> Eye.of(world.scene().camera(), settings.width(), settings.height(), options.step())).toList();
+        return new Exposure(scene.instants(), eyes, settings.maxDepth(), sampling);
     }
 
     private Integrator paths() {

@@ -19,19 +19,28 @@ import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import java.util.function.DoubleFunction;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 
 /** A scene prepared for tracing: shapes placed in the world, materials resolved, the hierarchy built. Any number of renders may use it at once. */
 public final class RenderScene {
+    /** Into how many instants the time is cut that a shutter is open. */
+    public static final int INSTANTS = 128;
+
     private final World world;
+    /** While the shutter is open, from the first instant to the last; empty for a moment alone. */
+    private final List<World> instants;
     private final double buildSeconds;
 
-    private RenderScene(World world, double buildSeconds) {
+    private RenderScene(World world, List<World> instants, double buildSeconds) {
         this.world = world;
+        this.instants = instants;
         this.buildSeconds = buildSeconds;
     }
 
@@ -78,7 +87,7 @@ public final class RenderScene {
 
     private static RenderScene prepared(Scene scene, RenderMonitor monitor, Function<BooleanSupplier, World> how) {
         long begin = System.nanoTime();
-        return new RenderScene(watched(monitor, how, exhausted -> Memory.exceeded(scene, exhausted)), (System.nanoTime() - begin) / 1e9);
+        return new RenderScene(watched(monitor, how, exhausted -> Memory.exceeded(scene, exhausted)), List.of(), (System.nanoTime() - begin) / 1e9);
     }
 
     private static <T> T watched(RenderMonitor monitor, Function<BooleanSupplier, T> work, Function<OutOfMemoryError, IllegalStateException> exceeded) {
@@ -107,6 +116,24 @@ public final class RenderScene {
      */
     public RenderScene changedTo(Scene changed, RenderMonitor monitor) {
         return prepared(changed, monitor, stop -> world.changedTo(read(changed, world.assets()), stop));
+    }
+
+    /**
+     * Prepares what is seen while a shutter is open: {@value #INSTANTS} instants, evenly spread. Each ray from the eye is traced in one of them, which is random. All that does not change from one to the next is prepared once.
+     *
+     * @param at the scene after a share of the time that the shutter is open, 0 to 1
+     * @throws IllegalArgumentException if there is no scene at such a time
+     * @throws CancellationException as {@link #of(Scene, RenderMonitor)}
+     * @throws IllegalStateException as there
+     */
+    public RenderScene exposed(DoubleFunction<Scene> at, RenderMonitor monitor) {
+        Objects.requireNonNull(at, "at");
+        Objects.requireNonNull(monitor, "monitor");
+        List<Scene> scenes = IntStream.range(0, INSTANTS).mapToObj(i -> at.apply((i + 0.5) / INSTANTS)).toList();
+        long begin = System.nanoTime();
+        List<World> worlds = watched(monitor, stop -> scenes.stream().map(scene -> world.changedTo(read(scene, world.assets()), stop)).toList(),
+                exhausted -> Memory.exceeded(scenes.get(0), exhausted));
+        return new RenderScene(worlds.get(0), worlds, (System.nanoTime() - begin) / 1e9);
     }
 
     /** The scene this was made of. */
@@ -185,6 +212,11 @@ public final class RenderScene {
 
     World world() {
         return world;
+    }
+
+    /** While the shutter is open; empty for a moment alone. */
+    List<World> instants() {
+        return instants;
     }
 
     /**

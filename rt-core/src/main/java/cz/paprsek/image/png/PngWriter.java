@@ -30,7 +30,6 @@ public final class PngWriter {
     private static final byte[] PERCEPTUAL = {0};
 
     private final PngHead head;
-    private final Rows rows;
     private final OutputStream out;
 
     /** A picture's samples, in the order of the file, the high byte first. Several threads ask at once. */
@@ -40,9 +39,14 @@ public final class PngWriter {
         void copy(int y, byte[] into, int at);
     }
 
-    private PngWriter(PngHead head, Rows rows, OutputStream out) {
+    /** Takes compressed pixels. */
+    @FunctionalInterface
+    interface Data {
+        void take(byte[] bytes, int size) throws IOException;
+    }
+
+    PngWriter(PngHead head, OutputStream out) {
         this.head = head;
-        this.rows = rows;
         this.out = out;
     }
 
@@ -52,16 +56,26 @@ public final class PngWriter {
      * @param texts by keywords, as Title, of 1 to 79 letters
      */
     public static void write(PngHead head, Map<String, String> texts, Rows rows, OutputStream out) throws IOException {
-        out.write(PngHead.SIGNATURE);
-        PngWriter writer = new PngWriter(head, rows, out);
-        writer.chunk("IHDR", ByteBuffer.allocate(13).putInt(head.width()).putInt(head.height())
-                .put((byte) head.bits()).put((byte) head.color()).put(new byte[3]).array());
-        writer.chunk("sRGB", PERCEPTUAL);
-        for (Map.Entry<String, String> text : texts.entrySet()) {
-            writer.text(text.getKey(), text.getValue());
-        }
-        writer.pixels();
+        PngWriter writer = new PngWriter(head, out);
+        writer.start(texts);
+        writer.pixels(rows, writer::data);
         writer.chunk("IEND", new byte[0]);
+    }
+
+    /** Writes all that comes before pixels. */
+    void start(Map<String, String> texts) throws IOException {
+        out.write(PngHead.SIGNATURE);
+        chunk("IHDR", ByteBuffer.allocate(13).putInt(head.width()).putInt(head.height())
+                .put((byte) head.bits()).put((byte) head.color()).put(new byte[3]).array());
+        chunk("sRGB", PERCEPTUAL);
+        for (Map.Entry<String, String> text : texts.entrySet()) {
+            text(text.getKey(), text.getValue());
+        }
+    }
+
+    /** The pixels of a picture that is the only one, or the first. */
+    void data(byte[] bytes, int size) throws IOException {
+        chunk("IDAT", bytes, size);
     }
 
     /** As Latin-1 where that has all the letters, which more programs can read. */
@@ -75,11 +89,11 @@ public final class PngWriter {
         }
     }
 
-    private void pixels() throws IOException {
+    void pixels(Rows rows, Data data) throws IOException {
         int height = Math.max(1, STRIPE_BYTES / head.rowBytes(head.width()));
         int count = (head.height() + height - 1) / height;
         int threads = Math.min(count, Runtime.getRuntime().availableProcessors());
-        chunk("IDAT", STREAM_HEAD);
+        data.take(STREAM_HEAD, STREAM_HEAD.length);
         int checksum = 1;
         Optional<ExecutorService> pool = threads > 1 ? Optional.of(Executors.newFixedThreadPool(threads)) : Optional.empty();
         Deque<Future<Stripe>> underWay = new ArrayDeque<>();
@@ -88,11 +102,11 @@ public final class PngWriter {
             for (int i = 0; i < count; i++) {
                 // A few ahead: all at once might be more than the memory holds.
                 while (pool.isPresent() && next < count && underWay.size() < 2 * threads) {
-                    underWay.add(pool.get().submit(stripe(next++, height)));
+                    underWay.add(pool.get().submit(stripe(rows, next++, height)));
                 }
-                Stripe stripe = pool.isEmpty() ? stripe(i, height).call() : underWay.remove().get();
+                Stripe stripe = pool.isEmpty() ? stripe(rows, i, height).call() : underWay.remove().get();
                 checksum = stripe.checksumAfter(checksum);
-                chunk("IDAT", stripe.compressed(), stripe.size());
+                data.take(stripe.compressed(), stripe.size());
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -102,14 +116,14 @@ public final class PngWriter {
         } finally {
             pool.ifPresent(ExecutorService::shutdownNow);
         }
-        chunk("IDAT", ByteBuffer.allocate(Integer.BYTES).putInt(checksum).array());
+        data.take(ByteBuffer.allocate(Integer.BYTES).putInt(checksum).array(), Integer.BYTES);
     }
 
-    private Stripe stripe(int number, int height) {
+    private Stripe stripe(Rows rows, int number, int height) {
         return new Stripe(head, rows, number * height, Math.min(head.height(), (number + 1) * height));
     }
 
-    private void chunk(String type, byte[] content) throws IOException {
+    void chunk(String type, byte[] content) throws IOException {
         chunk(type, content, content.length);
     }
 
