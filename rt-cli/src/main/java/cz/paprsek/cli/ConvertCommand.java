@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Foreign;
+import cz.paprsek.cli.input.FrameChoice;
 import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.ParameterWishes;
@@ -80,6 +81,9 @@ final class ConvertCommand implements Callable<Integer> {
     private ParameterWishes given;
 
     @Mixin
+    private FrameChoice frame;
+
+    @Mixin
     private LightWishes shown;
 
     @Option(names = {"-q", "--quiet"}, description = "Prints errors only, no warnings.")
@@ -120,7 +124,7 @@ final class ConvertCommand implements Callable<Integer> {
             reading.notes().forEach(terminal::message);
         }
         Scene read = reading.foreign().filter(foreign -> noFloor).map(foreign -> foreign.withoutFloor().scene()).orElse(reading.scenes().get(0));
-        return write(reading, Cameras.through(read, camera), ending);
+        return write(reading, Cameras.through(frame.of(read), camera), ending);
     }
 
     private int picture(ImageFormat format) {

@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.ChosenScene;
+import cz.paprsek.cli.input.FrameChoice;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.MistakeWishes;
 import cz.paprsek.cli.input.ParameterWishes;
@@ -95,6 +96,9 @@ final class ExplainCommand implements Callable<Integer> {
     private ParameterWishes given;
 
     @Mixin
+    private FrameChoice frame;
+
+    @Mixin
     private RayWishes rays;
 
     @Mixin
@@ -138,7 +142,7 @@ final class ExplainCommand implements Callable<Integer> {
         }
         Wishes wishes = new Wishes(size, maxDepth, rays, light, Optional.empty(), Optional.empty());
         try {
-            Scene scene = ChosenScene.of(file, name, camera, given);
+            Scene scene = frame.of(ChosenScene.of(file, name, camera, given));
             if (!mistakes.made().equals(Mistakes.NONE)) {
                 return beside(scene, wishes.applyTo(scene.settings()).settings());
             }

@@ -3,6 +3,7 @@ package cz.paprsek.cli;
 import cz.paprsek.cli.db.DbAction;
 import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.Foreign;
+import cz.paprsek.cli.input.FrameWishes;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.MistakeWishes;
 import cz.paprsek.cli.input.ParameterWishes;
@@ -12,6 +13,7 @@ import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneSource;
 import cz.paprsek.cli.input.Wishes;
 import cz.paprsek.cli.output.Progress;
+import cz.paprsek.cli.output.Reel;
 import cz.paprsek.cli.output.RenderBatch;
 import cz.paprsek.cli.output.Report;
 import cz.paprsek.cli.output.Target;
@@ -21,11 +23,11 @@ import cz.paprsek.cli.output.Writing;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
-import cz.paprsek.cli.value.Formats;
 import cz.paprsek.cli.shard.Again;
 import cz.paprsek.cli.shard.ShardWork;
 import cz.paprsek.cli.shard.Span;
 import cz.paprsek.cli.value.Modes;
+import cz.paprsek.cli.value.OutputFormat;
 import cz.paprsek.cli.value.Shard;
 import cz.paprsek.cli.value.Size;
 import cz.paprsek.cli.value.Words;
@@ -67,7 +69,9 @@ import picocli.CommandLine.Spec;
             "  paprsek render a.xml --mode nodes -o t.png where the time goes, by pixel",
             "  paprsek render a.xml --shard 3/8 -o parts  an eighth of it, see merge",
             "  paprsek render a.xml --mistake full-fovy,no-shadow -o wrong.png",
-            "  paprsek render a.xml b.xml --json --quiet  one JSON object a line"
+            "  paprsek render flight.xml --frames 1-250 -o 'out/flight-{frame}.png'",
+        "  paprsek render flight.xml --frames 1-250 --format y4m -o - | ffmpeg -i - flight.mp4",
+        "  paprsek render a.xml b.xml --json --quiet  one JSON object a line"
         })
 final class RenderCommand implements Callable<Integer> {
     private final Terminal terminal;
@@ -90,10 +94,10 @@ final class RenderCommand implements Callable<Integer> {
         "Default: {name}.png in the working directory."})
     private Optional<String> output;
 
-    @Option(names = "--format", paramLabel = "FORMAT", completionCandidates = Formats.class, description = {
+    @Option(names = "--format", paramLabel = "FORMAT", completionCandidates = OutputFormat.Names.class, description = {
         "One of ${COMPLETION-CANDIDATES}. Default: by the ending of the output, else png.",
-        "exr, hdr, pfm and ppm16 hold linear light, txt brightness 0-255 and lum linear luminance, one image row a line."})
-    private Optional<ImageFormat> format;
+        "exr, hdr, pfm and ppm16 hold linear light, txt brightness 0-255 and lum linear luminance, one image row a line; apng, gif and y4m are films, of --frames."})
+    private Optional<OutputFormat> format;
 
     @Option(names = "--raw", description = "Text output holds linear luminance as decimals, 1 for white, instead of 0-255: the same as --format lum.")
     private boolean raw;
@@ -148,6 +152,9 @@ final class RenderCommand implements Callable<Integer> {
 
     @Mixin
     private LightWishes shown;
+
+    @Mixin
+    private FrameWishes film;
 
     @Mixin
     private PixelWishes pixels;
@@ -205,14 +212,26 @@ final class RenderCommand implements Callable<Integer> {
             stop.oweLastWords();
         }
         Wishes wishes = new Wishes(size, maxDepth, rays, shown, region, threads);
-        List<Target> targets = shard.isPresent() ? List.of(shared(sources())) : new Targets(output, format, raw).of(sources());
+        if (shard.isPresent() && film.frames().isPresent()) {
+            throw new WrongUsage("--shard is for a picture; frames of a film are shared out by giving each machine its --frames A-B");
+        }
+        Reel reel = Reel.of(film, output, format);
+        if (reel.film().isPresent() && (pixels.isTransparent() || pixels.haveLayers() || bits.isPresent() || raw || time.isPresent())) {
+            throw new WrongUsage("--transparent, --aov, --bits, --raw and --time are for pictures, and " + reel.film().get().extension() + " is a film");
+        }
+        Optional<ImageFormat> picture = reel.pictures(format);
+        Optional<String> place = reel.output(output, new Targets(output, picture, raw));
+        List<Target> targets = shard.isPresent() ? List.of(shared(sources())) : new Targets(place, picture, raw).of(sources());
+        if (!quiet && output.isPresent() && !place.equals(output)) {
+            terminal.message("the pictures go to " + place.get());
+        }
         Writing writing = new Writing(bits, uncompressed);
         writing.check(targets.stream().map(Target::format).toList());
         View view = new View(mode, camera, light, !noLegend, pixels, mistakes.made());
         view.check(targets);
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
         Optional<ShardWork> share = shard.map(one -> new ShardWork(one, Words.path(output.orElseThrow()), sharedWords()));
-        return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, given.pictures(), progress, Report.of(terminal, json, quiet), share).run(targets);
+        return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, given.pictures(), reel, progress, Report.of(terminal, json, quiet), share).run(targets);
     }
 
     private void checkShared() {
@@ -239,7 +258,7 @@ final class RenderCommand implements Callable<Integer> {
             throw new WrongUsage("--shard is for one scene, but there are " + sources.size() + "; of a database, choose one with --where 'name = ...'");
         }
         boolean isMore = pixels.haveLayers() || pixels.isTransparent();
-        return new Target(sources.get(0), Optional.of(Words.path(output.orElseThrow())), format.orElse(isMore ? ImageFormat.EXR : ImageFormat.PNG), "");
+        return new Target(sources.get(0), Optional.of(Words.path(output.orElseThrow())), format.flatMap(OutputFormat::picture).orElse(isMore ? ImageFormat.EXR : ImageFormat.PNG), "");
     }
 
     /** The words of the command line but those that say whose work it is and where it goes. */

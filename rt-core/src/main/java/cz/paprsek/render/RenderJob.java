@@ -69,7 +69,7 @@ final class RenderJob implements Workers.Work {
     RenderJob(RenderScene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
         this.scene = scene;
         Require.that(scene.instants().isEmpty() || (options.mode() == RenderMode.SHADED && !options.isWatched()),
-                "while the shutter is open, pictures show light alone: no mode, no layers, no transparency");
+                "while the shutter is open, pictures show light alone: no mode, no layers, no transparency, no denoiser");
         eye = Eye.of(scene.scene().camera(), options.settings().width(), options.settings().height(), options.step());
         this.options = options;
         this.monitor = monitor;

@@ -10,6 +10,7 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.query.Value;
 import cz.paprsek.query.text.TableText;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -47,7 +48,15 @@ public final class SummaryAsJson {
         if (!summary.meshes().isEmpty()) {
             json.with("meshes", summary.meshes().stream().map(ModelSummary::json).toList());
         }
+        if (!scene.animations().isEmpty()) {
+            json.with("animations", scene.animations().stream().map(SummaryAsJson::of).toList());
+        }
         return summary.bounds().isEmpty() ? json : json.with("bounds", of(summary.bounds()));
+    }
+
+    private static Json of(Animation one) {
+        return new Json().with("target", one.target()).with("attribute", one.attribute()).with("turn", Described.word(one.turn())).with("keys", one.keys().stream()
+                .map(key -> new Json().with("t", key.t()).with("value", key.value()).with("ease", Described.word(key.ease()))).toList());
     }
 
     /** A value that is no number is a text. */

@@ -8,6 +8,7 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.query.Value;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -62,6 +63,16 @@ public final class SummaryAsText {
         line("materials", Integer.toString(scene.materials().size()));
         scene.materials().forEach((name, material) -> item(name, text(material)));
         ReadyUses.of(scene).forEach((name, material) -> item(name, text(material) + " (ready)"));
+        if (!scene.animations().isEmpty()) {
+            line("animations", Integer.toString(scene.animations().size()));
+            scene.animations().forEach(one -> item(one.target(), text(one)));
+        }
+    }
+
+    private static String text(Animation one) {
+        double first = one.keys().get(0).t();
+        double last = one.keys().get(one.keys().size() - 1).t();
+        return one.attribute() + ", " + one.keys().size() + (one.keys().size() == 1 ? " key" : " keys") + ", t " + Numbers.text(first) + " to " + Numbers.text(last);
     }
 
     /** Its value, what that is made of, and what it may be. */

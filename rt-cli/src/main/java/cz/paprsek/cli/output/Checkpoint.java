@@ -21,6 +21,7 @@ import java.nio.file.StandardOpenOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HashMap;
+import java.util.HexFormat;
 import java.util.Map;
 import java.util.zip.CRC32;
 
@@ -237,6 +238,11 @@ public final class Checkpoint implements AutoCloseable {
         } catch (OverlappingFileLockException e) {
             return true;
         }
+    }
+
+    /** As {@link #digest}, to be read by people. */
+    static String digestText(Scene scene, Assets assets, RenderOptions options) {
+        return HexFormat.of().formatHex(digest(scene, assets, options));
     }
 
     /** Two pictures are the same if these are: everything but the number of threads, the content of all files that the scene needs included. */

@@ -24,6 +24,7 @@ import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
+import cz.paprsek.render.TileStore;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.teach.PlainTracer;
@@ -43,7 +44,7 @@ import java.util.concurrent.CancellationException;
  *
  * @param share of the work that is to be done, in place of all of it
  */
-public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Optional<Double> seconds, Pictures pictures, Progress.Maker progress, Report report,
+public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Optional<Double> seconds, Pictures pictures, Reel reel, Progress.Maker progress, Report report,
         Optional<ShardWork> share) {
 
     /** The exit code of the worst. */
@@ -66,12 +67,15 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         }
         try {
             long begin = System.nanoTime();
-            Scene read = target.source().read();
+            Scene read = reel.wishes().applyTo(target.source().read());
             if (progress != Progress.Maker.SILENT) {
                 target.source().reading().notes().forEach(note -> terminal.message(file + ": note: " + note));
             }
+            if (reel.wishes().frames().isPresent()) {
+                return new FrameBatch(this, target, read, reel.wishes().frames().get()).run();
+            }
             Scene seen = view.of(read);
-            return render(target, read, seen, pictures.read(target.source().file(), seen), begin);
+            return render(target, read, seen, pictures.read(target.source().file(), seen), begin, new Still());
         } catch (WrongUsage e) {
             return fail(target, Outcome.WRONG_USAGE, List.of(file + ": " + e.getMessage()));
         } catch (SceneFileException e) {
@@ -80,6 +84,8 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
             return fail(target, Outcome.BAD_SCENE, List.of(SceneReading.sentence(target.source().file(), file, pictures, e)));
         } catch (UncheckedIOException e) {
             return fail(target, Outcome.BAD_SCENE, List.of(file + ": " + e.getMessage()));
+        } catch (IllegalArgumentException noSuchFrame) {
+            return fail(target, Outcome.BAD_SCENE, List.of(file + ": " + noSuchFrame.getMessage()));
         } catch (IllegalStateException e) {
             return fail(target, Outcome.FAILED, List.of(file + ": " + e.getMessage()));
         } catch (OutOfMemoryError e) {
@@ -87,11 +93,33 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         }
     }
 
+    /** One scene by itself. */
+    private final class Still implements Way {
+        @Override
+        public RenderResult render(Scene scene, Assets assets, RenderOptions options, RenderMonitor monitor, TileStore store) {
+            return Renderer.render(scene, assets, options, monitor, store);
+        }
+
+        @Override
+        public void write(Target target, Image image, Layers layers, ImageOptions how) throws IOException {
+            target.write(view.written(target.format()), image, layers, how, terminal);
+        }
+    }
+
+    Outcome render(Target target, Scene read, Scene scene, Assets assets, Way way) {
+        return render(target, read, scene, assets, System.nanoTime(), way);
+    }
+
+    /** @throws IllegalArgumentException if there is no such picture */
+    RenderOptions options(Target target, Scene scene) {
+        return timed(view.applyTo(wishes.applyTo(scene.settings()), target.format()));
+    }
+
     /** @param scene what is shown of the one that was read */
-    private Outcome render(Target target, Scene read, Scene scene, Assets assets, long begin) {
+    private Outcome render(Target target, Scene read, Scene scene, Assets assets, long begin, Way way) {
         RenderOptions options;
         try {
-            options = timed(view.applyTo(wishes.applyTo(scene.settings()), target.format()));
+            options = options(target, scene);
             Image.requireRoom(options.region().width(), options.region().height());
         } catch (IllegalArgumentException refused) {
             return fail(target, Outcome.WRONG_USAGE, List.of(target.source().label() + ": " + refused.getMessage()));
@@ -112,21 +140,23 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
             if (options.isInPasses() && progress != Progress.Maker.SILENT) {
                 SceneWarnings.ofPaths(scene.withSettings(options.settings())).forEach(warning -> terminal.message(target.source().label() + ": note: " + warning.message()));
             }
-            try (Tiles tiles = resume ? Tiles.kept(target, scene, assets, options, terminal) : Tiles.NOT_KEPT) {
+            try (Tiles tiles = resume ? Tiles.kept(target, way.tilesBeside(target), way.keptAs(scene), assets, options, terminal) : Tiles.NOT_KEPT) {
                 if (options.isInPasses()) {
                     // A picture is kept, and how good it is must be said.
                     stop.oweLastWords();
                 }
-                WholePasses passes = new WholePasses(seconds, (image, layers, count) -> isWritten(target, read, image, layers, ofPasses(options, count)),
+                WholePasses passes = new WholePasses(seconds, (image, layers, count) -> isWritten(target, read, image, layers, ofPasses(options, count), way),
                         hindered -> terminal.message(target.source().label() + ": note: the picture so far could not be written, rendering goes on: "
                                 + Failures.sentence(target.shown(), hindered)));
-                RenderResult result = rendered(target, scene, assets, options, tiles, passes);
+                RenderResult result = rendered(target, scene, assets, options, tiles, passes, way);
                 if (stop.requested() || result.outcome() == RenderResult.Outcome.CANCELLED) {
                     return interrupted(target, passes);
                 }
                 Image image = view.finished(result.image(), target.format());
-                write(target, read, image, result.layers(), passes.passesInTime().map(count -> ofPasses(options, count)).orElse(options));
-                tiles.discard();
+                write(target, read, image, result.layers(), passes.passesInTime().map(count -> ofPasses(options, count)).orElse(options), way);
+                if (!way.keepsTiles()) {
+                    tiles.discard();
+                }
                 report.done(target, scene.name(), image.width(), image.height(), result, (System.nanoTime() - begin) / 1e9);
             }
         } catch (WrongUsage e) {
@@ -197,26 +227,26 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
     }
 
     /** Writes the picture of the passes so far, if it goes to a file. */
-    private boolean isWritten(Target target, Scene read, Image image, Layers layers, RenderOptions options) throws IOException {
-        if (target.file().isEmpty()) {
+    private boolean isWritten(Target target, Scene read, Image image, Layers layers, RenderOptions options, Way way) throws IOException {
+        if (target.file().isEmpty() || way.keepsTiles()) {
             return false;
         }
-        write(target, read, view.finished(image, target.format()), layers, options);
+        write(target, read, view.finished(image, target.format()), layers, options, way);
         return true;
     }
 
-    private void write(Target target, Scene read, Image image, Layers layers, RenderOptions options) throws IOException {
+    private void write(Target target, Scene read, Image image, Layers layers, RenderOptions options, Way way) throws IOException {
         ImageOptions how = view.written(target.format(), writing.of(read, options, view, target.format()));
-        stop.guard(() -> target.write(view.written(target.format()), image, layers, how, terminal));
+        stop.guard(() -> way.write(target, image, layers, how));
     }
 
-    private RenderResult rendered(Target target, Scene scene, Assets assets, RenderOptions options, Tiles tiles, WholePasses passes) {
+    private RenderResult rendered(Target target, Scene scene, Assets assets, RenderOptions options, Tiles tiles, WholePasses passes, Way way) {
         if (!view.mistakes().equals(Mistakes.NONE)) {
             return wrong(target, scene, options);
         }
         try (Progress monitor = progress.start(target.source().label(), options, stop)) {
             monitor.whenPassed(passes);
-            return Renderer.render(scene, assets, options, monitor, tiles.store());
+            return way.render(scene, assets, options, monitor, tiles.store());
         }
     }
 
@@ -236,7 +266,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
                 : target.shown() + " has the " + passes.passesWritten() * RenderSettings.USUAL_PATHS + " paths a pixel that were complete")));
     }
 
-    private Outcome fail(Target target, Outcome outcome, List<String> problems) {
+    Outcome fail(Target target, Outcome outcome, List<String> problems) {
         problems.forEach(terminal::message);
         report.failed(target, outcome, problems);
         return outcome;

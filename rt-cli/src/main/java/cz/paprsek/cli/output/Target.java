@@ -2,6 +2,7 @@ package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.input.SceneSource;
 import cz.paprsek.cli.process.Terminal;
+import cz.paprsek.cli.value.FrameRange;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
@@ -19,6 +20,8 @@ import java.util.Optional;
  * @param refusal why there can be no such file; empty if there can
  */
 public record Target(SceneSource source, Optional<Path> file, ImageFormat format, String refusal) {
+    /** Stands in a name for the number of a frame. */
+    static final String FRAME = "{frame}";
 
     /** The scene's file. */
     public Path scene() {
@@ -47,5 +50,25 @@ public record Target(SceneSource source, Optional<Path> file, ImageFormat format
     /** The picture's file as the user would name it. */
     public String shown() {
         return file.map(Path::toString).orElse("-");
+    }
+
+    /** Where one of the frames goes that have pictures of their own. */
+    Target ofFrame(FrameRange range, int frame) {
+        return new Target(labelled(frame).source, file.map(path -> path.resolveSibling(name(path).replace(FRAME, range.padded(frame)))), format, refusal);
+    }
+
+    /** With the number of a frame in what messages call the scene. */
+    Target labelled(int frame) {
+        return new Target(new SceneSource(source.file(), source.label() + ", frame " + frame, source.name(), source.reading()), file, format, refusal);
+    }
+
+    /** The name that a frame of a film would have beside it. */
+    Path besideFrame(FrameRange range, int frame) {
+        Path film = file.orElseThrow();
+        return film.resolveSibling(name(film) + "-" + range.padded(frame));
+    }
+
+    private static String name(Path path) {
+        return String.valueOf(path.getFileName());
     }
 }

@@ -29,7 +29,7 @@ import java.util.regex.Pattern;
 public record Targets(Optional<String> output, Optional<ImageFormat> format, boolean raw) {
     public static final String NAME = "{name}";
     private static final String FOLDER = "{dir}";
-    private static final List<String> KNOWN = List.of(NAME, FOLDER);
+    private static final List<String> KNOWN = List.of(NAME, FOLDER, Target.FRAME);
     private static final Pattern PLACE = Pattern.compile("\\{\\w+}");
 
     /** @throws WrongUsage if what the user gave is no name, or has an unknown <code>{…}</code> in it */
@@ -151,7 +151,7 @@ public record Targets(Optional<String> output, Optional<ImageFormat> format, boo
         return PLACE.matcher(shown()).find();
     }
 
-    private boolean isDirectory() {
+    boolean isDirectory() {
         String text = shown();
         return text.endsWith("/") || text.endsWith(FileSystems.getDefault().getSeparator()) || (!isPattern() && !text.isEmpty() && isFolder(text));
     }

@@ -27,10 +27,10 @@ interface Tiles extends AutoCloseable {
     /**
      * They are kept in a file beside the picture.
      *
+     * @param picture beside which file
      * @throws WrongUsage if that file is of another picture
      */
-    static Tiles kept(Target target, Scene scene, Assets assets, RenderOptions options, Terminal terminal) throws IOException {
-        Path picture = target.file().orElseThrow();
+    static Tiles kept(Target target, Path picture, Scene scene, Assets assets, RenderOptions options, Terminal terminal) throws IOException {
         Checkpoint checkpoint = Checkpoint.open(picture, scene, assets, options);
         long pixels = (long) options.region().width() * options.region().height();
         if (checkpoint.pixels() > 0 && options.isInPasses()) {

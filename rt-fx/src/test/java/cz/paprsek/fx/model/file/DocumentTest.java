@@ -92,6 +92,29 @@ class DocumentTest {
     }
 
     @Test
+    void whatMovesStaysAsItIsWrittenWhenAnythingElseIsSaved() throws IOException, SceneFileException {
+        Path file = folder.resolve("moving.xml");
+        String text = """
+                <scene xmlns='urn:paprsek:scene:1'>
+                  <param name="h" value="1"/>
+                  <camera position='0 0 5' direction='0 0 -1'/>
+                  <sphere name="ball" radius="1" position="0 {h+t} 0"/>
+                  <animate target='ball'  attribute='radius'> <!-- grows -->
+                    <key t='0' value='1' ease="smooth"/> <key t="{h}" value='2.0'/>
+                  </animate>
+                  <animate target="param:h" attribute="value"><key t="0" value="1"/></animate>
+                </scene>
+                """;
+        Files.writeString(file, text);
+        Document document = new Document(new EditorModel(kitchen));
+        document.opened(SceneSource.of(file).read());
+        document.model().edit(Label.of(Label.Edit.CHANGE), scene -> scene.withCamera(scene.camera().withFovy(30)));
+        document.save(SceneSource.file(file));
+        assertThat(file).hasContent(text.replace("direction='0 0 -1'/>", "direction='0 0 -1' fovy=\"30\"/>"));
+        assertThatThrownBy(() -> document.model().edit(Label.of(Label.Edit.DELETE), scene -> scene.withObjects(List.of()))).hasMessageStartingWith("nothing in this scene is called \"ball\"");
+    }
+
+    @Test
     void failedSaveLeavesEverythingAsItWas() {
         Document document = new Document(new EditorModel(kitchen));
         document.model().edit(Label.of(Label.Edit.RENAME), scene -> scene.withName("cellar"));

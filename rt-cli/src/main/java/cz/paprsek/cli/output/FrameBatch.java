@@ -1,0 +1,212 @@
+package cz.paprsek.cli.output;
+
+import cz.paprsek.asset.Assets;
+import cz.paprsek.cli.output.Report.Outcome;
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.value.FrameRange;
+import cz.paprsek.image.film.FilmWriter;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.Layers;
+import cz.paprsek.io.AtomicFile;
+import cz.paprsek.io.Failures;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderResult;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.render.TileStore;
+import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.DoubleFunction;
+import org.jspecify.annotations.Nullable;
+
+/** Renders frames of a film one after the other: to pictures of their own, or into one file. What does not change from one to the next is prepared once. */
+final class FrameBatch {
+    private final RenderBatch batch;
+    private final Target target;
+    private final Scene read;
+    private final FrameRange range;
+    private final DoubleFunction<Scene> frames;
+    private final Scenery scenery = new Scenery();
+    private @Nullable Assets assets;
+
+    FrameBatch(RenderBatch batch, Target target, Scene read, FrameRange range) {
+        this.batch = batch;
+        this.target = target;
+        this.read = read;
+        this.range = range;
+        this.frames = SceneFiles.frames(read);
+    }
+
+    Outcome run() throws IOException {
+        if (read.settings().shutter() > 0 && (batch.view().mode() != RenderMode.SHADED || batch.view().pixels().haveLayers() || batch.view().pixels().isTransparent() || batch.view().pixels().isDenoised())) {
+            throw new WrongUsage("while the shutter is open, pictures show light alone; --shutter 0 goes with --mode, --aov, --transparent and --denoise");
+        }
+        Optional<FilmWriter.Format> film = batch.reel().film();
+        if (film.isEmpty()) {
+            return batch.reel().wishes().isOne() ? one() : pictures();
+        }
+        try {
+            film.get().check(read.settings().fps());
+        } catch (IllegalArgumentException refused) {
+            throw new WrongUsage(String.valueOf(refused.getMessage()));
+        }
+        return film(film.get());
+    }
+
+    private Outcome one() throws IOException {
+        Scene written = frames.apply(range.first());
+        Scene seen = batch.view().of(written);
+        return batch.render(target, written, seen, assets(seen), new Frame(range.first()));
+    }
+
+    private Outcome pictures() throws IOException {
+        Path pattern = target.file().orElseThrow(() -> new WrongUsage("pictures of frames go to files; --format y4m makes a film of them that can go to standard output"));
+        FrameLedger ledger = FrameLedger.of(pattern);
+        Outcome outcome = Outcome.DONE;
+        for (int frame = range.first(); frame <= range.last() && outcome == Outcome.DONE; frame++) {
+            Target now = target.ofFrame(range, frame);
+            Path picture = now.file().orElseThrow();
+            Scene written = frames.apply(frame);
+            Scene seen = batch.view().of(written);
+            Frame way = new Frame(frame);
+            String digest = batch.resume() ? Checkpoint.digestText(way.keptAs(seen), assets(seen), batch.options(now, seen)) : "";
+            if (batch.resume() && ledger.has(picture, digest)) {
+                batch.terminal().message(now.source().label() + ": is there already");
+                continue;
+            }
+            outcome = batch.render(now, written, seen, assets(seen), way);
+            if (batch.resume() && outcome == Outcome.DONE) {
+                ledger.add(picture, digest);
+            }
+        }
+        if (outcome == Outcome.DONE) {
+            ledger.discard();
+        }
+        return outcome;
+    }
+
+    private Outcome film(FilmWriter.Format format) throws IOException {
+        // The unfinished file must be removed.
+        batch.stop().oweLastWords();
+        Outcome[] outcome = {Outcome.DONE};
+        try {
+            if (target.file().isEmpty()) {
+                outcome[0] = film(format, batch.terminal().bytes());
+                return outcome[0];
+            }
+            AtomicFile.write(target.file().get(), out -> {
+                outcome[0] = film(format, out);
+                if (outcome[0] != Outcome.DONE) {
+                    throw new IOException("the film has not become whole");
+                }
+            });
+            for (int frame = range.first(); batch.resume() && frame <= range.last(); frame++) {
+                Files.deleteIfExists(Checkpoint.fileFor(target.besideFrame(range, frame)));
+            }
+            return Outcome.DONE;
+        } catch (IOException e) {
+            return outcome[0] != Outcome.DONE ? outcome[0] : batch.stop().requested() ? Outcome.INTERRUPTED
+                    : batch.fail(target, Outcome.FAILED, List.of(Failures.sentence(target.shown(), e)));
+        }
+    }
+
+    private Outcome film(FilmWriter.Format format, OutputStream out) throws IOException {
+        InFilm film = new InFilm(format, out);
+        for (int frame = range.first(); frame <= range.last(); frame++) {
+            Scene seen = batch.view().of(frames.apply(frame));
+            film.number = frame;
+            Outcome outcome = batch.render(target.labelled(frame), read, seen, assets(seen), film);
+            if (outcome != Outcome.DONE) {
+                return outcome;
+            }
+        }
+        film.end();
+        return Outcome.DONE;
+    }
+
+    private Assets assets(Scene scene) throws IOException {
+        if (assets == null) {
+            assets = batch.pictures().read(target.source().file(), scene);
+        }
+        return assets;
+    }
+
+    /** A frame that has a file of its own. */
+    private class Frame implements Way {
+        int number;
+
+        Frame(int number) {
+            this.number = number;
+        }
+
+        @Override
+        public RenderResult render(Scene scene, Assets pictures, RenderOptions options, RenderMonitor monitor, TileStore store) {
+            try {
+                RenderScene prepared = scenery.prepared(scene, pictures, monitor);
+                double shutter = read.settings().shutter();
+                return Renderer.render(shutter > 0 ? prepared.exposed(share -> batch.view().of(frames.apply(number + shutter * share)), monitor) : prepared, options, monitor, store);
+            } catch (CancellationException cancelled) {
+                Image black = new Image(options.region().width(), options.region().height());
+                return new RenderResult(black, Layers.ofSize(black.width(), black.height()), RenderResult.Stats.NONE, RenderResult.Outcome.CANCELLED, Optional.empty());
+            }
+        }
+
+        @Override
+        public void write(Target to, Image image, Layers layers, ImageOptions how) throws IOException {
+            to.write(batch.view().written(to.format()), image, layers, how, batch.terminal());
+        }
+
+        /** While the shutter is open, a frame shows more than one scene. */
+        @Override
+        public Scene keptAs(Scene shown) {
+            return read.settings().shutter() > 0 ? read.withName(read.name() + " " + number) : shown;
+        }
+    }
+
+    /** A frame that becomes part of a file. */
+    private final class InFilm extends Frame {
+        private final FilmWriter.Format format;
+        private final OutputStream out;
+        private @Nullable FilmWriter writer;
+
+        InFilm(FilmWriter.Format format, OutputStream out) {
+            super(range.first());
+            this.format = format;
+            this.out = out;
+        }
+
+        @Override
+        public void write(Target to, Image image, Layers layers, ImageOptions how) throws IOException {
+            if (writer == null) {
+                writer = new FilmWriter(format, image.width(), image.height(), read.settings().fps(), range.count(), how, out);
+            }
+            writer.add(image);
+        }
+
+        void end() throws IOException {
+            if (writer != null) {
+                writer.end();
+            }
+        }
+
+        @Override
+        public Path tilesBeside(Target to) {
+            return target.besideFrame(range, number);
+        }
+
+        @Override
+        public boolean keepsTiles() {
+            return true;
+        }
+    }
+}
