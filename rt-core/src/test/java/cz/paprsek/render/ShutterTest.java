@@ -50,7 +50,8 @@ class ShutterTest {
                 int n = 64;
                 for (int i = 0; i < n * n; i++) {
                     double x = column - 4 + (i % n + 0.5) / n;
-                    double half = Math.sqrt(4 - Math.pow(2 - row - (i / n + 0.5) / n, 2));
+                    int line = i / n;
+                    double half = Math.sqrt(4 - Math.pow(2 - row - (line + 0.5) / n, 2));
                     share += Math.max(0, Math.min(1, (x + half + 2) / 4) - Math.max(0, (x - half + 2) / 4)) / (n * n);
                 }
                 assertThat(image.red(column, row)).as(column + ", " + row).isEqualTo((float) share, within(0.04f));

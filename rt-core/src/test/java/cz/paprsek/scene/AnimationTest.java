@@ -10,7 +10,6 @@ import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Animation.Ease;
-import cz.paprsek.scene.Animation.Key;
 import cz.paprsek.scene.Animation.Turning;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFiles;
@@ -29,7 +28,7 @@ class AnimationTest {
     private static final double ROUNDING = 1e-12;
 
     private static Animation of(String target, String attribute, Ease ease, String... values) {
-        return new Animation(target, attribute, Turning.ANGLES, IntStream.range(0, values.length).mapToObj(i -> new Key(2 * i, values[i], ease)).toList());
+        return new Animation(target, attribute, Turning.ANGLES, IntStream.range(0, values.length).mapToObj(i -> new Animation.Key(2 * i, values[i], ease)).toList());
     }
 
     private static double[] at(Ease ease, double t) {
@@ -64,7 +63,7 @@ class AnimationTest {
 
     @Test
     void catmullRomThroughUnevenKeysOfAnEvenMotionIsThatMotion() {
-        Animation even = new Animation("x", "radius", Turning.ANGLES, List.of(new Key(0, "3", Ease.CATMULL_ROM), new Key(0.5, "4", Ease.CATMULL_ROM), new Key(3, "9", Ease.CATMULL_ROM), new Key(4, "11", Ease.HOLD)));
+        Animation even = new Animation("x", "radius", Turning.ANGLES, List.of(new Animation.Key(0, "3", Ease.CATMULL_ROM), new Animation.Key(0.5, "4", Ease.CATMULL_ROM), new Animation.Key(3, "9", Ease.CATMULL_ROM), new Animation.Key(4, "11", Ease.HOLD)));
         for (double t = 0; t <= 4; t += 0.25) {
             assertThat(even.at(t)[0]).isEqualTo(3 + 2 * t, within(ROUNDING));
         }
@@ -85,7 +84,7 @@ class AnimationTest {
         for (int i = 0; i < 300; i++) {
             String from = random.nextInt(720) - 360 + " " + (i % 5 == 0 ? 90 : random.nextInt(720) - 360) + " " + (random.nextInt(720) - 360);
             String to = random.nextInt(720) - 360 + " " + (random.nextInt(720) - 360) + " " + (i % 7 == 0 ? 180 : random.nextInt(720) - 360);
-            Animation turn = new Animation("x", "rotation", Turning.SHORTEST, List.of(new Key(0, from, Ease.LINEAR), new Key(1, to, Ease.LINEAR)));
+            Animation turn = new Animation("x", "rotation", Turning.SHORTEST, List.of(new Animation.Key(0, from, Ease.LINEAR), new Animation.Key(1, to, Ease.LINEAR)));
             Affine start = rotation(turn.at(0));
             double whole = angle(start.inverse().after(rotation(turn.at(1))));
             assertThat(whole).isLessThanOrEqualTo(180);
@@ -93,7 +92,7 @@ class AnimationTest {
                 assertThat(angle(start.inverse().after(rotation(turn.at(t))))).as(from + " to " + to).isEqualTo(t * whole, within(2e-5));
             }
         }
-        Animation across = new Animation("x", "rotation", Turning.SHORTEST, List.of(new Key(0, "0 350 0", Ease.LINEAR), new Key(1, "0 10 0", Ease.LINEAR)));
+        Animation across = new Animation("x", "rotation", Turning.SHORTEST, List.of(new Animation.Key(0, "0 350 0", Ease.LINEAR), new Animation.Key(1, "0 10 0", Ease.LINEAR)));
         assertThat(across.at(0.25)[1]).isEqualTo(-5, within(1e-9));
         assertThat(of("x", "rotation", Ease.LINEAR, "0 350 0", "0 10 0").at(0.5)).containsExactly(0, 265, 0);
     }

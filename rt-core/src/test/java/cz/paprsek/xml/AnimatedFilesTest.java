@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Animation.Ease;
-import cz.paprsek.scene.Animation.Key;
 import cz.paprsek.scene.Animation.Turning;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -47,15 +46,15 @@ class AnimatedFilesTest {
         Scene thorough = SceneReader.thoroughly(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), "x").scenes().get(0);
         assertThat(quick).isEqualTo(thorough);
         assertThat(quick.animations()).containsExactly(
-                new Animation("ball", "position", Turning.ANGLES, List.of(new Key(0, "0 0 0", Ease.CATMULL_ROM), new Key(2, "4 0 1", Ease.LINEAR))),
-                new Animation("ball", "rotation", Turning.SHORTEST, List.of(new Key(1, "0 0 0", Ease.LINEAR))));
+                new Animation("ball", "position", Turning.ANGLES, List.of(new Animation.Key(0, "0 0 0", Ease.CATMULL_ROM), new Animation.Key(2, "4 0 1", Ease.LINEAR))),
+                new Animation("ball", "rotation", Turning.SHORTEST, List.of(new Animation.Key(1, "0 0 0", Ease.LINEAR))));
         assertThat(SceneFiles.parse(SceneFiles.format(quick))).isEqualTo(quick);
     }
 
     @Test
     void coloursMayBeNames() throws Exception {
         Scene scene = SceneFiles.parse(scene("<point-light name=\"lamp\" position=\"0 9 0\"/>" + animate("light:lamp", "color", "<key t=\"0\" value=\"red\"/><key t=\"1\" value=\"#00ff00\"/>")));
-        assertThat(scene.animations().get(0).keys()).extracting(Key::value).containsExactly("255 0 0", "0 255 0");
+        assertThat(scene.animations().get(0).keys()).extracting(Animation.Key::value).containsExactly("255 0 0", "0 255 0");
     }
 
     @ParameterizedTest
@@ -98,7 +97,7 @@ class AnimatedFilesTest {
         assertThat(file).hasContent(text.replace("<sphere radius=\"1\"/>", "<sphere radius=\"1\" position=\"7 8 9\"/>"));
         SceneFile again = SceneFiles.open(file);
         Animation old = again.scene().animations().get(0);
-        again.save(again.scene().withAnimations(List.of(new Animation(old.target(), old.attribute(), old.turn(), List.of(old.keys().get(0), new Key(2, "5 0 1", Ease.HOLD))))));
+        again.save(again.scene().withAnimations(List.of(new Animation(old.target(), old.attribute(), old.turn(), List.of(old.keys().get(0), new Animation.Key(2, "5 0 1", Ease.HOLD))))));
         assertThat(file).hasContent(text.replace("<sphere radius=\"1\"/>", "<sphere radius=\"1\" position=\"7 8 9\"/>").replace("value='4 0 1' />", "value='5 0 1' ease=\"hold\" />"));
         SceneFile last = SceneFiles.open(file);
         last.save(last.scene().withAnimations(List.of()));

@@ -10,7 +10,6 @@ import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Animation.Ease;
-import cz.paprsek.scene.Animation.Key;
 import cz.paprsek.scene.Animation.Turning;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
@@ -78,11 +77,11 @@ public final class RandomScenes {
     /** Of what no edit takes away. */
     private List<Animation> animations() {
         String target = "camera:side & \"top\"";
-        List<Key> keys = new ArrayList<>();
+        List<Animation.Key> keys = new ArrayList<>();
         for (int i = 0; i <= random.nextInt(4); i++) {
-            keys.add(new Key(i + random.nextDouble(), "-7000 " + number() + " " + random.nextInt(9), pick(Ease.values())));
+            keys.add(new Animation.Key(i + random.nextDouble(), "-7000 " + number() + " " + random.nextInt(9), pick(Ease.values())));
         }
-        return List.of(new Animation(target, "position", Turning.ANGLES, keys), new Animation(target, "up", Turning.ANGLES, List.of(new Key(-number(), "0 1 0", Ease.LINEAR))));
+        return List.of(new Animation(target, "position", Turning.ANGLES, keys), new Animation(target, "up", Turning.ANGLES, List.of(new Animation.Key(-number(), "0 1 0", Ease.LINEAR))));
     }
 
     private RenderSettings gathering(RenderSettings settings) {

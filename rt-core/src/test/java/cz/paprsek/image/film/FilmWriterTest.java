@@ -127,7 +127,19 @@ class FilmWriterTest {
     }
 
     /** A part of a PNG file. */
-    private record Chunk(String type, byte[] content) {}
+    private static final class Chunk {
+        private final String type;
+        private final byte[] content;
+
+        Chunk(String type, byte[] content) {
+            this.type = type;
+            this.content = content;
+        }
+
+        String type() {
+            return type;
+        }
+    }
 
     private static List<Chunk> chunks(byte[] file) {
         ByteBuffer in = ByteBuffer.wrap(file);
@@ -203,7 +215,7 @@ class FilmWriterTest {
     @ParameterizedTest
     @ValueSource(strings = {"25 25:1", "29.97 2997:100", "12.5 25:2", "23.976023976023978 24000:1001", "0.5 1:2", "1000 1000:1"})
     void aY4mSaysHowManyPicturesASecondThereAre(String rate) throws IOException {
-        String[] words = rate.split(" ");
+        String[] words = rate.split(" ", -1);
         assertThat(new String(film(Format.Y4M, Double.parseDouble(words[0]), new Image(3, 2)), StandardCharsets.ISO_8859_1))
                 .startsWith("YUV4MPEG2 W3 H2 F" + words[1] + " Ip A1:1 C444\nFRAME\n").hasSize("YUV4MPEG2 W3 H2 F".length() + words[1].length() + " Ip A1:1 C444\nFRAME\n".length() + 3 * 6);
     }
@@ -214,7 +226,7 @@ class FilmWriterTest {
                 0x00FF00, List.of(145, 54, 34), 0x0000FF, List.of(41, 240, 110), 0xFFFF00, List.of(210, 16, 146));
         known.forEach((rgb, yuv) -> {
             Image image = new Image(1, 1);
-            image.set(0, 0, (rgb >> 16 & 0xFF) / 255, (rgb >> 8 & 0xFF) / 255, (rgb & 0xFF) / 255);
+            image.set(0, 0, (rgb >> 16 & 0xFF) / 255.0, (rgb >> 8 & 0xFF) / 255.0, (rgb & 0xFF) / 255.0);
             try {
                 byte[] file = film(Format.Y4M, 25, image);
                 assertThat(List.of(file[file.length - 3] & 0xFF, file[file.length - 2] & 0xFF, file[file.length - 1] & 0xFF)).isEqualTo(yuv);
