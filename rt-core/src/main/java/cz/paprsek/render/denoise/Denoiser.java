@@ -5,6 +5,7 @@ import cz.paprsek.render.film.Film;
 import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.show.Guides;
 import cz.paprsek.render.work.Workers;
+import java.util.Objects;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -28,11 +29,11 @@ public final class Denoiser {
      * @param kept how many numbers of a pixel are kept: the sums of its light first, its guides last
      */
     public Denoiser(Film film, Image image, Passes paths, int kept, BooleanSupplier stop) {
-        this.film = film;
-        this.image = image;
-        this.paths = paths;
+        this.film = Objects.requireNonNull(film, "film");
+        this.image = Objects.requireNonNull(image, "image");
+        this.paths = Objects.requireNonNull(paths, "paths");
         this.kept = kept;
-        this.stop = stop;
+        this.stop = Objects.requireNonNull(stop, "stop");
     }
 
     /** Changes the image; false if the calling thread was interrupted, or all is to stop. */
