@@ -13,7 +13,9 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Assembly;
 import cz.paprsek.cli.shard.Card;
 import cz.paprsek.cli.shard.Survey;
+import cz.paprsek.cli.shard.Span;
 import cz.paprsek.cli.value.Formats;
+import cz.paprsek.cli.value.FrameRange;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
@@ -26,6 +28,7 @@ import java.io.InterruptedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -54,7 +57,7 @@ final class MergeCommand implements Callable<Integer> {
     private Path folder;
 
     @Option(names = {"-o", "--output"}, paramLabel = "FILE", description = {
-        "The picture; its ending says the format. - is standard output. Default: {name}.png in the working directory, by the directory's name."})
+        "The picture; its ending says the format. Of a film {frame} stands for the number of the frame. - is standard output. Default: {name}.png in the working directory, by the directory's name."})
     private Optional<String> output;
 
     @Option(names = "--format", paramLabel = "FORMAT", completionCandidates = Formats.class, description = "One of ${COMPLETION-CANDIDATES}. Default: by the ending of the output, else png.")
@@ -65,6 +68,9 @@ final class MergeCommand implements Callable<Integer> {
 
     @Option(names = "--uncompressed", description = "Writes exr as large as it is, for programs that cannot unpack it.")
     private boolean uncompressed;
+
+    @Option(names = "--frames", paramLabel = "A-B", description = "Of a film, these frames only. Default: all that were shared out.")
+    private Optional<FrameRange> frames;
 
     @Option(names = "--wait", paramLabel = "SECONDS", defaultValue = "0", description = "Waits so long for parts that are missing, looking for them every second. Default: 0.")
     private double patience;
@@ -88,15 +94,11 @@ final class MergeCommand implements Callable<Integer> {
         if (json) {
             stop.oweLastWords();
         }
-        String name = Objects.requireNonNullElse(folder.toAbsolutePath().normalize().getFileName(), folder).toString();
-        SceneSource parts = new SceneSource(folder, folder.toString(), name, () -> {
-            throw new IOException("these are parts of a picture");
-        });
-        Target target = new Targets(output, format, false).of(List.of(parts)).get(0);
+        Target target = target(output);
         new Writing(bits, uncompressed).check(List.of(target.format()));
         try {
             Survey survey = Assembly.checked(awaited(), stop);
-            return survey.isWhole() ? merge(survey, target) : refuse(survey);
+            return !survey.isWhole() ? refuse(survey) : survey.span().isStill() ? merge(survey, target) : film(survey);
         } catch (IOException e) {
             return failed(Failures.sentence(folder.toString(), e));
         } catch (OutOfMemoryError e) {
@@ -104,17 +106,49 @@ final class MergeCommand implements Callable<Integer> {
         }
     }
 
+    private Target target(Optional<String> place) {
+        String name = Objects.requireNonNullElse(folder.toAbsolutePath().normalize().getFileName(), folder).toString();
+        SceneSource parts = new SceneSource(folder, folder.toString(), name, () -> {
+            throw new IOException("these are parts of a picture");
+        });
+        return new Targets(place, format, false).of(List.of(parts)).get(0);
+    }
+
+    /** Puts frames together one after the other, each to a picture of its own. */
+    private int film(Survey survey) throws IOException {
+        FrameRange range = new FrameRange(survey.dealt().first(), survey.dealt().last());
+        Target target = target(range.count() == 1 ? output : Optional.of(numbered()));
+        for (Map.Entry<Integer, Survey> frame : survey.byFrame().entrySet()) {
+            int code = merge(frame.getValue(), target.ofFrame(range, frame.getKey()));
+            if (code != ExitCode.DONE) {
+                return code;
+            }
+        }
+        return ExitCode.DONE;
+    }
+
+    /** The output with a place for the number of the frame. */
+    private String numbered() {
+        String place = output.orElse(Targets.NAME + "." + format.orElse(ImageFormat.PNG).extension());
+        if (place.equals("-")) {
+            throw new WrongUsage("these are frames of a film, each a picture of its own, which go to files: -o '" + Target.FRAME + ".png'");
+        }
+        int dot = place.lastIndexOf('.') > place.lastIndexOf('/') ? place.lastIndexOf('.') : place.length();
+        return place.contains(Target.FRAME) ? place : place.substring(0, dot) + "-" + Target.FRAME + place.substring(dot);
+    }
+
     /** What there is, as soon as nothing is missing, or when there is no more time. */
     private Survey awaited() throws IOException {
         long begin = System.nanoTime();
+        Optional<Span> wanted = frames.map(range -> new Span(range.first(), range.last()));
         try {
             while (!Files.exists(folder) && (System.nanoTime() - begin) / 1e9 < patience && !stop.requested()) {
                 TimeUnit.MILLISECONDS.sleep(MILLIS_BETWEEN);
             }
-            Survey survey = Survey.of(folder, Optional.empty());
+            Survey survey = Survey.of(folder, wanted);
             while (!survey.isWhole() && (System.nanoTime() - begin) / 1e9 < patience && !stop.requested()) {
                 TimeUnit.MILLISECONDS.sleep(MILLIS_BETWEEN);
-                survey = Survey.of(folder, Optional.empty());
+                survey = Survey.of(folder, wanted);
             }
             return survey;
         } catch (InterruptedException e) {
@@ -131,7 +165,7 @@ final class MergeCommand implements Callable<Integer> {
             return failed(folder + ": " + Memory.sentence("the picture of " + card.region().width() + "x" + card.region().height() + " pixels", Assembly.memory(card)));
         }
         survey.damaged().forEach(sentence -> terminal.message("note: " + sentence + "; other parts have what it should"));
-        Assembly whole = Assembly.of(survey, 0, stop);
+        Assembly whole = Assembly.of(survey, stop);
         Image image = view.finished(whole.image(), target.format());
         ImageOptions how = card.applyTo(new Writing(bits, uncompressed).options()).withOrigin(Origins.areToldIn(target.format()) ? whole.origin() : Origin.UNTOLD);
         stop.guard(() -> target.write(view.written(target.format()), image, whole.layers(), view.written(target.format(), how), terminal));

@@ -212,15 +212,12 @@ final class RenderCommand implements Callable<Integer> {
             stop.oweLastWords();
         }
         Wishes wishes = new Wishes(size, maxDepth, rays, shown, region, threads);
-        if (shard.isPresent() && film.frames().isPresent()) {
-            throw new WrongUsage("--shard is for a picture; frames of a film are shared out by giving each machine its --frames A-B");
-        }
-        Reel reel = Reel.of(film, output, format);
+        Reel reel = shard.isPresent() ? new Reel(film, Optional.empty()) : Reel.of(film, output, format);
         if (reel.film().isPresent() && (pixels.isTransparent() || pixels.haveLayers() || bits.isPresent() || raw || time.isPresent())) {
             throw new WrongUsage("--transparent, --aov, --bits, --raw and --time are for pictures, and " + reel.film().get().extension() + " is a film");
         }
         Optional<ImageFormat> picture = reel.pictures(format);
-        Optional<String> place = reel.output(output, new Targets(output, picture, raw));
+        Optional<String> place = shard.isPresent() ? output : reel.output(output, new Targets(output, picture, raw));
         List<Target> targets = shard.isPresent() ? List.of(shared(sources())) : new Targets(place, picture, raw).of(sources());
         if (!quiet && output.isPresent() && !place.equals(output)) {
             terminal.message("the pictures go to " + place.get());
@@ -244,8 +241,8 @@ final class RenderCommand implements Callable<Integer> {
         if (pixels.isDenoised()) {
             throw new WrongUsage("--denoise needs the whole picture, of which --shard makes a part");
         }
-        if (bits.isPresent() || uncompressed || raw) {
-            throw new WrongUsage("--bits, --uncompressed and --raw are said when the parts are put together: paprsek merge DIR -o FILE");
+        if (bits.isPresent() || uncompressed || raw || format.flatMap(OutputFormat::film).isPresent()) {
+            throw new WrongUsage("--bits, --uncompressed, --raw and films' formats are said when the parts are put together: paprsek merge DIR -o FILE");
         }
         if (ImageFormat.ofFile(output.get()).isPresent()) {
             throw new WrongUsage("with --shard, -o is a directory for parts, not a picture such as " + output.get());
@@ -276,7 +273,7 @@ final class RenderCommand implements Callable<Integer> {
         try {
             View view = new View(mode, camera, light, !noLegend, pixels, mistakes.made());
             RenderOptions options = view.applyTo(new Wishes(size, maxDepth, rays, shown, region, threads).applyTo(Cameras.through(read, camera).settings()), ImageFormat.EXR);
-            return ShardWork.parts(options, Span.STILL, count);
+            return ShardWork.parts(options, film.frames().map(range -> new Span(range.first(), range.last())).orElse(Span.STILL), count);
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(String.valueOf(refused.getMessage()));
         }

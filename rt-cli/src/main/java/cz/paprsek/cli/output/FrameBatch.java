@@ -3,9 +3,12 @@ package cz.paprsek.cli.output;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.output.Report.Outcome;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.shard.ShardWork;
+import cz.paprsek.cli.shard.Span;
 import cz.paprsek.cli.value.FrameRange;
 import cz.paprsek.image.film.FilmWriter;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
 import cz.paprsek.image.Layers;
 import cz.paprsek.io.AtomicFile;
@@ -51,6 +54,9 @@ final class FrameBatch {
         if (read.settings().shutter() > 0 && (batch.view().mode() != RenderMode.SHADED || batch.view().pixels().haveLayers() || batch.view().pixels().isTransparent() || batch.view().pixels().isDenoised())) {
             throw new WrongUsage("while the shutter is open, pictures show light alone; --shutter 0 goes with --mode, --aov, --transparent and --denoise");
         }
+        if (batch.share().isPresent()) {
+            return shared(batch.share().get());
+        }
         Optional<FilmWriter.Format> film = batch.reel().film();
         if (film.isEmpty()) {
             return batch.reel().wishes().isOne() ? one() : pictures();
@@ -61,6 +67,37 @@ final class FrameBatch {
             throw new WrongUsage(String.valueOf(refused.getMessage()));
         }
         return film(film.get());
+    }
+
+    /** A share of the frames, whose parts go to files of their own. */
+    private Outcome shared(ShardWork work) throws IOException {
+        long begin = System.nanoTime();
+        Scene seen = batch.view().of(frames.apply(range.first()));
+        Assets pictures = assets(seen);
+        RenderOptions options;
+        try {
+            options = batch.options(target, seen);
+            Image.requireRoom(options.region().width(), options.region().height());
+        } catch (IllegalArgumentException refused) {
+            return batch.fail(target, Outcome.WRONG_USAGE, List.of(target.source().label() + ": " + refused.getMessage()));
+        }
+        return batch.part(work, target, batch.view().of(read), pictures, options, new ShardWork.Footage() {
+            @Override
+            public ImageOptions written(int frame) {
+                return batch.writing().of(frames.apply(frame), options, batch.view(), ImageFormat.PNG);
+            }
+
+            @Override
+            public RenderScene scene(int frame) {
+                return prepared(frame, batch.view().of(frames.apply(frame)), pictures, batch.stopped());
+            }
+        }, new Span(range.first(), range.last()), begin);
+    }
+
+    private RenderScene prepared(int number, Scene scene, Assets pictures, RenderMonitor monitor) {
+        RenderScene prepared = scenery.prepared(scene, pictures, monitor);
+        double shutter = read.settings().shutter();
+        return shutter > 0 ? prepared.exposed(share -> batch.view().of(frames.apply(number + shutter * share)), monitor) : prepared;
     }
 
     private Outcome one() throws IOException {
@@ -152,9 +189,7 @@ final class FrameBatch {
         @Override
         public RenderResult render(Scene scene, Assets pictures, RenderOptions options, RenderMonitor monitor, TileStore store) {
             try {
-                RenderScene prepared = scenery.prepared(scene, pictures, monitor);
-                double shutter = read.settings().shutter();
-                return Renderer.render(shutter > 0 ? prepared.exposed(share -> batch.view().of(frames.apply(number + shutter * share)), monitor) : prepared, options, monitor, store);
+                return Renderer.render(prepared(number, scene, pictures, monitor), options, monitor, store);
             } catch (CancellationException cancelled) {
                 Image black = new Image(options.region().width(), options.region().height());
                 return new RenderResult(black, Layers.ofSize(black.width(), black.height()), RenderResult.Stats.NONE, RenderResult.Outcome.CANCELLED, Optional.empty());

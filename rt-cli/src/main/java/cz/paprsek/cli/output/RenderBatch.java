@@ -13,7 +13,6 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Card;
 import cz.paprsek.cli.shard.ShardWork;
 import cz.paprsek.cli.shard.Span;
-import cz.paprsek.cli.shard.Told;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
@@ -125,7 +124,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
             return fail(target, Outcome.WRONG_USAGE, List.of(target.source().label() + ": " + refused.getMessage()));
         }
         if (share.isPresent()) {
-            return part(share.get(), target, read, scene, assets, options, begin);
+            return part(share.get(), target, scene, assets, options, still(read, scene, assets, options), Span.STILL, begin);
         }
         int width = options.region().width();
         int height = options.region().height();
@@ -170,23 +169,32 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         return Outcome.DONE;
     }
 
-    /** Renders a share of the picture, whose parts go to files of their own. */
-    private Outcome part(ShardWork work, Target target, Scene read, Scene scene, Assets assets, RenderOptions options, long begin) {
+    /** A picture that does not move. */
+    private ShardWork.Footage still(Scene read, Scene scene, Assets assets, RenderOptions options) {
+        return new ShardWork.Footage() {
+            @Override
+            public ImageOptions written(int frame) {
+                return writing.of(read, options, view, ImageFormat.PNG);
+            }
+
+            @Override
+            public RenderScene scene(int frame) {
+                return RenderScene.of(scene, assets, stopped());
+            }
+        };
+    }
+
+    /**
+     * Renders a share of a picture or of frames, whose parts go to files of their own.
+     *
+     * @param scene what is shown; of a film, all of it
+     */
+    Outcome part(ShardWork work, Target target, Scene scene, Assets assets, RenderOptions options, ShardWork.Footage footage, Span span, long begin) {
         String label = target.source().label();
         try {
-            ImageOptions how = writing.of(read, options, view, ImageFormat.PNG);
             PartProgress shown = new PartProgress(terminal, label + ": shard " + work.shard(), progress == Progress.Maker.SILENT);
-            ShardWork.Done done = work.run(Card.of(scene, assets, options, how, view.legend()), options, Span.STILL, new ShardWork.Footage() {
-                @Override
-                public Told told(int frame) {
-                    return Told.of(how.origin());
-                }
-
-                @Override
-                public RenderScene scene(int frame) {
-                    return RenderScene.of(scene, assets, stopped());
-                }
-            }, stop, shown);
+            Card card = Card.of(scene, !span.isStill(), assets, options, footage.written(span.first()), view.legend());
+            ShardWork.Done done = work.run(card, options, span, footage, stop, shown);
             if (stop.requested()) {
                 return fail(target, Outcome.INTERRUPTED, List.of(label + ": interrupted; what is done stays in " + target.shown() + ", and the same command goes on from there"));
             }
@@ -201,7 +209,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         }
     }
 
-    private RenderMonitor stopped() {
+    RenderMonitor stopped() {
         return new RenderMonitor() {
             @Override
             public boolean cancelled() {

@@ -21,7 +21,7 @@ import java.util.Optional;
  */
 public record Target(SceneSource source, Optional<Path> file, ImageFormat format, String refusal) {
     /** Stands in a name for the number of a frame. */
-    static final String FRAME = "{frame}";
+    public static final String FRAME = "{frame}";
 
     /** The scene's file. */
     public Path scene() {
@@ -53,7 +53,7 @@ public record Target(SceneSource source, Optional<Path> file, ImageFormat format
     }
 
     /** Where one of the frames goes that have pictures of their own. */
-    Target ofFrame(FrameRange range, int frame) {
+    public Target ofFrame(FrameRange range, int frame) {
         return new Target(labelled(frame).source, file.map(path -> path.resolveSibling(name(path).replace(FRAME, range.padded(frame)))), format, refusal);
     }
 

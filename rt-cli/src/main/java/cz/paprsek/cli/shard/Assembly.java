@@ -40,19 +40,17 @@ public record Assembly(Image image, Layers layers, Origin origin) {
     /**
      * Puts them together.
      *
-     * @param frame which of a film; 0 of a picture that is none
-     * @param survey of all parts, which have been {@linkplain #checked checked}
+     * @param survey of all parts of one frame, which have been {@linkplain #checked checked}
      * @throws IOException if a part is no longer what it was
      */
-    public static Assembly of(Survey survey, int frame, Stop stop) throws IOException {
+    public static Assembly of(Survey survey, Stop stop) throws IOException {
         Card card = survey.card().orElseThrow();
         Tile region = card.region();
         Image image = card.transparent() ? Image.ofTransparent(region.width(), region.height()) : new Image(region.width(), region.height());
         List<String> names = card.planes();
         float[][] planes = new float[names.size()][region.width() * region.height()];
         int first = card.channels() - names.size();
-        List<Found> parts = survey.of(frame);
-        for (Found part : parts) {
+        for (Found part : survey.parts()) {
             requireTime(stop);
             try {
                 PartFile.read(part.file(), (column, row, numbers) -> {
@@ -75,7 +73,7 @@ public record Assembly(Image image, Layers layers, Origin origin) {
         for (int i = 0; i < planes.length; i++) {
             layers = layers.with(names.get(i), planes[i]);
         }
-        return new Assembly(image, layers, parts.get(0).head().told().origin(card));
+        return new Assembly(image, layers, survey.parts().get(0).head().told().origin(card));
     }
 
     /** How many bytes of memory that takes. */

@@ -15,6 +15,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.TreeMap;
 
 /**
  * Which picture, or film, parts are of. Two parts belong together if their cards are the same to the letter: of the same scene with the same files beside it, by the same
@@ -43,11 +44,16 @@ public record Card(String program, String settings, double exposure, Tone tone, 
      * That of a picture which is to be rendered.
      *
      * @param scene what is shown, whose files are in the assets already; of a film, all of it
+     * @param isFilm whether it is a film, of which also counts how it is made
      * @param how the picture will be written in a format that tells its origin
      */
-    public static Card of(Scene scene, Assets assets, RenderOptions options, ImageOptions how, boolean legend) {
+    public static Card of(Scene scene, boolean isFilm, Assets assets, RenderOptions options, ImageOptions how, boolean legend) {
         MessageDigest digest = sha256();
         digest.update(assets.digest().getBytes(StandardCharsets.UTF_8));
+        if (isFilm) {
+            digest.update(scene.recipe().text().getBytes(StandardCharsets.UTF_8));
+            new TreeMap<>(scene.recipe().included()).values().forEach(text -> digest.update(text.getBytes(StandardCharsets.UTF_8)));
+        }
         String content = hex(digest.digest(SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8)));
         String settings = hex(digest.digest(options.withThreads(1).toString().getBytes(StandardCharsets.UTF_8)));
         List<String> planes = options.layers().stream().flatMap(layer -> layer.planes(scene.lights()).stream()).toList();

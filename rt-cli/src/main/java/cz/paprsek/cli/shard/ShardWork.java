@@ -4,6 +4,7 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Deal.Piece;
 import cz.paprsek.cli.value.Shard;
+import cz.paprsek.image.ImageOptions;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
@@ -61,11 +62,11 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
 
     /** What is to be rendered, frame by frame; a picture that is no film has the frame 0. */
     public interface Footage {
-        /** What the picture tells of itself. */
-        Told told(int frame) throws IOException;
+        /** How the picture is written in a format that tells its origin. */
+        ImageOptions written(int frame);
 
         /** Prepares the scene. */
-        RenderScene scene(int frame) throws IOException;
+        RenderScene scene(int frame);
     }
 
     /**
@@ -139,7 +140,7 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
         /** Makes parts of a frame. */
         void work(int frame, List<Piece> pieces) throws IOException {
             RenderScene scene = footage.scene(frame);
-            Told told = footage.told(frame);
+            Told told = Told.of(footage.written(frame).origin());
             Queue<Piece> queue = new ConcurrentLinkedQueue<>(pieces);
             int threads = Math.min(options.threads(), pieces.size());
             ExecutorService crew = Executors.newFixedThreadPool(threads);

@@ -13,6 +13,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.function.Predicate;
@@ -96,12 +98,18 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
 
     /** The frames of the film, or those of it that were looked for; of a picture that is none, its only one. */
     public Span span() {
-        return frames.orElseGet(() -> usual(PartHead::span, part -> true, Comparator.comparing(Span::first).thenComparing(Span::last)));
+        return frames.orElseGet(this::dealt);
     }
 
-    /** The parts of a frame. */
-    List<Found> of(int frame) {
-        return parts.stream().filter(part -> part.head().frame() == frame).toList();
+    /** The frames that were dealt out. */
+    public Span dealt() {
+        return usual(PartHead::span, part -> true, Comparator.comparing(Span::first).thenComparing(Span::last));
+    }
+
+    /** The parts of each frame, by itself. */
+    public SortedMap<Integer, Survey> byFrame() {
+        return parts.stream().filter(part -> span().has(part.head().frame())).collect(Collectors.groupingBy(part -> part.head().frame(), TreeMap::new, Collectors.collectingAndThen(Collectors.toList(),
+                own -> new Survey(folder, frames, card, own, foreign, damaged))));
     }
 
     /** What is there of each frame. */

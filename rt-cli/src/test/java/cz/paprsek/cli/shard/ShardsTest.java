@@ -53,6 +53,59 @@ class ShardsTest {
         assertThat(merged).hasSameBinaryContentAs(whole);
     }
 
+    private static final String FILM = """
+            <scene xmlns="urn:paprsek:scene:1">
+              <render width="70" height="40" fps="10"/>
+              <camera name="eye" position="0 1 6" target="0 0 0"/>
+              <point-light position="4 5 6"/>
+              <sphere name="ball" radius="1"/>
+              <sphere radius="0.3" position="{2*t} 1 1"/>
+              <animate target="ball" attribute="position"><key t="0" value="-1 0 0"/><key t="1" value="1 0 0"/></animate>
+              <animate target="camera:eye" attribute="position"><key t="0" value="0 1 6" ease="smooth"/><key t="2" value="3 1 6"/></animate>
+            </scene>
+            """;
+
+    /** Few frames, of which each share gets tiles, and many, of which it gets whole ones; with an open shutter, too, and a single one. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"--frames 2-4 | 3", "--frames 3-18 | 16", "--frames 2-3 --shutter 0.5 --samples 2..3 | 2", "--frame 7 | 1"})
+    void framesInSharesAreTheBytesOfOneMachine(String words, int count) throws IOException {
+        Path scene = Files.writeString(folder.resolve("film.xml"), FILM);
+        Path whole = Files.createDirectories(folder.resolve("whole"));
+        Path merged = Files.createDirectories(folder.resolve("merged"));
+        Path parts = folder.resolve("parts");
+        assertThat(film(scene, words, "-o", whole.resolve("f.png")).code()).isEqualTo(ExitCode.DONE);
+        assertThat(film(scene, words, "--shard", "2/2", "-o", parts).code()).isEqualTo(ExitCode.DONE);
+        Run lacking = Run.cli("merge", parts, "-o", merged.resolve("f.png"));
+        assertThat(lacking.code()).isEqualTo(ExitCode.PARTS_LACKING);
+        assertThat(lacking.err()).contains(" frames tiles are missing: ", "\npaprsek render " + scene + " " + words + " --shard 1/2 -o " + parts + "\n");
+        Run rest = film(scene, words, "--shard", "1/2", "-o", parts);
+        assertThat(rest.code()).as(rest.err()).isEqualTo(ExitCode.DONE);
+        Run run = Run.cli("merge", parts, "-o", merged.resolve("f.png"));
+        assertThat(run.code()).as(run.err()).isEqualTo(ExitCode.DONE);
+        try (Stream<Path> files = Files.list(whole)) {
+            List<Path> all = files.toList();
+            assertThat(all).hasSize(count);
+            assertThat(all).allSatisfy(file -> assertThat(merged.resolve(file.getFileName())).hasSameBinaryContentAs(file));
+        }
+    }
+
+    @Test
+    void someFramesCanBePutTogetherBeforeTheOthersAreThere() throws IOException {
+        Path scene = Files.writeString(folder.resolve("film.xml"), FILM);
+        Path parts = folder.resolve("parts");
+        assertThat(film(scene, "--frames 1-16", "--shard", "2/2", "-o", parts).code()).isEqualTo(ExitCode.DONE);
+        Run run = Run.cli("merge", parts, "--frames", "4", "-o", folder.resolve("{frame}.ppm"));
+        assertThat(run.code()).as(run.err()).isEqualTo(ExitCode.DONE);
+        assertThat(folder.resolve("0004.ppm")).exists();
+        assertThat(Run.cli("merge", parts, "--frames", "3-4", "-o", folder.resolve("{frame}.ppm")).err()).contains("of 1 of 2 frames tiles are missing: 3;", "--shard 1/2 ");
+        Run other = film(scene, "--frames 1-16 --fps 20", "--shard", "2/2", "-o", parts);
+        assertThat(other.err()).contains("of another scene");
+    }
+
+    private static Run film(Path scene, String words, Object... further) {
+        return Run.cli(Stream.of(Stream.of("render", scene), Stream.of(words.split(" ", -1)), Stream.of(further)).flatMap(each -> each).toArray());
+    }
+
     @Test
     void bitsAndCompressionAreSaidWhenPartsArePutTogether() throws IOException {
         Path parts = folder.resolve("parts");
