@@ -51,7 +51,7 @@ class SectionsTest {
     void sceneIsShownWhenNothingIsSelected() {
         assertThat(titles(Set.of())).containsExactly("section.scene", "section.picture");
         assertThat(names(Set.of())).containsExactly("name", "description", "tags", "background", "sky", "ambient", "width", "height", "maxDepth", "integrator", "samples",
-                "mostSamples", "error", "confidence", "filter", "exposure", "tone");
+                "mostSamples", "error", "confidence", "filter", "exposure", "tone", "fps", "shutter");
     }
 
     @Test
