@@ -3,8 +3,8 @@ package cz.paprsek.cli.output;
 import cz.paprsek.cli.input.FrameWishes;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.value.OutputFormat;
-import cz.paprsek.image.film.FilmWriter;
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.image.film.FilmWriter;
 import java.util.Optional;
 
 /**

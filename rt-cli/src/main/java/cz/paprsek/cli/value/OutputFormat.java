@@ -1,7 +1,7 @@
 package cz.paprsek.cli.value;
 
-import cz.paprsek.image.film.FilmWriter;
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.image.film.FilmWriter;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
