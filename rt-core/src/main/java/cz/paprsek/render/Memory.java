@@ -1,5 +1,6 @@
 package cz.paprsek.render;
 
+import cz.paprsek.render.denoise.Denoiser;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
@@ -35,8 +36,8 @@ final class Memory {
         }
         int width = options.region().width();
         int height = options.region().height();
-        // Beyond the light: opacity, layers, and of paths what is kept from pass to pass.
-        long picture = (PIXEL + (long) Float.BYTES * (options.channels(scene) - LIGHT)) * width * height;
+        // Beyond the light: opacity, layers, of paths what is kept from pass to pass, and what a denoiser works with.
+        long picture = (PIXEL + (long) Float.BYTES * (options.channels(scene) - LIGHT + (options.denoised() ? Denoiser.NUMBERS : 0))) * width * height;
         long bodies = bodies(scene);
         return exceeded("a picture of " + width + " × " + height + " pixels takes " + size(picture)
                 + " and its scene of " + bodies + (bodies == 1 ? " body " : " bodies ") + size(bodies * BODY),

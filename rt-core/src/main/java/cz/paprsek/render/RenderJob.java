@@ -223,10 +223,13 @@ final class RenderJob implements Workers.Work {
         }
     }
 
-    /** Takes the noise out of the picture, which is complete, if that is wished. */
-    void denoise(Workers workers) {
-        if (options.denoised() && !new Denoiser(film, image, options.paths(), options.kept(scene.scene()), this::cancelled).run(workers, options.threads())) {
-            Thread.currentThread().interrupt();
+    /** Takes the noise out of the picture, which is complete, if that is wished; false if it was stopped half-way, or failed. */
+    boolean denoise(Workers workers) {
+        try {
+            return !options.denoised() || new Denoiser(film, image, options.paths(), options.kept(scene.scene()), this::cancelled).run(workers, options.threads());
+        } catch (RuntimeException | Error failed) {
+            fail(failed);
+            return false;
         }
     }
 

@@ -122,12 +122,10 @@ public final class Renderer implements AutoCloseable {
             }
             job.throwFailure();
         } while (job.isComplete() && job.goesOn());
+        boolean isDone = job.isComplete() && job.denoise(workers);
         job.throwFailure();
-        if (job.isComplete()) {
-            job.denoise(workers);
-        }
         RenderResult.Stats stats = job.stats(scene.buildSeconds(), (System.nanoTime() - begin) / 1e9);
-        return new RenderResult(job.image(), job.layers(), stats, job.isComplete() ? Outcome.DONE : Outcome.CANCELLED, job.certainty());
+        return new RenderResult(job.image(), job.layers(), stats, isDone ? Outcome.DONE : Outcome.CANCELLED, job.certainty());
     }
 
     /**

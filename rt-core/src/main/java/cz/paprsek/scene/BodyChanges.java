@@ -38,7 +38,8 @@ final class BodyChanges {
         for (SceneObject object : scene.objects()) {
             shown(Body.of(object)).map(Body::toObject).ifPresent(left -> objects.add(left.equals(object) ? object : left));
         }
-        return objects.equals(scene.objects()) ? scene : scene.withObjects(objects);
+        // What is hidden moves unseen; and what has no name is animated by its number, which would be that of another one.
+        return objects.equals(scene.objects()) ? scene : scene.withAnimations(List.of()).withObjects(objects);
     }
 
     private static Optional<Body> shown(Body body) {

@@ -91,6 +91,18 @@ class HiddenTest {
                 .isEqualTo(PlainTracer.of(scene.shown(), scene.settings(), Mistakes.NONE).light(20, 15, 1000).orElseThrow());
     }
 
+    /** What has no name is animated by its number, which would be another one's. */
+    @Test
+    void whatIsHiddenMayMove() {
+        Scene scene = EMPTY.plus(GLASS.hidden(true), SceneObject.of(new Sphere(0.3)), SceneObject.of(new Sphere(1)), FLOOR);
+        Animation unseen = new Animation("glass", "position", Animation.Turning.ANGLES, List.of(new Animation.Key(0, "0 0 1.5", Animation.Ease.LINEAR)));
+        Animation seen = new Animation("sphere#3", "radius", Animation.Turning.ANGLES, List.of(new Animation.Key(0, "2", Animation.Ease.LINEAR)));
+        Scene moving = scene.withAnimations(List.of(unseen, seen));
+        assertThat(moving.shown()).isEqualTo(scene.shown());
+        assertThat(moving.at(0).shown().objects().get(1).shape()).isEqualTo(new Sphere(2));
+        assertThat(Renderer.render(moving).toArgb()).isEqualTo(Renderer.render(scene.shown()).toArgb());
+    }
+
     @Test
     void whatIsShownAgainOrHiddenInALivePictureIsAsRenderedAnew() {
         Scene scene = EMPTY.plus(BALL, GLASS, FLOOR);

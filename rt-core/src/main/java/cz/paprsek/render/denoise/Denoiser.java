@@ -16,6 +16,9 @@ import java.util.function.BooleanSupplier;
  * @source Rousselle, Knaus and Zwicker, 2012, and Bitterli et al., 2016, as cited in {@link Likeness} and {@link Fit}
  */
 public final class Denoiser {
+    /** How many numbers of a pixel it works with: light and spread of both halves, guides twice, doubts, and what is found. */
+    public static final int NUMBERS = 41;
+
     private final Film film;
     private final Image image;
     private final Passes paths;

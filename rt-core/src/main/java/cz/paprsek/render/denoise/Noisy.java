@@ -12,24 +12,25 @@ final class Noisy {
     final float[][] spread;
     /** What guides: the mean of both halves, and its variance. */
     final float[][] guides;
+    /** As of what they were found, not calmed. */
     final float[][] doubts;
 
     Noisy(int width, int height, int guides) {
-        this(width, height, guides, new float[2][CHANNELS][width * height]);
+        this(width, height, guides, new float[2][CHANNELS][width * height], new float[guides][width * height]);
     }
 
-    /** Of the same light, with what else there is still to be said. */
+    /** Of the same light and the same doubts, with what else there is still to be said. */
     Noisy(Noisy same) {
-        this(same.width, same.height, same.guides.length, same.light);
+        this(same.width, same.height, same.guides.length, same.light, same.doubts);
     }
 
-    private Noisy(int width, int height, int guides, float[][][] light) {
+    private Noisy(int width, int height, int guides, float[][][] light, float[][] doubts) {
         this.width = width;
         this.height = height;
         this.light = light;
         int pixels = width * height;
         this.spread = new float[CHANNELS][pixels];
         this.guides = new float[guides][pixels];
-        this.doubts = new float[guides][pixels];
+        this.doubts = doubts;
     }
 }

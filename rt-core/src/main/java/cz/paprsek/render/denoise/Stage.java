@@ -38,6 +38,9 @@ final class Stage implements Workers.Work {
     static boolean run(Workers workers, int threads, Noisy picture, Supplier<? extends Step> maker, BooleanSupplier stop) {
         Stage stage = new Stage(picture.width, picture.height, maker, stop);
         boolean undisturbed = workers.run(Math.min(threads, stage.tiles), stage);
+        if (!undisturbed) {
+            Thread.currentThread().interrupt();
+        }
         stage.throwFault();
         return undisturbed && !stop.getAsBoolean();
     }

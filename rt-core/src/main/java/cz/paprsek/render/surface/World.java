@@ -22,8 +22,7 @@ public final class World {
     private final Lamp[] lamps;
     private final Glows glows;
     private final int[] aroundCamera;
-    /** Found when it is first asked for: only paths ask, and then every worker. */
-    private @Nullable Emitters emitters;
+    private final Shining shining;
 
     /**
      * Places a scene.
@@ -32,10 +31,11 @@ public final class World {
      * @param stop whether to give up, which throws a {@link java.util.concurrent.CancellationException}
      */
     public World(Scene scene, Textures textures, BooleanSupplier stop) {
-        this(scene, new Placed(scene, textures, stop));
+        this(scene, new Placed(scene, textures, stop), new Shining(scene));
     }
 
-    private World(Scene scene, Placed placed) {
+    private World(Scene scene, Placed placed, Shining shining) {
+        this.shining = shining;
         this.scene = scene;
         this.placed = placed;
         this.parts = placed.parts;
@@ -48,7 +48,8 @@ public final class World {
 
     /** A scene that was made from this one's by a change: what has not changed is taken over. */
     public World changedTo(Scene changed, BooleanSupplier stop) {
-        return new World(changed, placed.changedTo(changed, stop));
+        boolean shinesAlike = changed.objects() == scene.objects() && changed.materials() == scene.materials() && changed.lights().size() == scene.lights().size();
+        return new World(changed, placed.changedTo(changed, stop), shinesAlike ? shining : new Shining(changed));
     }
 
     /** The scene this was made of. */
@@ -74,11 +75,25 @@ public final class World {
     }
 
     /** The objects that shine and that paths look for. */
-    public synchronized Emitters emitters() {
-        if (emitters == null) {
-            emitters = Emitters.of(scene);
+    public Emitters emitters() {
+        return shining.found();
+    }
+
+    /** What shines in a scene: found when it is first asked for, as only paths ask, and then every worker; once for all scenes in which it is the same. */
+    private static final class Shining {
+        private final Scene scene;
+        private @Nullable Emitters found;
+
+        Shining(Scene scene) {
+            this.scene = scene;
         }
-        return emitters;
+
+        synchronized Emitters found() {
+            if (found == null) {
+                found = Emitters.of(scene);
+            }
+            return found;
+        }
     }
 
     /** The lights that are seen. */

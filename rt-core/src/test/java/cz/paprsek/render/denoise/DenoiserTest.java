@@ -26,6 +26,7 @@ import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.DoubleBinaryOperator;
 import org.junit.jupiter.api.Test;
 
@@ -158,6 +159,24 @@ class DenoiserTest {
             differs |= denoised.image().red(x, y) != traced.image().red(x, y);
         }
         assertThat(differs).isTrue();
+    }
+
+    @Test
+    void whoCancelsWhileNoiseIsTakenOutGetsNoPictureThatIsDone() {
+        AtomicBoolean stop = new AtomicBoolean();
+        RenderResult stopped = Renderer.render(RenderScene.of(BALL), options().withDenoiser(), new RenderMonitor() {
+            @Override
+            public boolean cancelled() {
+                return stop.get();
+            }
+
+            @Override
+            public void finished(Tile tile, Image image, int done, int total) {
+                stop.set(done == total);
+            }
+        });
+        assertThat(stopped.outcome()).isEqualTo(RenderResult.Outcome.CANCELLED);
+        assertThat(Thread.interrupted()).as("nobody has interrupted").isFalse();
     }
 
     @Test
