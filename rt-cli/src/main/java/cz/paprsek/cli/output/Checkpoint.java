@@ -2,13 +2,13 @@ package cz.paprsek.cli.output;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.value.SceneDigest;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
@@ -18,8 +18,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.Map;
@@ -240,21 +238,9 @@ public final class Checkpoint implements AutoCloseable {
         }
     }
 
-    /** As {@link #digest}, to be read by people. */
-    static String digestText(Scene scene, Assets assets, RenderOptions options) {
-        return HexFormat.of().formatHex(digest(scene, assets, options));
-    }
-
-    /** Two pictures are the same if these are: everything but the number of threads, the content of all files that the scene needs included. */
+    /** Two pictures have the same tiles if these are the same. */
     private static byte[] digest(Scene scene, Assets assets, RenderOptions options) {
-        try {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            digest.update(assets.digest().getBytes(StandardCharsets.UTF_8));
-            digest.update(SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8));
-            return digest.digest(comparable(options).toString().getBytes(StandardCharsets.UTF_8));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
-        }
+        return HexFormat.of().parseHex(SceneDigest.of(scene, assets, comparable(options).toString()));
     }
 
     /** Without what changes no tile; how many paths there are, and how near they bring a pixel, says only when it ends. */

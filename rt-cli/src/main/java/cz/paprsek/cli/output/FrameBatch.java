@@ -6,6 +6,7 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.ShardWork;
 import cz.paprsek.cli.shard.Span;
 import cz.paprsek.cli.value.FrameRange;
+import cz.paprsek.cli.value.SceneDigest;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
@@ -116,7 +117,7 @@ final class FrameBatch {
             Scene written = frames.apply(frame);
             Scene seen = batch.view().of(written);
             Frame way = new Frame(frame);
-            String digest = batch.resume() ? Checkpoint.digestText(way.keptAs(seen), assets(seen), batch.options(now, seen)) : "";
+            String digest = batch.resume() ? digest(way.keptAs(seen), written, assets(seen), now, batch.options(now, seen)) : "";
             if (batch.resume() && ledger.has(picture, digest)) {
                 batch.terminal().message(now.source().label() + ": is there already");
                 continue;
@@ -130,6 +131,12 @@ final class FrameBatch {
             ledger.discard();
         }
         return outcome;
+    }
+
+    /** Of all that the bytes of a picture depend on. */
+    private String digest(Scene kept, Scene written, Assets assets, Target now, RenderOptions options) {
+        ImageOptions how = batch.writing().of(written, options.withThreads(1), batch.view(), now.format());
+        return SceneDigest.of(kept, assets, options.withThreads(1).toString(), how.toString(), batch.writing().toString(), now.format() + " legend " + batch.view().legend());
     }
 
     private Outcome film(FilmWriter.Format format) throws IOException {
