@@ -9,6 +9,8 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.value.Shard;
+import cz.paprsek.cli.value.Words;
+import cz.paprsek.image.ImageFormat;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.io.Failures;
 import java.io.IOException;
@@ -98,7 +100,7 @@ final class PlanCommand implements Callable<Integer> {
         String stem = name.lastIndexOf('.') > 0 ? name.substring(0, name.lastIndexOf('.')) : name;
         Plan plan = new Plan(stem, words(), shards, Math.min(shards, parallel.orElse(shards)), cpus, memory, parts.orElse(stem + ".parts"), picture.orElse(stem + ".png"));
         RenderCommand render = checked(plan);
-        SceneReading reading = SceneReading.of(scene);
+        SceneReading reading = SceneReading.of(scene, render.given());
         reading.sentences().forEach(terminal::message);
         if (!reading.isValid()) {
             return ExitCode.BAD_SCENE;
@@ -148,7 +150,14 @@ final class PlanCommand implements Callable<Integer> {
         } catch (ParameterException mistake) {
             throw new WrongUsage("the options after -- are not those of render: " + Mistakes.sentence(mistake));
         }
-        return render.getCommand();
+        RenderCommand command = render.getCommand();
+        command.checkShare(scene, merged(plan.picture()));
+        return command;
+    }
+
+    private static ImageFormat merged(String picture) {
+        return ImageFormat.ofFile(picture).or(() -> picture.endsWith("/") || Files.isDirectory(Words.path(picture)) ? Optional.of(ImageFormat.PNG) : Optional.empty())
+                .orElseThrow(() -> new WrongUsage("cannot tell the format of '" + picture + "': let --picture end in one of " + ImageFormat.all()));
     }
 
     private int write(String name, String text) {

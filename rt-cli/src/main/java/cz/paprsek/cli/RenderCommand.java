@@ -41,6 +41,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.teach.mistake.Mistakes;
 import cz.paprsek.text.Numbers;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -195,6 +196,32 @@ final class RenderCommand implements Callable<Integer> {
         if (resume && output.equals(Optional.of("-"))) {
             throw new WrongUsage("--resume needs a file for the picture, to keep the tiles beside it");
         }
+        checkWords();
+        if (json) {
+            stop.oweLastWords();
+        }
+        Wishes wishes = wishes();
+        Reel reel = shard.isPresent() ? new Reel(film, Optional.empty()) : Reel.of(film, output, format);
+        if (reel.film().isPresent() && (pixels.isTransparent() || pixels.haveLayers() || bits.isPresent() || raw || time.isPresent())) {
+            throw new WrongUsage("--transparent, --aov, --bits, --raw and --time are for pictures, and " + reel.film().get().extension() + " is a film");
+        }
+        Optional<ImageFormat> picture = reel.pictures(format);
+        Optional<String> place = shard.isPresent() ? output : reel.output(output, new Targets(output, picture, raw));
+        List<Target> targets = shard.isPresent() ? List.of(shared(sources())) : new Targets(place, picture, raw).of(sources());
+        if (!quiet && output.isPresent() && !place.equals(output)) {
+            terminal.message("the pictures go to " + place.get());
+        }
+        Writing writing = new Writing(bits, uncompressed);
+        writing.check(targets.stream().map(Target::format).toList());
+        View view = view();
+        view.check(targets);
+        Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
+        Optional<ShardWork> share = shard.map(one -> new ShardWork(one, Words.path(output.orElseThrow()), sharedWords()));
+        return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, given.pictures(), reel, progress, Report.of(terminal, json, quiet), share).run(targets);
+    }
+
+    /** @throws WrongUsage if some words do not go together */
+    private void checkWords() {
         if (mode != RenderMode.SHADED && mode != RenderMode.ERROR && shown.areSaid()) {
             throw new WrongUsage("--exposure and --tone are for light, which --mode " + mode + " does not show");
         }
@@ -208,27 +235,6 @@ final class RenderCommand implements Callable<Integer> {
             throw new WrongUsage("--mistake is for whole pictures of light, without --mode, --region, --resume, --time, --transparent, --aov and --denoise");
         }
         shard.ifPresent(one -> checkShared());
-        if (json) {
-            stop.oweLastWords();
-        }
-        Wishes wishes = new Wishes(size, maxDepth, rays, shown, region, threads);
-        Reel reel = shard.isPresent() ? new Reel(film, Optional.empty()) : Reel.of(film, output, format);
-        if (reel.film().isPresent() && (pixels.isTransparent() || pixels.haveLayers() || bits.isPresent() || raw || time.isPresent())) {
-            throw new WrongUsage("--transparent, --aov, --bits, --raw and --time are for pictures, and " + reel.film().get().extension() + " is a film");
-        }
-        Optional<ImageFormat> picture = reel.pictures(format);
-        Optional<String> place = shard.isPresent() ? output : reel.output(output, new Targets(output, picture, raw));
-        List<Target> targets = shard.isPresent() ? List.of(shared(sources())) : new Targets(place, picture, raw).of(sources());
-        if (!quiet && output.isPresent() && !place.equals(output)) {
-            terminal.message("the pictures go to " + place.get());
-        }
-        Writing writing = new Writing(bits, uncompressed);
-        writing.check(targets.stream().map(Target::format).toList());
-        View view = new View(mode, camera, light, !noLegend, pixels, mistakes.made());
-        view.check(targets);
-        Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
-        Optional<ShardWork> share = shard.map(one -> new ShardWork(one, Words.path(output.orElseThrow()), sharedWords()));
-        return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, given.pictures(), reel, progress, Report.of(terminal, json, quiet), share).run(targets);
     }
 
     private void checkShared() {
@@ -254,8 +260,25 @@ final class RenderCommand implements Callable<Integer> {
         if (sources.size() > 1) {
             throw new WrongUsage("--shard is for one scene, but there are " + sources.size() + "; of a database, choose one with --where 'name = ...'");
         }
+        return new Target(sources.get(0), Optional.of(Words.path(output.orElseThrow())), sharedFormat(), "");
+    }
+
+    private ImageFormat sharedFormat() {
         boolean isMore = pixels.haveLayers() || pixels.isTransparent();
-        return new Target(sources.get(0), Optional.of(Words.path(output.orElseThrow())), format.flatMap(OutputFormat::picture).orElse(isMore ? ImageFormat.EXR : ImageFormat.PNG), "");
+        return format.flatMap(OutputFormat::picture).orElse(isMore ? ImageFormat.EXR : ImageFormat.PNG);
+    }
+
+    private Wishes wishes() {
+        return new Wishes(size, maxDepth, rays, shown, region, threads);
+    }
+
+    private View view() {
+        return new View(mode, camera, light, !noLegend, pixels, mistakes.made());
+    }
+
+    /** What a scene is made of beside its file. */
+    ParameterWishes given() {
+        return given;
     }
 
     /** The words of the command line but those that say whose work it is and where it goes. */
@@ -263,16 +286,24 @@ final class RenderCommand implements Callable<Integer> {
         return Again.shared(spec.commandLine().getParseResult().originalArgs());
     }
 
+    /** @throws WrongUsage if the words cannot be said of a share, or its parts cannot be put together to a picture of a format */
+    void checkShare(Path scene, ImageFormat merged) {
+        checkWords();
+        View view = view();
+        view.check(List.of(new Target(SceneSource.of(scene, !noFloor, given), Optional.empty(), merged, "")));
+        if (view.isNumbers(merged) != view.isNumbers(sharedFormat())) {
+            throw new WrongUsage("parts for " + merged.extension() + " must hold " + (view.isNumbers(merged) ? "numbers" : "colours") + "; add --format " + merged.extension());
+        }
+    }
+
     /**
      * Into how many parts the picture of a scene is divided, for so many shares.
      *
-     * @throws WrongUsage if the words do not suit the scene, or cannot be said of a share
+     * @throws WrongUsage if the words do not suit the scene
      */
     long shares(Scene read, int count) {
-        checkShared();
         try {
-            View view = new View(mode, camera, light, !noLegend, pixels, mistakes.made());
-            RenderOptions options = view.applyTo(new Wishes(size, maxDepth, rays, shown, region, threads).applyTo(Cameras.through(read, camera).settings()), ImageFormat.EXR);
+            RenderOptions options = view().applyTo(wishes().applyTo(Cameras.through(read, camera).settings()), ImageFormat.EXR);
             return ShardWork.parts(options, film.frames().map(range -> new Span(range.first(), range.last())).orElse(Span.STILL), count);
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(String.valueOf(refused.getMessage()));

@@ -157,6 +157,9 @@ class PlanTest {
         mistakes.put(List.of(scene, "--slurm", "--", "--resume"), "--shard is without --resume");
         mistakes.put(List.of(scene, "--slurm", "--", "--region", "0,0,99,99"), "must lie inside the picture of 16");
         mistakes.put(List.of(scene, "--kubernetes"), "name the scene from the folder that will be on the volume");
+        mistakes.put(List.of(scene, "--slurm", "--", "--aov", "depth"), "png has no layers; --aov needs a picture in exr");
+        mistakes.put(List.of(scene, "--slurm", "--picture", "a.exr", "--", "--mode", "depth"), "parts for exr must hold numbers; add --format exr");
+        mistakes.put(List.of(scene, "--slurm", "--picture", "a.picture"), "cannot tell the format of 'a.picture'");
         mistakes.forEach((words, sentence) -> {
             Run run = Run.cli(Stream.concat(Stream.of("plan"), words.stream()).toArray());
             assertThat(run.err()).contains(sentence);
@@ -166,6 +169,27 @@ class PlanTest {
         Run broken = Run.cli("plan", Scenes.broken(folder.resolve("broken.xml")), "--slurm");
         assertThat(broken.code()).isEqualTo(ExitCode.BAD_SCENE);
         assertThat(broken.text()).isEmpty();
+    }
+
+    /** Parameters count, and files that are elsewhere. */
+    @Test
+    void theSceneIsReadAsRenderWillReadIt() throws IOException {
+        Path library = Files.createDirectories(folder.resolve("lib"));
+        Files.writeString(library.resolve("more.xml"), "<scene xmlns=\"urn:paprsek:scene:1\"><camera position=\"0 0 9\" target=\"0 0 0\"/><sphere radius=\"1\"/></scene>");
+        Path scene = Files.writeString(folder.resolve("s.xml"), """
+                <scene xmlns="urn:paprsek:scene:1">
+                  <param name="w" value="32"/>
+                  <include file="more.xml"/>
+                  <render width="{w}" height="32"/>
+                  <camera position="0 0 9" target="0 0 0"/>
+                </scene>
+                """);
+        Run small = Run.cli("plan", scene, "--slurm", "--", "--assets", library);
+        assertThat(small.code()).as(small.err()).isEqualTo(ExitCode.DONE);
+        assertThat(small.err()).contains("of 8 shares 7 have nothing to do");
+        Run wide = Run.cli("plan", scene, "--slurm", "--", "--assets", library, "-D", "w=800");
+        assertThat(wide.code()).as(wide.err()).isEqualTo(ExitCode.DONE);
+        assertThat(wide.err()).isEmpty();
     }
 
     @Test
