@@ -2,6 +2,7 @@ package cz.paprsek.io;
 
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.ClosedChannelException;
@@ -13,11 +14,15 @@ import java.nio.file.FileSystemException;
 import java.nio.file.FileSystemLoopException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
 /** What went wrong, in one line: many an exception's message is the file's name and nothing else, and some have none at all. */
 public final class Failures {
+    private static final List<Class<? extends FileSystemException>> LASTING = List.of(NoSuchFileException.class, AccessDeniedException.class, NotDirectoryException.class,
+            FileSystemLoopException.class, FileAlreadyExistsException.class, DirectoryNotEmptyException.class);
+
     private Failures() {}
 
     /** In front stands the file's name, where the failure knows it. */
@@ -35,6 +40,23 @@ public final class Failures {
     public static String sentence(String file, IOException failure) {
         String what = what(failure);
         return what.startsWith(file) ? what : file + ": " + small(what);
+    }
+
+    /**
+     * Whether a file may be as it should, but could not be read here and now: the system failed, there was too little memory, or somebody interrupted. What is missing,
+     * forbidden or cannot be decoded stays so if it is tried again.
+     */
+    public static boolean isOfMachine(Throwable failure) {
+        Throwable cause = failure.getCause();
+        return failure instanceof OutOfMemoryError || failure instanceof InterruptedIOException || failure instanceof ClosedChannelException
+                || (failure instanceof FileSystemException && LASTING.stream().noneMatch(kind -> kind.isInstance(failure)))
+                || isOfSystem(failure) || (cause != null && isOfMachine(cause));
+    }
+
+    /** What reading or writing bytes throws, be it for a disk or a network, has no class of its own: it comes from code that is not Java. */
+    private static boolean isOfSystem(Throwable failure) {
+        StackTraceElement[] calls = failure.getStackTrace();
+        return failure.getClass() == IOException.class && calls.length > 0 && calls[0].isNativeMethod();
     }
 
     private static String what(Throwable failure) {

@@ -80,9 +80,9 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
         } catch (SceneFileException e) {
             return fail(target, Outcome.BAD_SCENE, e.problems().stream().map(Problem::toString).toList());
         } catch (IOException e) {
-            return fail(target, Outcome.BAD_SCENE, List.of(SceneReading.sentence(target.source().file(), file, pictures, e)));
+            return fail(target, Outcome.ofReading(e), List.of(SceneReading.sentence(target.source().file(), file, pictures, e)));
         } catch (UncheckedIOException e) {
-            return fail(target, Outcome.BAD_SCENE, List.of(file + ": " + e.getMessage()));
+            return fail(target, Outcome.ofReading(e), List.of(file + ": " + e.getMessage()));
         } catch (IllegalArgumentException noSuchFrame) {
             return fail(target, Outcome.BAD_SCENE, List.of(file + ": " + noSuchFrame.getMessage()));
         } catch (IllegalStateException e) {

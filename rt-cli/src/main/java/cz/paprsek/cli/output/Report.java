@@ -4,6 +4,7 @@ import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.shard.ShardWork;
 import cz.paprsek.cli.value.Shard;
+import cz.paprsek.io.Failures;
 import cz.paprsek.io.Json;
 import cz.paprsek.render.RenderResult;
 import java.util.List;
@@ -36,6 +37,11 @@ public interface Report {
 
         Outcome(int exitCode) {
             this.exitCode = exitCode;
+        }
+
+        /** A scheduler tries again what has failed, but not what is wrong. */
+        static Outcome ofReading(Exception failure) {
+            return Failures.isOfMachine(failure) ? FAILED : BAD_SCENE;
         }
 
         String text() {

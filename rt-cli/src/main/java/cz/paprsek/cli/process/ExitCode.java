@@ -20,7 +20,7 @@ public final class ExitCode {
     public static Map<String, String> explained() {
         Map<String, String> codes = new LinkedHashMap<>();
         codes.put(" 0", "done");
-        codes.put(" 1", "rendering or writing failed, or pictures differ");
+        codes.put(" 1", "reading, rendering or writing failed, or pictures differ");
         codes.put(" 2", "wrong usage");
         codes.put(" 3", "a scene or picture file is missing or not valid");
         codes.put(" 4", "parts of a picture are missing, damaged or of another");
