@@ -12,6 +12,7 @@ import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Assembly;
 import cz.paprsek.cli.shard.Card;
+import cz.paprsek.cli.shard.Heads;
 import cz.paprsek.cli.shard.Span;
 import cz.paprsek.cli.shard.Survey;
 import cz.paprsek.cli.value.Formats;
@@ -49,6 +50,7 @@ import picocli.CommandLine.Parameters;
             "  paprsek merge parts -o scene.png"})
 final class MergeCommand implements Callable<Integer> {
     private static final long MILLIS_BETWEEN = 1000;
+    private static final long MOST_BETWEEN = 30 * MILLIS_BETWEEN;
 
     private final Terminal terminal;
     private final Stop stop;
@@ -72,7 +74,7 @@ final class MergeCommand implements Callable<Integer> {
     @Option(names = "--frames", paramLabel = "A-B", description = "Of a film, these frames only. Default: all that were shared out.")
     private Optional<FrameRange> frames;
 
-    @Option(names = "--wait", paramLabel = "SECONDS", defaultValue = "0", description = "Waits so long for parts that are missing, looking for them every second. Default: 0.")
+    @Option(names = "--wait", paramLabel = "SECONDS", defaultValue = "0", description = "Waits so long for parts that are missing, looking for them after 1, 2, 4 seconds, in the end every 30. Default: 0.")
     private double patience;
 
     @Option(names = "--json", description = "Prints a JSON object in place of plain text.")
@@ -98,7 +100,11 @@ final class MergeCommand implements Callable<Integer> {
         new Writing(bits, uncompressed).check(List.of(target.format()));
         try {
             Survey survey = Assembly.checked(awaited(), stop);
-            return !survey.isWhole() ? refuse(survey) : survey.span().isStill() ? merge(survey, target) : film(survey);
+            if (!survey.isWhole()) {
+                return refuse(survey);
+            }
+            survey.damaged().forEach(sentence -> terminal.message("note: " + sentence + "; other parts have what it should"));
+            return survey.span().isStill() ? merge(survey, target) : film(survey);
         } catch (IOException e) {
             return failed(Failures.sentence(folder.toString(), e));
         } catch (OutOfMemoryError e) {
@@ -141,20 +147,28 @@ final class MergeCommand implements Callable<Integer> {
     private Survey awaited() throws IOException {
         long begin = System.nanoTime();
         Optional<Span> wanted = frames.map(range -> new Span(range.first(), range.last()));
+        Heads heads = new Heads();
         try {
-            while (!Files.exists(folder) && (System.nanoTime() - begin) / 1e9 < patience && !stop.requested()) {
+            while (!Files.exists(folder) && isPatient(begin)) {
                 TimeUnit.MILLISECONDS.sleep(MILLIS_BETWEEN);
             }
-            Survey survey = Survey.of(folder, wanted);
-            while (!survey.isWhole() && (System.nanoTime() - begin) / 1e9 < patience && !stop.requested()) {
-                TimeUnit.MILLISECONDS.sleep(MILLIS_BETWEEN);
-                survey = Survey.of(folder, wanted);
+            Survey survey = Survey.of(folder, wanted, heads);
+            // Parts of another picture do not go away by waiting.
+            for (long pause = MILLIS_BETWEEN; !survey.isWhole() && survey.foreign().isEmpty() && isPatient(begin); pause = Math.min(2 * pause, MOST_BETWEEN)) {
+                for (long waited = 0; waited < pause && isPatient(begin); waited += MILLIS_BETWEEN) {
+                    TimeUnit.MILLISECONDS.sleep(MILLIS_BETWEEN);
+                }
+                survey = Survey.of(folder, wanted, heads);
             }
             return survey;
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new InterruptedIOException("interrupted");
         }
+    }
+
+    private boolean isPatient(long begin) {
+        return (System.nanoTime() - begin) / 1e9 < patience && !stop.requested();
     }
 
     private int merge(Survey survey, Target target) throws IOException {
@@ -164,7 +178,6 @@ final class MergeCommand implements Callable<Integer> {
         if (Assembly.memory(card) > Memory.allowed()) {
             return failed(folder + ": " + Memory.sentence("the picture of " + card.region().width() + "x" + card.region().height() + " pixels", Assembly.memory(card)));
         }
-        survey.damaged().forEach(sentence -> terminal.message("note: " + sentence + "; other parts have what it should"));
         Assembly whole = Assembly.of(survey, stop);
         Image image = view.finished(whole.image(), target.format());
         ImageOptions how = card.applyTo(new Writing(bits, uncompressed).options()).withOrigin(Origins.areToldIn(target.format()) ? whole.origin() : Origin.UNTOLD);

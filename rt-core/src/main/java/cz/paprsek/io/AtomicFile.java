@@ -53,12 +53,34 @@ public final class AtomicFile {
         Objects.requireNonNull(file, "file");
         Objects.requireNonNull(content, "content");
         attempt(file, target -> {
-            if (Files.exists(target) && !Files.isRegularFile(target)) {
-                fill(target, content, StandardOpenOption.WRITE);
-            } else {
-                replace(target, content);
+            if (!isSpecial(target)) {
+                sweep(target.resolveSibling("."), Pattern.quote(stem(target)));
             }
+            put(target, content);
         });
+    }
+
+    /**
+     * As {@link #write}, without looking for what was left half-written of the file: for one of thousands in a folder, which has been {@linkplain #sweepAll swept} before.
+     *
+     * @throws IOException as {@link #write}
+     */
+    public static void writeUnswept(Path file, Content content) throws IOException {
+        Objects.requireNonNull(file, "file");
+        Objects.requireNonNull(content, "content");
+        attempt(file, target -> put(target, content));
+    }
+
+    private static boolean isSpecial(Path target) {
+        return Files.exists(target) && !Files.isRegularFile(target);
+    }
+
+    private static void put(Path target, Content content) throws IOException {
+        if (isSpecial(target)) {
+            fill(target, content, StandardOpenOption.WRITE);
+        } else {
+            replace(target, content);
+        }
     }
 
     /**
@@ -158,7 +180,6 @@ public final class AtomicFile {
     }
 
     private static void replace(Path target, Content content) throws IOException {
-        sweep(target);
         Path fresh = fresh(target);
         try {
             // Not createTempFile, whose files are readable by their owner alone, whatever the old file was.
@@ -173,11 +194,21 @@ public final class AtomicFile {
         }
     }
 
-    /** Removes what processes that are no more have left half-written of a file. */
-    private static void sweep(Path target) throws IOException {
-        Pattern left = Pattern.compile(Pattern.quote(stem(target)) + "(\\d{1,18})-\\p{XDigit}{1,16}" + Pattern.quote(TEMPORARY));
+    /**
+     * Removes what processes that are no more have left half-written of all files of a folder whose names end alike.
+     *
+     * @param ending such as {@code .part}
+     * @throws IOException if there is no such folder, or something cannot be removed
+     */
+    public static void sweepAll(Path folder, String ending) throws IOException {
+        Objects.requireNonNull(folder, "folder");
+        sweep(folder, ".*" + Pattern.quote(Objects.requireNonNull(ending, "ending") + "."));
+    }
+
+    private static void sweep(Path folder, String stem) throws IOException {
+        Pattern left = Pattern.compile(stem + "(\\d{1,18})-\\p{XDigit}{1,16}" + Pattern.quote(TEMPORARY));
         List<Path> abandoned = new ArrayList<>();
-        try (DirectoryStream<Path> siblings = Files.newDirectoryStream(target.resolveSibling("."), file -> {
+        try (DirectoryStream<Path> siblings = Files.newDirectoryStream(folder, file -> {
             Matcher name = left.matcher(String.valueOf(file.getFileName()));
             return name.matches() && isAbandoned(file, Long.parseLong(name.group(1)));
         })) {

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 /** The line that makes parts again, for a shell to be pasted into. */
 public final class Again {
     private static final List<String> LONG = List.of("--shard", "--output");
+    private static final List<String> FRAMES = List.of("--frames", "--frame");
     private static final String SHORT = "-o";
     private static final String PLAIN = "[A-Za-z0-9_@%+=:,./-]+";
 
@@ -25,6 +26,21 @@ public final class Again {
             }
         }
         return shared;
+    }
+
+    /** The words with other frames of the film. */
+    static List<String> ofFrames(List<String> words, Span span) {
+        List<String> other = new ArrayList<>();
+        for (int i = 0; i < words.size(); i++) {
+            String word = words.get(i);
+            if (FRAMES.contains(word)) {
+                i++;
+            } else if (FRAMES.stream().noneMatch(name -> word.startsWith(name + "="))) {
+                other.add(word);
+            }
+        }
+        other.addAll(List.of("--frames", span.first() + "-" + span.last()));
+        return other;
     }
 
     /** The line for some shares of so many. */

@@ -51,9 +51,13 @@ public record Card(String program, String settings, double exposure, Tone tone, 
         MessageDigest digest = sha256();
         digest.update(assets.digest().getBytes(StandardCharsets.UTF_8));
         if (isFilm) {
-            digest.update(scene.recipe().text().getBytes(StandardCharsets.UTF_8));
-            new TreeMap<>(scene.recipe().included()).values().forEach(text -> digest.update(text.getBytes(StandardCharsets.UTF_8)));
+            update(digest, "film " + scene.recipe().text());
         }
+        // The scene's text has only the names of files that it includes.
+        new TreeMap<>(scene.recipe().included()).forEach((name, text) -> {
+            update(digest, name);
+            update(digest, text);
+        });
         String content = hex(digest.digest(SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8)));
         String settings = hex(digest.digest(options.withThreads(1).toString().getBytes(StandardCharsets.UTF_8)));
         List<String> planes = options.layers().stream().flatMap(layer -> layer.planes(scene.lights()).stream()).toList();
@@ -124,6 +128,13 @@ public record Card(String program, String settings, double exposure, Tone tone, 
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every Java has SHA-256", e);
         }
+    }
+
+    /** With its length in front, so that no two texts are the digest of another one. */
+    private static void update(MessageDigest digest, String text) {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        digest.update((bytes.length + " ").getBytes(StandardCharsets.UTF_8));
+        digest.update(bytes);
     }
 
     private static String hex(byte[] digest) {

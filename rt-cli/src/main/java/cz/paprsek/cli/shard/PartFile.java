@@ -52,7 +52,8 @@ final class PartFile {
     }
 
     static void write(Path file, PartHead head, Image image, Layers layers) throws IOException {
-        AtomicFile.write(file, target -> {
+        // There are thousands of them in a folder, which is swept once for all.
+        AtomicFile.writeUnswept(file, target -> {
             MessageDigest digest = Card.sha256();
             // Small pieces would take the digest longer than all of them together.
             DataOutputStream out = new DataOutputStream(new BufferedOutputStream(new DigestOutputStream(target, digest), 1 << 14));

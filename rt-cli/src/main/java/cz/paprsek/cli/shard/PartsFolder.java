@@ -4,8 +4,10 @@ import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Deal.Piece;
 import cz.paprsek.cli.shard.PartFile.OtherVersion;
 import cz.paprsek.cli.shard.PartFile.Pixels;
+import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.Tile;
 import java.io.IOException;
+import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -27,6 +29,13 @@ record PartsFolder(Path path) {
         return of(piece.frame()).resolve(String.format(Locale.ROOT, "tile-%05d-%05d-%dx%d%s", tile.x(), tile.y(), tile.width(), tile.height(), PartFile.ENDING));
     }
 
+    /** Makes the folder of a frame, and removes what processes that are no more have left half-written in it. */
+    void prepare(int frame) throws IOException {
+        Path folder = of(frame);
+        Files.createDirectories(folder);
+        AtomicFile.sweepAll(folder, PartFile.ENDING);
+    }
+
     /** The folder of a frame. */
     private Path of(int frame) {
         return frame == 0 ? path : path.resolve(String.format(Locale.ROOT, "frame-%06d", frame));
@@ -35,10 +44,8 @@ record PartsFolder(Path path) {
     /** All part files of some frames, or of all, in the order of their names. */
     List<Path> files(Optional<Span> frames) throws IOException {
         List<Path> files = new ArrayList<>(frames.isEmpty() ? parts(path) : List.of());
-        try (DirectoryStream<Path> folders = Files.newDirectoryStream(path, each -> isFrame(each, frames))) {
-            for (Path folder : folders) {
-                files.addAll(parts(folder));
-            }
+        for (Path folder : listed(path, each -> isFrame(each, frames))) {
+            files.addAll(parts(folder));
         }
         return files.stream().sorted().toList();
     }
@@ -49,11 +56,15 @@ record PartsFolder(Path path) {
     }
 
     private static List<Path> parts(Path folder) throws IOException {
+        return Files.isDirectory(folder) ? listed(folder, file -> file.toString().endsWith(PartFile.ENDING)) : List.of();
+    }
+
+    private static List<Path> listed(Path folder, DirectoryStream.Filter<Path> which) throws IOException {
         List<Path> files = new ArrayList<>();
-        if (Files.isDirectory(folder)) {
-            try (DirectoryStream<Path> all = Files.newDirectoryStream(folder, "*" + PartFile.ENDING)) {
-                all.forEach(files::add);
-            }
+        try (DirectoryStream<Path> all = Files.newDirectoryStream(folder, which)) {
+            all.forEach(files::add);
+        } catch (DirectoryIteratorException hindered) {
+            throw hindered.getCause();
         }
         return files;
     }

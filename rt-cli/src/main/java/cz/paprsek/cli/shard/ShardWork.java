@@ -17,7 +17,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Queue;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -139,6 +138,7 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
 
         /** Makes parts of a frame. */
         void work(int frame, List<Piece> pieces) throws IOException {
+            parts.prepare(frame);
             RenderScene scene = footage.scene(frame);
             Told told = Told.of(footage.written(frame).origin());
             Queue<Piece> queue = new ConcurrentLinkedQueue<>(pieces);
@@ -191,9 +191,7 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
         private void make(RenderScene scene, Told told, Piece piece, Renderer renderer) throws IOException {
             RenderResult result = renderer.next(scene, options.withRegion(piece.tile()).withThreads(1), this);
             if (result.outcome() == RenderResult.Outcome.DONE) {
-                Path file = parts.file(piece);
-                Files.createDirectories(Objects.requireNonNull(file.getParent()));
-                PartFile.write(file, new PartHead(card, told, piece.frame(), piece.tile(), span, shard, words), result.image(), result.layers());
+                PartFile.write(parts.file(piece), new PartHead(card, told, piece.frame(), piece.tile(), span, shard, words), result.image(), result.layers());
                 listener.made(found + made.incrementAndGet(), all);
             }
         }

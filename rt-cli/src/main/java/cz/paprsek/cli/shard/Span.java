@@ -29,6 +29,11 @@ public record Span(int first, int last) {
         Fields.put(text, "frames", first + " " + last);
     }
 
+    /** The frames of both, and those between. */
+    Span with(Span other) {
+        return isStill() ? other : other.isStill() ? this : new Span(Math.min(first, other.first), Math.max(last, other.last));
+    }
+
     boolean has(int frame) {
         return frame >= first && frame <= last;
     }

@@ -43,19 +43,20 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
      * @throws IOException if it cannot be listed
      */
     public static Survey of(Path folder, Optional<Span> frames) throws IOException {
+        return of(folder, frames, new Heads());
+    }
+
+    /** As {@link #of(Path, Optional)}, by what is known of files from an earlier look. */
+    public static Survey of(Path folder, Optional<Span> frames, Heads heads) throws IOException {
         if (!Files.isDirectory(folder)) {
             throw new WrongUsage(folder + (Files.exists(folder) ? " is not a directory of parts" : ": there is no such directory"));
         }
         List<Found> found = new ArrayList<>();
         List<String> foreign = new ArrayList<>();
         List<String> damaged = new ArrayList<>();
-        Map<Object, Object> known = new HashMap<>();
         for (Path file : new PartsFolder(folder).files(frames)) {
             try {
-                PartHead head = PartFile.head(file);
-                // Thousands of parts have one card between them.
-                found.add(new Found(file, new PartHead(same(known, head.card()), same(known, head.told()), head.frame(), head.tile(), same(known, head.span()), same(known, head.shard()),
-                        same(known, head.words()))));
+                found.add(new Found(file, heads.of(file)));
             } catch (OtherVersion other) {
                 foreign.add(file + " is " + other.getMessage());
             } catch (IOException wrong) {
@@ -66,11 +67,6 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
         Map<Boolean, List<Found>> own = found.stream().collect(Collectors.partitioningBy(part -> part.head().card().equals(card.orElseThrow())));
         own.getOrDefault(false, List.of()).forEach(part -> foreign.add(part.file() + " is " + part.head().card().difference(card.orElseThrow())));
         return new Survey(folder, frames, card, own.getOrDefault(true, List.of()), foreign, damaged);
-    }
-
-    @SuppressWarnings("unchecked")
-    private static <T> T same(Map<Object, Object> known, T value) {
-        return (T) known.computeIfAbsent(value, key -> key);
     }
 
     private static Optional<Card> most(List<Found> found) {
@@ -101,9 +97,9 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
         return frames.orElseGet(this::dealt);
     }
 
-    /** The frames that were dealt out. */
+    /** The frames that were dealt out, from the first of all to the last of all: a film may have been made longer. */
     public Span dealt() {
-        return usual(PartHead::span, part -> true, Comparator.comparing(Span::first).thenComparing(Span::last));
+        return parts.stream().map(part -> part.head().span()).reduce(Span::with).orElseThrow();
     }
 
     /** The parts of each frame, by itself. */
@@ -155,9 +151,11 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
     /** What makes all that is missing, by the shares into which most of the parts were dealt. */
     private String line(IntFunction<Grid> covered) {
         int count = usual(part -> part.shard().count(), part -> true, Comparator.<Integer>naturalOrder());
-        Span span = usual(PartHead::span, part -> part.shard().count() == count, Comparator.comparing(Span::first).thenComparing(Span::last));
-        List<String> words = usual(PartHead::words, part -> part.shard().count() == count && part.span().equals(span), Comparator.comparing(List::toString));
-        List<Integer> shares = new Deal(card.orElseThrow().region(), span, count).owners(piece -> span().has(piece.frame()) && !covered.apply(piece.frame()).covers(piece.tile()));
+        Span usual = usual(PartHead::span, part -> part.shard().count() == count, Comparator.comparing(Span::first).thenComparing(Span::last));
+        List<String> usualWords = usual(PartHead::words, part -> part.shard().count() == count && part.span().equals(usual), Comparator.comparing(List::toString));
+        Span all = usual.with(span());
+        List<String> words = all.equals(usual) ? usualWords : Again.ofFrames(usualWords, all);
+        List<Integer> shares = new Deal(card.orElseThrow().region(), all, count).owners(piece -> span().has(piece.frame()) && !covered.apply(piece.frame()).covers(piece.tile()));
         return Again.line(words, shares, count, folder);
     }
 

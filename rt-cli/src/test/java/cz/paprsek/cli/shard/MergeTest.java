@@ -12,12 +12,15 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What is said of parts that do not make a picture. */
@@ -174,6 +177,49 @@ class MergeTest {
         other.start();
         assertThat(merge("--wait", 60).code()).isEqualTo(ExitCode.DONE);
         other.join();
+    }
+
+    @Test
+    @Timeout(30)
+    void nobodyWaitsWhilePartsOfAnotherPictureLieThere() throws IOException {
+        render(1, 2);
+        Path other = folder.resolve("other");
+        assertThat(Run.cli("render", scene, "--size", SIZE, "--max-depth", 3, "--shard", "1/64", "-o", other).code()).isEqualTo(ExitCode.DONE);
+        Files.copy(only(other), parts.resolve("c.part"));
+        Run run = merge("--wait", 600);
+        assertThat(run.code()).isEqualTo(ExitCode.PARTS_LACKING);
+        assertThat(run.err()).contains("c.part is rendered with");
+    }
+
+    /** The scene's own text is the same. */
+    @Test
+    void partsOfASceneWhoseIncludedFileHasChangedAreForeign() throws IOException {
+        Path defined = Files.writeString(folder.resolve("defs.xml"), INCLUDED.formatted(1));
+        scene = Scenes.scene(folder.resolve("including.xml"), "<include file=\"defs.xml\"/>");
+        render(1, 2);
+        Files.writeString(defined, INCLUDED.formatted(2));
+        Run other = Run.cli("render", scene, "--size", SIZE, "--shard", "2/2", "-o", folder.resolve("others"));
+        assertThat(other.code()).as(other.err()).isEqualTo(ExitCode.DONE);
+        try (Stream<Path> files = Files.list(folder.resolve("others"))) {
+            for (Path file : files.toList()) {
+                Files.copy(file, parts.resolve(file.getFileName()));
+            }
+        }
+        assertThat(refused().err()).contains(" is of another scene, or of other files beside it");
+    }
+
+    private static final String INCLUDED = """
+            <scene xmlns="urn:paprsek:scene:1"><camera position="0 0 9" target="0 0 0"/><sphere radius="%d"/></scene>
+            """;
+
+    @Test
+    void whatAKilledShareLeftHalfWrittenIsRemoved() throws IOException {
+        Files.createDirectories(parts);
+        Path left = Files.writeString(parts.resolve("tile-00000-00000-32x32.part.999999999999-a1.tmp"), "half");
+        Files.setLastModifiedTime(left, FileTime.from(Instant.now().minusSeconds(3600)));
+        render(1, 1);
+        assertThat(left).doesNotExist();
+        assertThat(files()).hasSize(12);
     }
 
     /** Whatever is in a file: a sentence, in a moment, and no more memory than the file is long. */

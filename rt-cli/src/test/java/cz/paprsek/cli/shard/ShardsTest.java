@@ -14,6 +14,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -102,6 +104,28 @@ class ShardsTest {
         assertThat(other.err()).contains("of another scene");
     }
 
+    /** Shares of its beginning, then of all of it: all of it is put together, and the line of what is missing names all its frames. */
+    @Test
+    void aFilmCanBeMadeLonger() throws IOException {
+        Path scene = Files.writeString(folder.resolve("film.xml"), FILM);
+        Path parts = folder.resolve("parts");
+        Files.createDirectories(folder.resolve("merged"));
+        assertThat(film(scene, "--frames 1-16", "--shard", "1/1", "-o", parts).code()).isEqualTo(ExitCode.DONE);
+        Run wished = Run.cli("merge", parts, "--frames", "1-18", "-o", folder.resolve("merged/{frame}.ppm"));
+        assertThat(wished.code()).isEqualTo(ExitCode.PARTS_LACKING);
+        assertThat(wished.err()).contains("of 2 of 18 frames tiles are missing: 17 18;", "\npaprsek render " + scene + " --frames 1-18 --shard 1/1 -o " + parts + "\n");
+        assertThat(film(scene, "--frames 1-18", "--shard", "2/2", "-o", parts).code()).isEqualTo(ExitCode.DONE);
+        assertThat(Run.cli("merge", parts, "-o", folder.resolve("merged/{frame}.ppm")).err()).contains("of 1 of 18 frames tiles are missing: 17;", " --frames 1-18 ");
+        assertThat(film(scene, "--frames 1-18", "--shard", "1/2", "-o", parts).code()).isEqualTo(ExitCode.DONE);
+        Files.write(parts.resolve("frame-000003/z.part"), new byte[] {1, 2, 3});
+        Run run = Run.cli("merge", parts, "-o", folder.resolve("merged/{frame}.ppm"));
+        assertThat(run.code()).as(run.err()).isEqualTo(ExitCode.DONE);
+        assertThat(run.err().lines().filter(line -> line.startsWith("note: "))).hasSize(1);
+        try (Stream<Path> files = Files.list(folder.resolve("merged"))) {
+            assertThat(files).hasSize(18);
+        }
+    }
+
     private static Run film(Path scene, String words, Object... further) {
         return Run.cli(Stream.of(Stream.of("render", scene), Stream.of(words.split(" ", -1)), Stream.of(further)).flatMap(each -> each).toArray());
     }
@@ -185,6 +209,14 @@ class ShardsTest {
     void aSceneThatIsWrongHasACodeOfItsOwn() {
         assertThat(Run.cli("render", folder.resolve("none.xml"), "--shard", "1/2", "-o", folder.resolve("parts")).code()).isEqualTo(ExitCode.BAD_SCENE);
         assertThat(folder.resolve("parts")).doesNotExist();
+    }
+
+    /** A file whose bytes the system does not give: another machine may have more luck. */
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aSceneThatCannotBeReadHereMayBeTriedAgain() {
+        Run run = Run.cli("render", "/proc/self/mem", "--shard", "1/2", "-o", folder.resolve("parts"));
+        assertThat(run.code()).as(run.err()).isEqualTo(ExitCode.FAILED);
     }
 
     private static Run render(String words, Object... further) {
