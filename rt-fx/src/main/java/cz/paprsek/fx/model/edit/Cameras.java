@@ -15,6 +15,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -43,7 +44,7 @@ public final class Cameras {
 
     /** Makes a camera the first, whose picture is rendered where none is named. */
     public static EditorState first(EditorState state, int camera) {
-        return state.moved(state.scene().through(camera),
+        return moved(state, scene -> scene.through(camera),
                 place -> Optional.of(place instanceof CameraAt at ? ScenePath.camera(at.index() == camera ? 0 : at.index() < camera ? at.index() + 1 : at.index()) : place));
     }
 
@@ -58,7 +59,7 @@ public final class Cameras {
             taken.add(seeing);
         }
         cameras.add(state.camera().named(Names.free(name, taken)));
-        return state.withScene(state.scene().withCameras(cameras)).withSelection(Set.of(ScenePath.camera(cameras.size() - 1))).through(cameras.size() - 1);
+        return moved(state, scene -> scene.withCameras(cameras), Optional::of).withSelection(Set.of(ScenePath.camera(cameras.size() - 1))).through(cameras.size() - 1);
     }
 
     /** Adds copies of cameras, with free names, and selects them too. */
@@ -77,7 +78,7 @@ public final class Cameras {
             selection.add(ScenePath.camera(cameras.size()));
             cameras.add(added);
         }
-        return others.isEmpty() ? state : state.withScene(state.scene().withCameras(cameras)).withSelection(selection);
+        return others.isEmpty() ? state : moved(state, scene -> scene.withCameras(cameras), Optional::of).withSelection(selection);
     }
 
     /** A camera with a name: its own, or what it is. */
@@ -89,9 +90,13 @@ public final class Cameras {
     public static EditorState remove(EditorState state, Collection<CameraAt> removed) {
         List<Integer> kept = IntStream.range(0, state.scene().cameras().size()).boxed().filter(i -> !removed.contains(ScenePath.camera(i))).toList();
         List<Integer> staying = kept.isEmpty() ? List.of(state.eye()) : kept;
-        return removed.isEmpty() ? state : state.moved(state.scene().withCameras(staying.stream().map(state.scene().cameras()::get).toList()),
+        return removed.isEmpty() ? state : moved(state, scene -> scene.withCameras(staying.stream().map(scene.cameras()::get).toList()),
                 place -> Optional.of(place).filter(item -> !(item instanceof CameraAt at) || staying.contains(at.index()))
                         .map(item -> item instanceof CameraAt at ? ScenePath.camera(staying.indexOf(at.index())) : item));
+    }
+
+    private static EditorState moved(EditorState state, UnaryOperator<Scene> change, Function<ScenePath, Optional<ScenePath>> place) {
+        return state.moved(Animated.through(state.scene(), change, place), place);
     }
 
     /** Makes a point sharp for one of a scene's cameras; a picture of too few rays for a blur gets the rays that new scenes have. */

@@ -8,6 +8,7 @@ import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.MaterialAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import java.util.ArrayList;
@@ -16,6 +17,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 
@@ -72,14 +74,16 @@ public final class Materials {
         Map<String, Material> materials = new LinkedHashMap<>();
         scene.materials().forEach((name, material) -> materials.put(name.equals(old) ? fresh : name, material));
         MaterialName reference = new MaterialName(fresh);
-        return mapped(scene.plus(fresh, Material.DEFAULT), source -> isCalled(source, old) ? reference : source).withMaterials(materials);
+        return Animated.through(scene, still -> mapped(still.plus(fresh, Material.DEFAULT), source -> isCalled(source, old) ? reference : source).withMaterials(materials),
+                place -> Optional.of(place.equals(new MaterialAt(old)) ? new MaterialAt(fresh) : place));
     }
 
-    /** Forgets a named material; what referred to it gets one of its own that looks the same. */
+    /** Forgets a named material; what referred to it gets one of its own that looks the same, and is not animated. */
     public static Scene delete(Scene scene, String name) {
         Map<String, Material> materials = new LinkedHashMap<>(scene.materials());
         Material material = materials.remove(name);
-        return material == null ? scene : mapped(scene, source -> isCalled(source, name) ? material : source).withMaterials(materials);
+        return material == null ? scene
+                : Animated.through(scene, still -> mapped(still, source -> isCalled(source, name) ? material : source).withMaterials(materials), Optional::of);
     }
 
     /** The body with what it and all within it is made of changed. */

@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -109,6 +110,11 @@ final class SceneTree {
         return node;
     }
 
+    /** Says that what stood at a place at the start is this node from now on, with all within. */
+    void follow(BodyAt at, Node node) {
+        register(at, node);
+    }
+
     /** The nodes that stood at places at the start, without those that are within others of them. */
     List<Node> nodes(Collection<? extends ScenePath> items) {
         return Places.outermost(items).stream().map(this::node).toList();
@@ -190,9 +196,8 @@ final class SceneTree {
     EditorState result() {
         prune(objects);
         Map<Node, BodyAt> places = places();
-        return before.moved(
-                before.scene().withLights(lights).withObjects(objects.stream().map(Node::rebuiltObject).toList()),
-                item -> place(item, places));
+        Scene after = Animated.through(before.scene(), scene -> scene.withLights(lights).withObjects(objects.stream().map(Node::rebuiltObject).toList()), item -> place(item, places));
+        return before.moved(after, item -> place(item, places));
     }
 
     /** The state that results, with these nodes and lights selected instead. */

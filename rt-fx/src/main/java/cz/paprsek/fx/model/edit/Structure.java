@@ -9,6 +9,7 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Light;
+import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -149,6 +150,7 @@ public final class Structure {
         return replaced(tree, places, parent, new Body(name, csg, Placement.NONE, Inherited.INHERITED));
     }
 
+    /** With an operation of what stood at places, in their order, instead. */
     private static EditorState replaced(SceneTree tree, List<BodyAt> places, @Nullable Node parent, Body body) {
         int index = tree.index(tree.node(places.get(0)));
         int earlier = (int) places.stream().skip(1).map(tree::node)
@@ -156,6 +158,9 @@ public final class Structure {
         places.forEach(at -> tree.remove(tree.node(at)));
         Node fresh = Node.fresh(named(body, tree.names(parent)));
         tree.insert(parent, index - earlier, fresh);
+        for (int i = 0; i < places.size(); i++) {
+            tree.follow(places.get(i), fresh.children().get(i));
+        }
         return tree.resultSelecting(List.of(fresh), List.of());
     }
 
@@ -191,15 +196,19 @@ public final class Structure {
 
     /** Gives an object, operand, light or camera another name; empty for none. */
     public static EditorState rename(EditorState state, ScenePath item, String name) {
+        return state.withScene(Animated.through(state.scene(), scene -> renamed(scene, item, name), Optional::of));
+    }
+
+    private static Scene renamed(Scene scene, ScenePath item, String name) {
         if (item instanceof LightAt at) {
-            List<Light> lights = new ArrayList<>(state.scene().lights());
+            List<Light> lights = new ArrayList<>(scene.lights());
             lights.set(at.index(), lights.get(at.index()).named(name));
-            return state.withScene(state.scene().withLights(lights));
+            return scene.withLights(lights);
         }
         if (item instanceof CameraAt at) {
-            return state.withScene(Cameras.changed(state.scene(), at.index(), camera -> camera.named(name)));
+            return Cameras.changed(scene, at.index(), camera -> camera.named(name));
         }
-        return item instanceof BodyAt at ? state.withScene(state.scene().with(at, body -> body.named(name))) : state;
+        return item instanceof BodyAt at ? scene.with(at, body -> body.named(name)) : scene;
     }
 
     /** Hides items from the editor's views, or shows them again. */

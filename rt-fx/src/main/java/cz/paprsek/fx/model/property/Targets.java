@@ -1,5 +1,6 @@
 package cz.paprsek.fx.model.property;
 
+import cz.paprsek.fx.model.edit.Animated;
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.edit.Pivots;
 import cz.paprsek.material.Material;
@@ -28,6 +29,11 @@ import java.util.stream.Stream;
 final class Targets {
     private Targets() {}
 
+    /** The change may be one of names. */
+    private static Scene renamed(Scene scene, UnaryOperator<Scene> change) {
+        return Animated.through(scene, change, Optional::of);
+    }
+
     /** Objects and operands. */
     record BodiesAt(List<BodyAt> places) implements Target {
         @Override
@@ -42,7 +48,7 @@ final class Targets {
 
         @Override
         public Scene change(Scene scene, UnaryOperator<Record> change) {
-            return scene.with(places, (at, body) -> Pivots.kept(scene, at, body, (Body) change.apply(body)));
+            return renamed(scene, still -> still.with(places, (at, body) -> Pivots.kept(still, at, body, (Body) change.apply(body))));
         }
     }
 
@@ -62,7 +68,7 @@ final class Targets {
         public Scene change(Scene scene, UnaryOperator<Record> change) {
             List<Light> lights = new ArrayList<>(scene.lights());
             places.forEach(at -> lights.set(at.index(), (Light) change.apply((Record) lights.get(at.index()))));
-            return scene.withLights(lights);
+            return renamed(scene, still -> still.withLights(lights));
         }
     }
 
@@ -82,7 +88,7 @@ final class Targets {
         public Scene change(Scene scene, UnaryOperator<Record> change) {
             List<Camera> cameras = new ArrayList<>(scene.cameras());
             places.forEach(at -> cameras.set(at.index(), (Camera) change.apply(cameras.get(at.index()))));
-            return scene.withCameras(cameras);
+            return renamed(scene, still -> still.withCameras(cameras));
         }
     }
 

@@ -12,7 +12,9 @@ import cz.paprsek.material.Inherited;
 import cz.paprsek.material.MaterialName;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Body;
+import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -192,5 +194,30 @@ class StructureTest {
         for (Vec3 p : List.of(Vec3.ZERO, Vec3.X, Vec3.Y, Vec3.Z)) {
             assertThat(actual.point(p).minus(expected.point(p)).length()).isCloseTo(0, within(1e-12));
         }
+    }
+
+    private static Animation rising(String target) {
+        return new Animation(target, "position", Animation.Turning.ANGLES, List.of(new Animation.Key(0, "0 1 0", Animation.Ease.LINEAR), new Animation.Key(1, "0 2 0", Animation.Ease.LINEAR)));
+    }
+
+    private static List<String> animated(EditorState state) {
+        return state.scene().animations().stream().map(Animation::target).toList();
+    }
+
+    @Test
+    void animationsFollowWhatTheyAreOfAndGoWithIt() {
+        Scene scene = Scene.EMPTY.withCameras(List.of(Camera.DEFAULT.named("near"), Camera.DEFAULT.named("far")))
+                .plus(SceneObject.of(new Sphere(1)).named("a")).plus(SceneObject.of(new Sphere(2)).named("b")).plus(Light.at(0, 9, 0)).plus(Light.at(0, 8, 0));
+        EditorState state = EditorState.of(scene.withAnimations(List.of(rising("a"), rising("sphere#2"), rising("light:#2"), rising("camera:far"))));
+        assertThat(animated(Structure.rename(state, body(0), "c"))).containsExactly("c", "sphere#2", "light:#2", "camera:far");
+        assertThat(animated(Structure.rename(state, ScenePath.light(1), "lamp"))).containsExactly("a", "sphere#2", "light:#2", "camera:far");
+        assertThat(animated(Structure.rename(state, ScenePath.camera(1), "eye"))).containsExactly("a", "sphere#2", "light:#2", "camera:eye");
+        assertThat(animated(Structure.delete(state, Set.of(body(0))))).as("the other one is the first sphere now").containsExactly("b", "light:#2", "camera:far");
+        assertThat(animated(Structure.delete(state, Set.of(ScenePath.light(0), ScenePath.camera(1))))).containsExactly("a", "sphere#2", "light:#1");
+        assertThat(animated(Structure.delete(state, Set.of(body(0), body(1), ScenePath.light(1), ScenePath.camera(1))))).isEmpty();
+        EditorState both = Structure.combine(state, List.of(body(1), body(0)), Csg.Operation.UNION, "both");
+        assertThat(animated(both)).containsExactly("both/a", "both/b", "light:#2", "camera:far");
+        assertThat(animated(Structure.dissolve(both, Set.of(body(0))))).containsExactly("a", "b", "light:#2", "camera:far");
+        assertThat(animated(Cameras.first(state, 1))).isEqualTo(animated(state));
     }
 }
