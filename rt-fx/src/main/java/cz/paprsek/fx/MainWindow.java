@@ -1,6 +1,7 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Mends;
 import cz.paprsek.fx.view.command.Edits;
@@ -56,6 +57,8 @@ final class MainWindow {
     private final StatusBar status = new StatusBar();
     private final SceneWatch watch;
     private List<SceneWarning> warnings = List.of();
+    /** What the warnings are about. */
+    private EditorState warned;
     private final Columns columns;
     private Optional<LessonPane> lesson = Optional.empty();
     /** Held here, because the editor, which outlives the window, holds it weakly. */
@@ -66,6 +69,7 @@ final class MainWindow {
     MainWindow(Editor editor) {
         this.editor = editor;
         EditorModel model = editor.model();
+        warned = model.state();
         Texts texts = editor.texts();
         Edits edits = new Edits(model, texts);
         edits.refusalProperty().addListener((property, old, now) -> status.showMessage(texts.sentence(now)));
@@ -152,6 +156,7 @@ final class MainWindow {
 
     private void warned(List<SceneWarning> found) {
         warnings = found;
+        warned = editor.model().state();
         status.showWarnings(found.isEmpty() ? "" : editor.texts().of("warnings.count", found.size()));
         if (found.isEmpty()) {
             warningList.hide();
@@ -163,14 +168,18 @@ final class MainWindow {
     private void listWarnings() {
         Texts texts = editor.texts();
         warningList.showEntries(texts.of("warnings.title"), warnings.stream()
-                .map(warning -> new ProblemList.Entry(texts.sentence(warning.message()), () -> warning.place().ifPresent(this::goTo), mend(warning))).toList());
+                .map(warning -> new ProblemList.Entry(texts.sentence(warning.message()), () -> warning.place().ifPresent(this::goTo), () -> mend(warning))).toList());
     }
 
-    /** Made anew when it is asked for: something else may have been changed meanwhile. */
     private Optional<ProblemList.Mend> mend(SceneWarning warning) {
         EditorModel model = editor.model();
-        return Mends.of(model.state(), warning).map(mend -> new ProblemList.Mend(editor.texts().of(mend.key()), () ->
-                model.editState(Label.of(Label.Edit.CHANGE, editor.texts().of(mend.key())), state -> Mends.of(state, warning).map(Mends.Mended::result).orElse(state))));
+        return mended(model.state(), warning).map(mend -> new ProblemList.Mend(editor.texts().of(mend.key()), () ->
+                model.editState(Label.of(Label.Edit.CHANGE, editor.texts().of(mend.key())), state -> mended(state, warning).map(Mends.Mended::result).orElse(state))));
+    }
+
+    /** Empty as soon as the scene is another one than that of the warning, whose place may lead to something else then. */
+    private Optional<Mends.Mended> mended(EditorState state, SceneWarning warning) {
+        return state.eye() == warned.eye() && state.scene().equals(warned.scene()) ? Mends.of(state, warning) : Optional.empty();
     }
 
     /** Selects what a warning is about; named materials stand in the sheet where nothing is selected. */

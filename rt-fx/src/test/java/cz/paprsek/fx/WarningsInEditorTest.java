@@ -9,12 +9,16 @@ import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Sphere;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import javafx.scene.control.Button;
 import javafx.scene.control.ListView;
 import javafx.scene.control.TextInputControl;
+import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -76,5 +80,21 @@ class WarningsInEditorTest {
         editor.gui.keys(javafx.scene.input.KeyCode.ENTER);
         assertThat(editor.model().scene().objects().get(0).placement().position().x()).isEqualTo(1.25);
         assertThat(field.getText()).isEqualTo("1,25");
+    }
+
+    /** The list stays for a moment, after which it is that of the scene as it is then. */
+    @Test
+    void asecondClickMendsNothingElse() {
+        Csg needless = Csg.difference(Operand.of(new Sphere(1)), Operand.of(new Sphere(1)).at(5, 0, 0), Operand.of(new Sphere(1)).at(0, 1, 0));
+        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.ADD), scene -> scene.withObjects(List.of(SceneObject.of(needless)))));
+        editor.gui.until("an operand takes nothing away", () -> editor.gui.stage().getScene().lookup("#status-warnings").isVisible());
+        editor.gui.click("#status-warnings");
+        editor.gui.act(() -> {
+            Button mend = (Button) editor.gui.stage().getScene().lookup(".mend");
+            mend.fire();
+            mend.fire();
+        });
+        assertThat(editor.model().scene().objects().get(0).shape()).asInstanceOf(InstanceOfAssertFactories.type(Csg.class))
+                .extracting(csg -> csg.operands().size()).as("only what was warned of").isEqualTo(2);
     }
 }

@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -92,17 +93,28 @@ public final class Arranging {
         if (bodies.isEmpty()) {
             throw new IllegalArgumentException("select a body that has an end");
         }
-        Set<Integer> moving = Set.copyOf(bodies.stream().map(at -> at.object().index()).distinct().toList());
-        List<Bounds> others = IntStream.range(0, scene.objects().size()).filter(i -> !moving.contains(i) && !state.isHidden(ScenePath.body(i)) && !scene.objects().get(i).hidden())
-                .mapToObj(i -> support(scene, ScenePath.body(i))).filter(box -> Double.isFinite(box.maxY())).toList();
-        return moved(state, bodies, at -> {
-            Bounds box = box(scene, at).orElseThrow();
+        Set<Integer> moving = bodies.stream().filter(at -> !state.isLocked(at)).map(at -> at.object().index()).collect(Collectors.toSet());
+        List<Support> supports = new ArrayList<>();
+        IntStream.range(0, scene.objects().size()).filter(i -> !moving.contains(i) && !state.isHidden(ScenePath.body(i)) && !scene.objects().get(i).hidden())
+                .mapToObj(i -> support(scene, ScenePath.body(i))).filter(box -> Double.isFinite(box.maxY())).forEach(box -> supports.add(new Support(box, box.maxY())));
+        Map<BodyAt, Bounds> boxes = new HashMap<>();
+        bodies.forEach(at -> boxes.put(at, box(scene, at).orElseThrow()));
+        // From below, so that those of a stack come onto each other.
+        List<BodyAt> rising = bodies.stream().sorted(Comparator.comparingDouble(at -> boxes.getOrDefault(at, Bounds.EMPTY).minY())).toList();
+        return moved(state, rising, at -> {
+            Bounds box = boxes.getOrDefault(at, Bounds.EMPTY);
             double middle = (box.minY() + box.maxY()) / 2;
             double slack = SLACK * (1 + box.maxY() - box.minY());
-            double support = others.stream().filter(other -> other.maxY() <= middle + slack && isBelow(other, box)).mapToDouble(Bounds::maxY).max().orElse(0);
-            return new Vec3(0, support - box.minY(), 0);
+            double floor = supports.stream().filter(other -> other.box().maxY() <= middle + slack && isBelow(other.box(), box)).mapToDouble(Support::top).max().orElse(0);
+            if (role(scene, at).map(role -> role == Role.BASE).orElse(true)) {
+                supports.add(new Support(box, floor + box.maxY() - box.minY()));
+            }
+            return new Vec3(0, floor - box.minY(), 0);
         });
     }
+
+    /** What a body may stand on, as it was, and how high its top is now. */
+    private record Support(Bounds box, double top) {}
 
     /** What a body may be put on: of a plane, if it is level, all below it. */
     private static Bounds support(Scene scene, BodyAt at) {
@@ -165,11 +177,13 @@ public final class Arranging {
         Vec3 of(BodyAt at);
     }
 
-    private static EditorState moved(EditorState state, List<BodyAt> bodies, Way way) {
+    /** What is locked stays as it is, to the last digit. */
+    private static EditorState moved(EditorState state, List<BodyAt> all, Way way) {
+        List<BodyAt> bodies = all.stream().filter(at -> !state.isLocked(at)).toList();
         Map<BodyAt, Vec3> ways = new HashMap<>();
-        bodies.stream().filter(at -> !state.isLocked(at)).forEach(at -> ways.put(at, way.of(at)));
+        bodies.forEach(at -> ways.put(at, way.of(at)));
         Scene scene = state.scene();
-        for (BodyAt at : new ArrayList<>(bodies)) {
+        for (BodyAt at : bodies) {
             Vec3 by = ways.getOrDefault(at, Vec3.ZERO);
             scene = Moves.translated(scene, List.of(at), new Vec3(readable(by.x()), readable(by.y()), readable(by.z())));
         }

@@ -63,15 +63,22 @@ public final class Mends {
      */
     public record Mended(String key, EditorState result) {}
 
-    /** Empty if only the author knows. */
+    /** Empty if only the author knows, or if what would change is locked. */
     public static Optional<Mended> of(EditorState state, SceneWarning warning) {
-        return Optional.ofNullable(TABLE.get(warning.kind())).flatMap(mend -> {
+        // Of a camera that is inside of something, the place is that of the thing.
+        Optional<ScenePath> changed = warning.kind().equals("camera-inside") ? Optional.of(ScenePath.camera(state.eye())) : warning.place();
+        boolean isLocked = changed.filter(place -> state.isLocked(place) || state.locked().stream().anyMatch(locked -> isWithin(locked, place))).isPresent();
+        return isLocked ? Optional.empty() : Optional.ofNullable(TABLE.get(warning.kind())).flatMap(mend -> {
             try {
                 return mend.change().apply(state, warning).filter(after -> !after.scene().equals(state.scene())).map(after -> new Mended(mend.key(), after));
             } catch (IllegalArgumentException cannotBe) {
                 return Optional.empty();
             }
         });
+    }
+
+    private static boolean isWithin(ScenePath inner, ScenePath outer) {
+        return inner instanceof BodyAt body && outer instanceof BodyAt around && around.holds(body);
     }
 
     /** The camera that is looked through goes back, or up, or aside, until it is out. */

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.shell;
 import cz.paprsek.xml.Problem;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
@@ -31,8 +32,8 @@ public final class ProblemList extends BorderPane {
     /** What mends something, as a button. */
     public record Mend(String text, Runnable action) {}
 
-    /** A line, what goes to the thing it is about when it is clicked or walked to, and what mends it if that is known. */
-    public record Entry(String text, Runnable jump, Optional<Mend> mend) {
+    /** A line, what goes to the thing it is about when it is clicked or walked to, and what mends it if that is known, which is asked for when the line is seen. */
+    public record Entry(String text, Runnable jump, Supplier<Optional<Mend>> mend) {
         @Override
         public String toString() {
             return text;
@@ -53,7 +54,7 @@ public final class ProblemList extends BorderPane {
         list.setCellFactory(view -> new MendableCell());
         list.setOnKeyPressed(event -> {
             if (event.getCode() == KeyCode.ENTER) {
-                Optional.ofNullable(list.getSelectionModel().getSelectedItem()).flatMap(Entry::mend).ifPresent(mend -> mend.action().run());
+                Optional.ofNullable(list.getSelectionModel().getSelectedItem()).flatMap(entry -> entry.mend().get()).ifPresent(mend -> mend.action().run());
                 event.consume();
             }
         });
@@ -73,7 +74,7 @@ public final class ProblemList extends BorderPane {
     }
 
     public void show(String header, List<Problem> problems) {
-        showEntries(header, problems.stream().map(p -> new Entry(p.line() + ":" + p.column() + "   " + language.apply(p.message()), () -> {}, Optional.empty())).toList());
+        showEntries(header, problems.stream().map(p -> new Entry(p.line() + ":" + p.column() + "   " + language.apply(p.message()), () -> {}, Optional::empty)).toList());
     }
 
     public void showEntries(String header, List<Entry> entries) {
@@ -91,7 +92,7 @@ public final class ProblemList extends BorderPane {
             super.updateItem(entry, empty);
             setText(empty || entry == null ? null : entry.text());
             setContentDisplay(ContentDisplay.RIGHT);
-            setGraphic(empty || entry == null ? null : entry.mend().map(MendableCell::button).orElse(null));
+            setGraphic(empty || entry == null ? null : entry.mend().get().map(MendableCell::button).orElse(null));
         }
 
         private static Button button(Mend mend) {

@@ -31,6 +31,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Bodies put in line, on the floor, in their roles; and things that are hardly meant, mended. */
 class ArrangingTest {
@@ -106,5 +107,32 @@ class ArrangingTest {
         EditorState mended = Mends.of(EditorState.of(scene), warning).map(Mends.Mended::result).orElseThrow();
         assertThat(SceneWarnings.of(mended.scene())).as(warning.message()).extracting(SceneWarning::kind).doesNotContain(warning.kind());
         assertThat(Mends.of(EditorState.of(scene), new SceneWarning("indices", "", Optional.empty(), "", "", false))).as("only the author knows").isEmpty();
+    }
+
+    /** Both stacks of two selected balls: one above the floor, one that has sunk into it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {5.5, -2.5})
+    void aStackComesOntoTheFloorAsAStack(double low) {
+        EditorState state = EditorState.of(Scene.EMPTY.plus(ball(0.5, 0, low + 1, 0), ball(0.5, 0, low, 0)));
+        Set<ScenePath> both = Set.of(ScenePath.body(0), ScenePath.body(1));
+        assertThat(positions(Arranging.onFloor(state, both))).containsExactly(new Vec3(0, 1.5, 0), new Vec3(0, 0.5, 0));
+        EditorState locked = state.withLocked(Set.of(ScenePath.body(1)));
+        assertThat(positions(Arranging.onFloor(locked, both)).get(1)).as("what is locked stays").isEqualTo(new Vec3(0, low, 0));
+    }
+
+    @Test
+    void whatIsLockedIsNeitherMovedNorRoundedNorMended() {
+        SceneObject odd = ball(1, 1.0 / 3, 2, 0);
+        EditorState arranged = EditorState.of(Scene.EMPTY.plus(odd, ball(1, 4, 5, 0))).withLocked(Set.of(ScenePath.body(0)));
+        assertThat(Arranging.aligned(arranged, List.of(ScenePath.body(1), ScenePath.body(0)), Axis.Y, Side.LEAST).scene().objects().get(0)).isEqualTo(odd);
+        Scene inside = Scene.EMPTY.withCamera(Camera.lookingAt(new Vec3(0, 0, 5), Vec3.ZERO)).plus(Light.at(3, 9, 9)).plus(ball(1, 0, 0, 0)).plus(ball(3, 0, 0, 4));
+        SceneWarning camera = SceneWarnings.of(inside).stream().findFirst().orElseThrow();
+        assertThat(Mends.of(EditorState.of(inside).withLocked(Set.of(ScenePath.camera())), camera)).isEmpty();
+        assertThat(Mends.of(EditorState.of(inside).withLocked(Set.of(ScenePath.body(1))), camera)).as("the camera is moved, not the ball").isPresent();
+        Scene cut = Scene.EMPTY.withCamera(Camera.lookingAt(new Vec3(0, 0, 5), Vec3.ZERO)).plus(Light.at(3, 9, 9))
+                .plus(SceneObject.of(Csg.difference(Operand.of(new Sphere(1)), Operand.of(new Sphere(1)).at(5, 0, 0))));
+        SceneWarning needless = SceneWarnings.of(cut).stream().filter(warning -> warning.kind().equals("operand")).findFirst().orElseThrow();
+        assertThat(Mends.of(EditorState.of(cut), needless)).isPresent();
+        assertThat(Mends.of(EditorState.of(cut).withLocked(Set.of(ScenePath.body(0))), needless)).isEmpty();
     }
 }
