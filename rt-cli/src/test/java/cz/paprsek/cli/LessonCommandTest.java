@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class LessonCommandTest {
     private static final String LESSON = """
@@ -61,5 +63,16 @@ class LessonCommandTest {
     @Test
     void theSchemaIsPrinted() {
         assertThat(new String(Run.cli("lesson", "--schema").bytes(), StandardCharsets.UTF_8)).isEqualTo(Lessons.schema());
+    }
+
+    /** Without a question it is the tasks that need the picture. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", "<question asks=\"color\" pixel=\"0,0\" tolerance=\"1\"><en>e</en><cs>c</cs><hint><en>h</en><cs>h</cs></hint><why><en>w</en><cs>w</cs></why></question>"})
+    void aFileThatTheSceneLacksIsNamed(String question) throws IOException {
+        Files.writeString(folder.resolve("scene.xml"), "<scene xmlns=\"urn:paprsek:scene:1\"><render width=\"8\" height=\"8\"/><camera position=\"0 0 5\" target=\"0 0 0\"/><sky file=\"none.png\"/></scene>");
+        Path file = Files.writeString(folder.resolve("mine.xml"), LESSON.formatted(0).replace("<task", question + "<task"));
+        Run run = Run.cli("lesson", file);
+        assertThat(run.code()).isEqualTo(3);
+        assertThat(run.err().strip()).startsWith(file.toString()).contains("none.png").doesNotContain("\n", "Exception");
     }
 }

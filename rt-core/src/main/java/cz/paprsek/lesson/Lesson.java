@@ -2,23 +2,32 @@ package cz.paprsek.lesson;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.scene.Scene;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * A lesson: a scene, and what is told, asked and to be done about it, in the order in which it is read.
  *
  * @param name that of its file, or of its folder for those that are shipped
+ * @param file the file that it was read from, absolute; empty for those that are shipped
  * @param scene to begin with
  * @param assets where the scene's files come from
  */
-public record Lesson(String name, Said title, Scene scene, Assets assets, List<Part> parts) {
+public record Lesson(String name, Optional<Path> file, Said title, Scene scene, Assets assets, List<Part> parts) {
     public Lesson {
         Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(file, "file");
         Objects.requireNonNull(title, "title");
         Objects.requireNonNull(scene, "scene");
         Objects.requireNonNull(assets, "assets");
         parts = List.copyOf(parts);
+    }
+
+    /** Whether it is one of those that come with the program. */
+    public boolean isShipped() {
+        return file.isEmpty();
     }
 
     /** A piece of a lesson. */

@@ -1,6 +1,8 @@
 package cz.paprsek.lesson;
 
+import cz.paprsek.io.Failures;
 import cz.paprsek.render.RenderMonitor;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -15,11 +17,15 @@ public final class LessonCheck {
         List<String> problems = new ArrayList<>();
         for (Task task : lesson.tasks()) {
             String which = "task " + (lesson.tasks().indexOf(task) + 1) + ": ";
-            if (task.isDone(lesson.scene(), lesson.assets(), monitor)) {
-                problems.add(which + "its condition is met by the scene that the lesson begins with");
-            }
-            if (!task.isDone(task.solution(), lesson.assets(), monitor)) {
-                problems.add(which + "its condition is not met by its solution");
+            try {
+                if (task.isDone(lesson.scene(), lesson.assets(), monitor)) {
+                    problems.add(which + "its condition is met by the scene that the lesson begins with");
+                }
+                if (!task.isDone(task.solution(), lesson.assets(), monitor)) {
+                    problems.add(which + "its condition is not met by its solution");
+                }
+            } catch (UncheckedIOException | IllegalArgumentException notToBeSeen) {
+                problems.add(which + Failures.sentence(notToBeSeen));
             }
         }
         return problems;

@@ -1,6 +1,7 @@
 package cz.paprsek.lesson;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.io.Failures;
 import cz.paprsek.lesson.Lesson.Formula;
 import cz.paprsek.lesson.Lesson.Look;
 import cz.paprsek.lesson.Lesson.Paragraph;
@@ -17,9 +18,12 @@ import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /** Makes a lesson of its file's elements. Other files that it needs are in the same folder or below, and nowhere else. */
@@ -36,15 +40,26 @@ final class LessonReader {
     }
 
     /**
-     * Reads a lesson.
+     * Reads a lesson, and looks whether its questions have answers.
      *
      * @param name what it is to be called
      * @param file the name of its file in the folder
-     * @param shown the name of its file for messages
+     * @param path its file
      * @param folder its files
      */
-    static Lesson read(String name, String file, String shown, Assets folder) throws LessonException, IOException {
-        return new LessonReader(shown, folder).lesson(name, Tag.read(bytes(folder, file), shown));
+    static Lesson read(String name, String file, Path path, Assets folder) throws LessonException, IOException {
+        Tag root = Tag.read(bytes(folder, file), path.toString());
+        Lesson lesson = new LessonReader(path.toString(), folder).lesson(name, Optional.of(path.toAbsolutePath().normalize()), root);
+        List<Tag> questions = root.all("question");
+        for (int i = 0; i < questions.size(); i++) {
+            checkAnswer(questions.get(i), lesson.questions().get(i), lesson);
+        }
+        return lesson;
+    }
+
+    /** Reads a lesson that is known to have answers: finding them takes a while. */
+    static Lesson shipped(String name, String file, String shown, Assets folder) throws LessonException, IOException {
+        return new LessonReader(shown, folder).lesson(name, Optional.empty(), Tag.read(bytes(folder, file), shown));
     }
 
     private static byte[] bytes(Assets folder, String file) throws IOException {
@@ -54,7 +69,7 @@ final class LessonReader {
         return bytes;
     }
 
-    private Lesson lesson(String name, Tag root) throws LessonException {
+    private Lesson lesson(String name, Optional<Path> path, Tag root) throws LessonException {
         if (!root.name().equals("lesson")) {
             throw root.wrong("a lesson begins with <lesson>, not with <" + root.name() + ">");
         }
@@ -68,11 +83,7 @@ final class LessonReader {
                 parts.add(part(tag, scene));
             }
         }
-        Lesson lesson = new Lesson(name, title, scene, folder, parts);
-        for (Tag tag : root.all("question")) {
-            checkAnswer(tag, lesson.questions().get(root.all("question").indexOf(tag)), lesson);
-        }
-        return lesson;
+        return new Lesson(name, path, title, scene, folder, parts);
     }
 
     private Part part(Tag tag, Scene scene) throws LessonException {
@@ -135,6 +146,8 @@ final class LessonReader {
             right = RightAnswer.of(question, lesson);
         } catch (IllegalArgumentException none) {
             throw tag.wrong("<question> has no answer: " + none.getMessage());
+        } catch (UncheckedIOException unreadable) {
+            throw tag.wrong("<question> has no answer, because the scene lacks a file: " + Failures.sentence(unreadable));
         }
         for (Tag wrong : tag.all("wrong")) {
             List<Double> numbers = wrong.numbers("answer");

@@ -20,7 +20,7 @@ public final class Lessons {
     private Lessons() {}
 
     /**
-     * One of those that are shipped.
+     * One of those that are shipped. That its questions have answers, and its wrong ones are wrong, has been looked at before it was shipped.
      *
      * @throws IllegalArgumentException if there is none of that name
      */
@@ -29,7 +29,7 @@ public final class Lessons {
             throw new IllegalArgumentException("there is no lesson \"" + name + "\"; there are " + String.join(", ", NAMES));
         }
         try {
-            return LessonReader.read(name, "lesson.xml", name + "/lesson.xml", Assets.in(Lessons.class.getClassLoader(), FOLDER + name));
+            return LessonReader.shipped(name, "lesson.xml", name + "/lesson.xml", Assets.in(Lessons.class.getClassLoader(), FOLDER + name));
         } catch (LessonException | IOException e) {
             throw new IllegalStateException("the lesson " + name + " in the program's own jar cannot be read: " + e.getMessage(), e);
         }
@@ -45,7 +45,7 @@ public final class Lessons {
         Path name = Objects.requireNonNull(file, "file").getFileName();
         String called = name == null ? file.toString() : name.toString();
         Assets folder = Assets.beside(file).withLimits(LARGEST, 4 * LARGEST);
-        return LessonReader.read(called.replaceFirst("\\.[^.]*$", ""), called, file.toString(), folder);
+        return LessonReader.read(called.replaceFirst("\\.[^.]*$", ""), called, file, folder);
     }
 
     /** The right numbers of a question of a lesson. */

@@ -1,6 +1,7 @@
 package cz.paprsek.lesson;
 
 import cz.paprsek.io.PlainText;
+import cz.paprsek.text.Numbers;
 import cz.paprsek.text.Similar;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.bind.PlainElements;
@@ -130,15 +131,7 @@ final class Tag {
     }
 
     private double number(String attribute, String word) throws LessonException {
-        try {
-            double number = Double.parseDouble(word);
-            if (Double.isFinite(number)) {
-                return number;
-            }
-        } catch (NumberFormatException none) {
-            // Told below.
-        }
-        throw wrong("<" + name + "> " + attribute + " must be numbers with blanks between, but has \"" + word + "\"");
+        return Numbers.parsed(word).orElseThrow(() -> wrong("<" + name + "> " + attribute + " must be numbers with blanks between, but has \"" + word + "\""));
     }
 
     /** A whole number; the given one if the attribute is missing. @throws LessonException if it is none, or lower or higher */

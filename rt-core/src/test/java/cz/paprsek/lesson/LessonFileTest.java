@@ -97,6 +97,8 @@ class LessonFileTest {
         "asks=\"distance\"|asks=\"angle-beyond\"|<question> has no answer: pixel 50,50 has no angle-beyond|false",
         "tolerance=\"0.01\"|tolerance=\"0\"|<question> tolerance must be a number above 0|false",
         "tolerance=\"0.01\"|tolerance=\"a bit\"|<question> tolerance must be numbers with blanks between, but has \"a\"|true",
+        "tolerance=\"0.01\"|tolerance=\"1d\"|<question> tolerance must be numbers with blanks between, but has \"1d\"|true",
+        "tolerance=\"0.01\"|tolerance=\"0x1p-3\"|<question> tolerance must be numbers with blanks between, but has \"0x1p-3\"|true",
         "answer=\"5\"|answer=\"4.004\"|<wrong> answer is right: it is within the tolerance of [4.0]|false",
         "answer=\"5\"|answer=\"5 6\"|<wrong> answer has 2 numbers, but the right one 1|false",
         "condition=\"exists(pixel|condition=\"exists(pixels|<task> condition: character 8: exists wants the name of a table, but found \"pixels\"; did you mean \"pixel\"?|false",

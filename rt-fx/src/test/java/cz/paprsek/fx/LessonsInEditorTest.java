@@ -163,4 +163,38 @@ class LessonsInEditorTest {
             assertThat(Texts.in(language).of("lesson." + name)).isEqualTo(Lessons.shipped(name).title().in(language));
         }
     }
+
+    /** Closing a lesson and coming back to it does not begin its scene anew; what was made after closing is asked about. */
+    @Test
+    void whatHasBecomeOfTheSceneIsNotLostWithTheLesson() {
+        editor.menu("lesson-sphere");
+        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.RENAME), scene -> scene.withName("mine")));
+        editor.menu("teach-lessons");
+        editor.menu("teach-lessons");
+        assertThat(text("#lesson-title")).isEqualTo("2. Where a ray meets a ball");
+        assertThat(editor.model().scene().name()).isEqualTo("mine");
+        assertThat(editor.model().undoableProperty().get()).isPresent();
+        editor.gui.click("#lesson-close");
+        editor.menu("lesson-shadows");
+        assertThat(editor.dialogs.asked).singleElement().asString().startsWith("unsaved");
+        assertThat(editor.model().scene().name()).as("one stays").isEqualTo("mine");
+    }
+
+    @Test
+    void lessonsOfOneNameAreNotTheSameAndTheLastOneIsGoneOnWith() throws IOException {
+        Files.writeString(folder.resolve("scene.xml"), "<scene xmlns=\"urn:paprsek:scene:1\"><render width=\"8\" height=\"8\"/><camera position=\"0 0 5\" target=\"0 0 0\"/></scene>");
+        String said = "<en>a</en><cs>b</cs>";
+        Path file = Files.writeString(folder.resolve("sphere.xml"), "<lesson xmlns=\"urn:paprsek:lesson:1\" scene=\"scene.xml\"><title><en>Mine</en><cs>Moje</cs></title>"
+                + "<question answer=\"4\" tolerance=\"0.1\">" + said + "<hint>" + said + "</hint><why>" + said + "</why></question></lesson>");
+        editor.menu("lesson-sphere");
+        answer(question(), "4.2");
+        editor.gui.until("the right answer is taken", () -> text("#lesson-progress").equals("1 of 3 done"));
+        editor.dialogs.open = Optional.of(file);
+        editor.menu("teach-open");
+        editor.gui.until("the lesson is open", () -> text("#lesson-title").equals("Mine"));
+        assertThat(text("#lesson-progress")).isEqualTo("0 of 1 done");
+        editor.menu("teach-lessons");
+        editor.menu("teach-lessons");
+        assertThat(text("#lesson-title")).isEqualTo("Mine");
+    }
 }

@@ -48,9 +48,13 @@ public final class HelpPane extends StackPane {
         tabs.setMaxSize(WIDTH, HEIGHT);
         tabs.setOnMousePressed(event -> event.consume());
         getChildren().add(tabs);
-        addEventHandler(KeyEvent.KEY_PRESSED, event -> {
-            if (event.getCode() == KeyCode.ESCAPE || event.getCode() == KeyCode.F1) {
+        addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            boolean isEnd = event.getCode() == KeyCode.ESCAPE || event.getCode() == KeyCode.F1;
+            if (isEnd) {
                 close();
+            }
+            // Tab would lead to what is covered, where Escape is not heard.
+            if (isEnd || event.getCode() == KeyCode.TAB) {
                 event.consume();
             }
         });

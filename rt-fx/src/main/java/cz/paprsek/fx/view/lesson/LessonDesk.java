@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.lesson.Lesson;
 import cz.paprsek.lesson.Lessons;
 import cz.paprsek.scene.Scene;
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
@@ -20,12 +21,18 @@ public final class LessonDesk {
     private final ReadOnlyObjectWrapper<Optional<Lesson>> current = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final Map<Place, String> typed = new HashMap<>();
     private final Set<Place> done = new HashSet<>();
-    private String last = Lessons.NAMES.get(0);
+    private Optional<Lesson> last = Optional.empty();
     /** Which of the scenes that have been opened is that of the lesson. */
     private int opening = -1;
+    /** Whether the lesson has been closed since: what has become of its scene is the user's own. */
+    private boolean isLeft;
 
-    /** A part of a lesson, by its number. */
-    private record Place(String lesson, int part) {}
+    /** A part of a lesson, by its number; files of the same name are not the same lesson. */
+    private record Place(String name, Optional<Path> file, int part) {
+        static Place of(Lesson lesson, int part) {
+            return new Place(lesson.name(), lesson.file(), part);
+        }
+    }
 
     /** Opens a scene in the place of the one there is. */
     @FunctionalInterface
@@ -33,7 +40,7 @@ public final class LessonDesk {
         /**
          * Opens it.
          *
-         * @param isAfterLesson whether the one there is began as that of a lesson, and need not be kept
+         * @param isAfterLesson whether the one there is began as that of the lesson that is held, and need not be kept
          * @return false if the user stays because of what is unsaved
          */
         boolean open(Scene scene, Assets assets, boolean isAfterLesson);
@@ -52,36 +59,48 @@ public final class LessonDesk {
     /** Begins one of those that are shipped. */
     public void open(String name) {
         open(Lessons.shipped(name));
-        last = name;
     }
 
     /** Begins a lesson with its scene; nothing happens if the user stays with the scene there is. */
     public void open(Lesson lesson) {
         if (begin(lesson)) {
-            current.set(Optional.of(lesson));
+            show(lesson);
         }
+    }
+
+    private void show(Lesson lesson) {
+        last = Optional.of(lesson);
+        current.set(last);
     }
 
     /** Opens the scene of a lesson anew. */
     boolean begin(Lesson lesson) {
-        if (!opener.open(lesson.scene(), lesson.assets(), isSceneOpen())) {
+        if (!opener.open(lesson.scene(), lesson.assets(), isSceneOpen() && !isLeft)) {
             return false;
         }
         opening = model.openingsProperty().get();
+        isLeft = false;
         return true;
     }
 
-    /** Ends the lesson there is, or goes on with the one of last time, at first with the first. */
+    /** Ends the lesson there is, or goes on with the one of last time, at first with the first. A scene of it that is still there stays as it is. */
     public void toggle() {
         if (current.get().isPresent()) {
             close();
         } else {
-            open(last);
+            last.ifPresentOrElse(lesson -> {
+                if (isSceneOpen()) {
+                    show(lesson);
+                } else {
+                    open(lesson);
+                }
+            }, () -> open(Lessons.NAMES.get(0)));
         }
     }
 
-    /** Ends the lesson; its scene stays. */
+    /** Ends the lesson; its scene stays, and is not given up for another one unasked. */
     public void close() {
+        isLeft = true;
         current.set(Optional.empty());
     }
 
@@ -92,24 +111,24 @@ public final class LessonDesk {
 
     /** What has been answered to a question; empty if nothing has. */
     String typed(Lesson lesson, int part) {
-        return typed.getOrDefault(new Place(lesson.name(), part), "");
+        return typed.getOrDefault(Place.of(lesson, part), "");
     }
 
     void type(Lesson lesson, int part, String answer) {
-        typed.put(new Place(lesson.name(), part), answer);
+        typed.put(Place.of(lesson, part), answer);
     }
 
     /** Whether a question has been answered rightly, or a task been done, at any time. */
     boolean isDone(Lesson lesson, int part) {
-        return done.contains(new Place(lesson.name(), part));
+        return done.contains(Place.of(lesson, part));
     }
 
     void markDone(Lesson lesson, int part) {
-        done.add(new Place(lesson.name(), part));
+        done.add(Place.of(lesson, part));
     }
 
     /** How many of a lesson's questions and tasks are done. */
     int done(Lesson lesson) {
-        return (int) done.stream().filter(place -> place.lesson().equals(lesson.name())).count();
+        return (int) done.stream().filter(place -> place.equals(Place.of(lesson, place.part()))).count();
     }
 }

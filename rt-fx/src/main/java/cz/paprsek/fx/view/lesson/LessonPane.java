@@ -79,7 +79,7 @@ public final class LessonPane extends BorderPane {
     }
 
     private VBox top() {
-        int place = Lessons.NAMES.indexOf(lesson.name());
+        int place = lesson.isShipped() ? Lessons.NAMES.indexOf(lesson.name()) : -1;
         Label title = Verdicts.text((place < 0 ? "" : (place + 1) + ". ") + lesson.title().in(texts.locale()), "lesson-title");
         title.setId("lesson-title");
         title.setMaxWidth(Double.MAX_VALUE);
@@ -156,6 +156,7 @@ public final class LessonPane extends BorderPane {
                     }
                 });
             } else {
+                checks.get(i).cancel();
                 box.show(TaskCheck.State.OTHER_SCENE);
             }
         }

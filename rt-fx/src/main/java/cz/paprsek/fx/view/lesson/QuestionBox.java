@@ -1,12 +1,14 @@
 package cz.paprsek.fx.view.lesson;
 
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.io.Failures;
 import cz.paprsek.lesson.Question;
 import cz.paprsek.lesson.Question.Found;
 import cz.paprsek.lesson.Question.Mark;
 import cz.paprsek.lesson.Question.Verdict;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javafx.application.Platform;
@@ -82,7 +84,7 @@ final class QuestionBox extends VBox {
 
     private void mark() {
         right.thenAccept(numbers -> Platform.runLater(() -> show(question.mark(field.getText(), numbers)))).exceptionally(failed -> {
-            Platform.runLater(() -> Verdicts.say(verdict, texts.sentence(String.valueOf(failed.getMessage())), false, true));
+            Platform.runLater(() -> Verdicts.say(verdict, texts.sentence(Failures.sentence(failed instanceof CompletionException && failed.getCause() != null ? failed.getCause() : failed)), false, true));
             return null;
         });
     }

@@ -42,22 +42,31 @@ final class TaskCheck {
         };
         try {
             boolean isDone = task.isDone(scene, assets, whileWanted);
-            Platform.runLater(() -> {
-                if (turn.get() == mine) {
-                    told.accept(isDone ? State.DONE : State.OPEN);
-                }
-            });
+            tell(mine, isDone ? State.DONE : State.OPEN, told);
         } catch (CancellationException overtaken) {
             // The next look is under way.
         } catch (UncheckedIOException | IllegalStateException | IllegalArgumentException notToBeSeen) {
             // The picture of the camera says what is wrong with the scene; a task is not done in what cannot be seen.
-            Platform.runLater(() -> told.accept(State.OPEN));
+            tell(mine, State.OPEN, told);
         }
     }
 
-    void close() {
+    private void tell(int mine, State state, Consumer<State> told) {
+        Platform.runLater(() -> {
+            if (turn.get() == mine) {
+                told.accept(state);
+            }
+        });
+    }
+
+    /** Gives up what has been asked, if it has not been told yet. */
+    void cancel() {
         turn.incrementAndGet();
         rest.stop();
+    }
+
+    void close() {
+        cancel();
         worker.shutdown();
     }
 }
