@@ -95,6 +95,9 @@ final class PovWarnings {
     private void check() {
         checkRays(scene.settings());
         checkShown(scene.settings());
+        if (!scene.animations().isEmpty()) {
+            sentences.add("for POV-Ray nothing moves, and all is as the scene is written; convert --frame N gives it one of the pictures of a film");
+        }
         checkLights();
         if (scene.camera().lens() instanceof Lens.Perspective lens && lens.aperture() > 0) {
             sentences.add("POV-Ray is told neither aperture nor focus: it has other points of a lens than we, is given the middle of it, and all is sharp");
@@ -122,6 +125,9 @@ final class PovWarnings {
     }
 
     private void checkShown(RenderSettings settings) {
+        if (settings.shutter() > 0) {
+            sentences.add("what moves is sharp for POV-Ray, as it is when the shutter opens");
+        }
         if (settings.exposure() != 0 || settings.tone() != Tone.NONE) {
             sentences.add("POV-Ray knows neither exposure nor tone; its picture has the light as it is");
         }
