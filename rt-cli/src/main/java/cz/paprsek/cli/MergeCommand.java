@@ -1,6 +1,7 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.SceneSource;
+import cz.paprsek.cli.output.Reel;
 import cz.paprsek.cli.output.Target;
 import cz.paprsek.cli.output.Targets;
 import cz.paprsek.cli.output.View;
@@ -135,12 +136,10 @@ final class MergeCommand implements Callable<Integer> {
 
     /** The output with a place for the number of the frame. */
     private String numbered() {
-        String place = output.orElse(Targets.NAME + "." + format.orElse(ImageFormat.PNG).extension());
-        if (place.equals("-")) {
+        if (output.equals(Optional.of("-"))) {
             throw new WrongUsage("these are frames of a film, each a picture of its own, which go to files: -o '" + Target.FRAME + ".png'");
         }
-        int dot = place.lastIndexOf('.') > place.lastIndexOf('/') ? place.lastIndexOf('.') : place.length();
-        return place.contains(Target.FRAME) ? place : place.substring(0, dot) + "-" + Target.FRAME + place.substring(dot);
+        return Reel.numbered(output, new Targets(output, format, false));
     }
 
     /** What there is, as soon as nothing is missing, or when there is no more time. */

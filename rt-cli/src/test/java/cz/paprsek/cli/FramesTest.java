@@ -3,6 +3,7 @@ package cz.paprsek.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.value.FrameRange;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.render.Renderer;
@@ -14,6 +15,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import org.junit.jupiter.api.BeforeEach;
@@ -130,6 +134,105 @@ class FramesTest {
         assertThat(folder.resolve("r-{frame}.png.resume")).doesNotExist();
     }
 
+    private List<Path> framesThatAreThere(String first, String last, Object... more) {
+        Object[] words = Stream.concat(Stream.of("render", scene, "--frames", first + "-" + last, "--resume", "-o", folder.resolve("r-{frame}.png")), Stream.of(more)).toArray();
+        Run run = Run.cli(words);
+        assertThat(run.code()).as(run.err()).isZero();
+        return run.err().lines().filter(line -> line.contains("is there already")).map(line -> folder.resolve("r-000" + line.replaceAll(".*frame (\\d).*", "$1") + ".png")).toList();
+    }
+
+    /** The first two frames are there, the third cannot be. */
+    private Path ledgerOfTwo(Object... more) throws IOException {
+        Files.deleteIfExists(folder.resolve("r-0003.png"));
+        Path third = Files.createDirectories(folder.resolve("r-0003.png/in the way"));
+        assertThat(Run.cli(Stream.concat(Stream.of("render", scene, "--frames", "1-3", "--resume", "-o", folder.resolve("r-{frame}.png"), "-q"), Stream.of(more)).toArray()).code()).isNotZero();
+        return third;
+    }
+
+    private void clear(Path third) throws IOException {
+        Files.delete(third);
+        Files.delete(third.getParent());
+    }
+
+    @Test
+    void whatHasBeenReplacedIsNotThere() throws Exception {
+        clear(ledgerOfTwo());
+        String ledger = Files.readString(folder.resolve("r-{frame}.png.resume"));
+        Files.writeString(scene, SCENE.replace("20 40 90", "90 40 20"));
+        clear(ledgerOfTwo());
+        assertThat(Files.readString(folder.resolve("r-{frame}.png.resume"))).startsWith(ledger);
+        Files.writeString(scene, SCENE);
+        // Without --resume too, and one by itself.
+        assertThat(Run.cli("render", scene, "--frame", "2", "-o", folder.resolve("r-{frame}.png"), "-q").code()).isZero();
+        assertThat(framesThatAreThere("1", "3")).isEmpty();
+        for (int frame = 1; frame <= 3; frame++) {
+            isSame(ImageFiles.read(folder.resolve("r-000" + frame + ".png")), expected(frame));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            --integrator path --samples 16 | --integrator path --samples 32
+            --bits 8 | --bits 16
+            --shutter 1 --camera eye | --shutter 1 --camera other
+            --tone filmic | --exposure 1
+            """)
+    void aFrameAskedForInAnotherWayIsNotThere(String before, String now) throws Exception {
+        Files.writeString(scene, SCENE.replace("<point-light", "<camera name=\"other\" position=\"1 2 6\" target=\"0 0 0\"/><point-light"));
+        clear(ledgerOfTwo((Object[]) before.split(" ")));
+        assertThat(framesThatAreThere("1", "3", (Object[]) now.split(" "))).isEmpty();
+        clear(ledgerOfTwo((Object[]) now.split(" ")));
+        assertThat(framesThatAreThere("1", "3", (Object[]) now.split(" "))).hasSize(2);
+        try (var files = Files.list(folder)) {
+            assertThat(files.map(file -> file.getFileName().toString())).noneMatch(name -> name.endsWith(".resume"));
+        }
+    }
+
+    @Test
+    void ofPathsThatWereInterruptedAnotherSceneBeginsAnew() throws Exception {
+        Path pattern = folder.resolve("r-{frame}.png");
+        assertThat(Run.cli("render", scene, "--frame", "1", "--integrator", "path", "--samples", "16", "--resume", "-o", pattern, "-q").code()).isZero();
+        assertThat(folder.resolve("r-0001.png.resume")).exists();
+        Files.writeString(scene, SCENE.replace("20 40 90", "90 40 20"));
+        assertThat(framesThatAreThere("1", "2", "--integrator", "path", "--samples", "16")).isEmpty();
+        Run.cli("render", scene, "--frame", "1", "--integrator", "path", "--samples", "16", "-o", folder.resolve("plain.png"), "-q");
+        assertThat(folder.resolve("r-0001.png")).hasSameBinaryContentAs(folder.resolve("plain.png"));
+        assertThat(folder.resolve("r-0001.png.resume")).doesNotExist();
+    }
+
+    @Test
+    void aSettingThatChangesDoesSoInFilmsToo() throws Exception {
+        Files.writeString(scene, SCENE.replace("fps=\"10\"", "fps=\"10\" exposure=\"{-20*t}\""));
+        Run run = Run.cli("render", scene, "--frames", "1-2", "-o", folder.resolve("a.apng"), "-q");
+        assertThat(run.code()).as(run.err()).isZero();
+        Run.cli("render", scene, "--frame", "2", "-o", folder.resolve("b.png"), "-q");
+        Run.cli("render", scene, "--frames", "2-2", "-o", folder.resolve("b.gif"), "-q");
+        Run.cli("render", scene, "--frames", "1-2", "-o", folder.resolve("a.gif"), "-q");
+        ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+        reader.setInput(ImageIO.createImageInputStream(folder.resolve("a.gif").toFile()));
+        assertThat(reader.read(1).getRGB(12, 8)).isEqualTo(ImageIO.read(folder.resolve("b.gif").toFile()).getRGB(12, 8));
+        Run shares = Run.cli("render", scene, "--frames", "1-2", "--shard", "1/1", "-o", folder.resolve("parts"));
+        assertThat(shares.code()).isEqualTo(2);
+        assertThat(shares.err()).contains("frame 2 has another <render> than frame 1");
+    }
+
+    @Test
+    void numbersInNamesAreThoseOfFilesInAnyLanguage() {
+        Locale usual = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.forLanguageTag("ar-EG"));
+            assertThat(new FrameRange(1, 100).padded(7)).isEqualTo("0007");
+        } finally {
+            Locale.setDefault(usual);
+        }
+    }
+
+    @Test
+    void bracesAreNoFormulas() {
+        Scene read = Scene.EMPTY.withRecipe(new Scene.Recipe("{".repeat(1_000_000), Map.of(), List.of()));
+        assertThat(SceneFiles.frames(read).apply(1).cameras()).isEqualTo(read.cameras());
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             --frames 0-3 | frames begin with 1
@@ -145,6 +248,8 @@ class FramesTest {
             --frames 1-2 --fps 60 -o a.gif | gif shows 50 pictures a second at most, not 60
             --frames 1-2 --fps 0 -o a.gif | render fps must be a finite number above 0, but is 0.0
             --frames 1-2 -o a.gif --aov depth | are for pictures, and gif is a film
+            --frames 1-2 -o a{frame}/p.png | {frame} can stand in the name of a picture, not in that of a folder
+            --frames 1-2 --shutter 0.5 --mistake full-fovy -o a.png | while the shutter is open
             --frames 1-2 --format png -o - | pictures of frames go to files; --format y4m makes a film
             """)
     void whatCannotBeIsSaidInOneLine(String options, String sentence) {

@@ -26,12 +26,17 @@ public final class Pictures {
      */
     public Assets read(Path file, Scene scene) throws IOException {
         Assets assets = of(file);
+        read(scene, assets);
+        return assets;
+    }
+
+    /** Likewise, into those of another scene of the same file. */
+    public void read(Scene scene, Assets assets) throws IOException {
         MeshFiles.read(scene, assets);
         for (String name : scene.files()) {
             if (!assets.digests().containsKey(name)) {
                 assets.bytes(name);
             }
         }
-        return assets;
     }
 }

@@ -60,9 +60,10 @@ public final class Checkpoint implements AutoCloseable {
     /**
      * Opens the file of a picture's tiles, or begins one.
      *
+     * @param anew whether it is begun anew if it holds tiles of another picture
      * @throws WrongUsage if it holds tiles of another picture, or another process is at work on it
      */
-    static Checkpoint open(Path picture, Scene scene, Assets assets, RenderOptions options) throws IOException {
+    static Checkpoint open(Path picture, Scene scene, Assets assets, RenderOptions options, boolean anew) throws IOException {
         Path file = fileFor(picture);
         FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
         boolean opened = false;
@@ -71,9 +72,17 @@ public final class Checkpoint implements AutoCloseable {
                 throw new WrongUsage(file + ": another render is at work on this picture");
             }
             Checkpoint checkpoint = new Checkpoint(file, channel, options.channels(scene));
-            checkpoint.read(digest(scene, assets, options), options.region());
-            if (options.isInPasses()) {
-                checkpoint.checkPaths(options.keptFrom(scene), options.settings().mostRays());
+            byte[] digest = digest(scene, assets, options);
+            try {
+                checkpoint.read(digest, options.region());
+                if (options.isInPasses()) {
+                    checkpoint.checkPaths(options.keptFrom(scene), options.settings().mostRays());
+                }
+            } catch (WrongUsage another) {
+                if (!anew) {
+                    throw another;
+                }
+                checkpoint.begin(digest);
             }
             opened = true;
             return checkpoint;
@@ -156,11 +165,17 @@ public final class Checkpoint implements AutoCloseable {
         channel.close();
     }
 
+    private void begin(byte[] digest) throws IOException {
+        tiles.clear();
+        places.clear();
+        channel.truncate(0);
+        channel.write(ByteBuffer.allocate(MAGIC.length + digest.length).put(MAGIC).put(digest).flip());
+    }
+
     private void read(byte[] digest, Tile region) throws IOException {
         if (channel.size() < MAGIC.length + digest.length) {
             // New, or its beginning was torn.
-            channel.truncate(0);
-            channel.write(ByteBuffer.allocate(MAGIC.length + digest.length).put(MAGIC).put(digest).flip());
+            begin(digest);
             return;
         }
         ByteBuffer expected = ByteBuffer.allocate(MAGIC.length + digest.length).put(MAGIC).put(digest).flip();

@@ -21,7 +21,9 @@ import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.render.TileStore;
 import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.mistake.Mistakes;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -29,6 +31,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleFunction;
 import org.jspecify.annotations.Nullable;
@@ -42,6 +46,8 @@ final class FrameBatch {
     private final DoubleFunction<Scene> frames;
     private final Scenery scenery = new Scenery();
     private @Nullable Assets assets;
+    /** Those of the last frame. */
+    private SortedSet<String> files = new TreeSet<>();
 
     FrameBatch(RenderBatch batch, Target target, Scene read, FrameRange range) {
         this.batch = batch;
@@ -52,8 +58,10 @@ final class FrameBatch {
     }
 
     Outcome run() throws IOException {
-        if (read.settings().shutter() > 0 && (batch.view().mode() != RenderMode.SHADED || batch.view().pixels().haveLayers() || batch.view().pixels().isTransparent() || batch.view().pixels().isDenoised())) {
-            throw new WrongUsage("while the shutter is open, pictures show light alone; --shutter 0 goes with --mode, --aov, --transparent and --denoise");
+        View view = batch.view();
+        boolean isLightAlone = view.mode() == RenderMode.SHADED && view.mistakes().equals(Mistakes.NONE) && !view.pixels().haveLayers() && !view.pixels().isTransparent() && !view.pixels().isDenoised();
+        if (read.settings().shutter() > 0 && !isLightAlone) {
+            throw new WrongUsage("while the shutter is open, pictures show light alone; --shutter 0 goes with --mode, --aov, --transparent, --denoise and --mistake");
         }
         if (batch.share().isPresent()) {
             return shared(batch.share().get());
@@ -82,6 +90,7 @@ final class FrameBatch {
         } catch (IllegalArgumentException refused) {
             return batch.fail(target, Outcome.WRONG_USAGE, List.of(target.source().label() + ": " + refused.getMessage()));
         }
+        steady(range.last(), seen.settings());
         return batch.part(work, target, batch.view().of(read), pictures, options, new ShardWork.Footage() {
             @Override
             public ImageOptions written(int frame) {
@@ -90,9 +99,22 @@ final class FrameBatch {
 
             @Override
             public RenderScene scene(int frame) {
-                return prepared(frame, batch.view().of(frames.apply(frame)), pictures, batch.stopped());
+                return prepared(frame, batch.view().of(steady(frame, seen.settings())), pictures, batch.stopped());
             }
         }, new Span(range.first(), range.last()), begin);
+    }
+
+    /**
+     * The scene of a frame.
+     *
+     * @throws WrongUsage if it wishes to be rendered in another way than others: the parts of a film are all made alike
+     */
+    private Scene steady(int frame, RenderSettings settings) {
+        Scene scene = frames.apply(frame);
+        if (!scene.settings().equals(settings)) {
+            throw new WrongUsage(target.source().label() + ": frame " + frame + " has another <render> than frame " + range.first() + "; shares are of films in which only what is seen changes");
+        }
+        return scene;
     }
 
     private RenderScene prepared(int number, Scene scene, Assets pictures, RenderMonitor monitor) {
@@ -104,6 +126,11 @@ final class FrameBatch {
     private Outcome one() throws IOException {
         Scene written = frames.apply(range.first());
         Scene seen = batch.view().of(written);
+        if (target.isNumbered()) {
+            Target now = target.ofFrame(range, range.first());
+            FrameLedger.of(target.file().orElseThrow()).forget(now.file().orElseThrow());
+            return batch.render(now, written, seen, assets(seen), new Frame(range.first()));
+        }
         return batch.render(target, written, seen, assets(seen), new Frame(range.first()));
     }
 
@@ -116,18 +143,20 @@ final class FrameBatch {
             Path picture = now.file().orElseThrow();
             Scene written = frames.apply(frame);
             Scene seen = batch.view().of(written);
-            Frame way = new Frame(frame);
+            Frame way = new OneOfMany(frame);
             String digest = batch.resume() ? digest(way.keptAs(seen), written, assets(seen), now, batch.options(now, seen)) : "";
             if (batch.resume() && ledger.has(picture, digest)) {
                 batch.terminal().message(now.source().label() + ": is there already");
                 continue;
             }
+            ledger.forget(picture);
             outcome = batch.render(now, written, seen, assets(seen), way);
             if (batch.resume() && outcome == Outcome.DONE) {
                 ledger.add(picture, digest);
+                Files.deleteIfExists(Checkpoint.fileFor(picture));
             }
         }
-        if (outcome == Outcome.DONE) {
+        if (batch.resume() && outcome == Outcome.DONE) {
             ledger.discard();
         }
         return outcome;
@@ -136,7 +165,7 @@ final class FrameBatch {
     /** Of all that the bytes of a picture depend on. */
     private String digest(Scene kept, Scene written, Assets assets, Target now, RenderOptions options) {
         ImageOptions how = batch.writing().of(written, options.withThreads(1), batch.view(), now.format());
-        return SceneDigest.of(kept, assets, options.withThreads(1).toString(), how.toString(), batch.writing().toString(), now.format() + " legend " + batch.view().legend());
+        return SceneDigest.of(kept, assets, options.withThreads(1).toString(), how.toString(), batch.writing().toString(), batch.seconds().toString(), now.format() + " legend " + batch.view().legend());
     }
 
     private Outcome film(FilmWriter.Format format) throws IOException {
@@ -179,10 +208,13 @@ final class FrameBatch {
     }
 
     private Assets assets(Scene scene) throws IOException {
-        if (assets == null) {
-            assets = batch.pictures().read(target.source().file(), scene);
+        Assets known = assets == null ? batch.pictures().of(target.source().file()) : assets;
+        if (assets == null || !files.equals(scene.files())) {
+            batch.pictures().read(scene, known);
+            files = scene.files();
+            assets = known;
         }
-        return assets;
+        return known;
     }
 
     /** A frame that has a file of its own. */
@@ -211,12 +243,24 @@ final class FrameBatch {
         /** While the shutter is open, a frame shows more than one scene. */
         @Override
         public Scene keptAs(Scene shown) {
-            return read.settings().shutter() > 0 ? read.withName(read.name() + " " + number) : shown;
+            return read.settings().shutter() > 0 ? batch.view().of(read).withName(read.name() + " " + number) : shown;
+        }
+    }
+
+    /** A frame that is not asked for by itself: of tiles of another one beside it nobody knows. */
+    private class OneOfMany extends Frame {
+        OneOfMany(int number) {
+            super(number);
+        }
+
+        @Override
+        public boolean beginsAnew() {
+            return true;
         }
     }
 
     /** A frame that becomes part of a file. */
-    private final class InFilm extends Frame {
+    private final class InFilm extends OneOfMany {
         private final FilmWriter.Format format;
         private final OutputStream out;
         private @Nullable FilmWriter writer;
@@ -232,7 +276,7 @@ final class FrameBatch {
             if (writer == null) {
                 writer = new FilmWriter(format, image.width(), image.height(), read.settings().fps(), range.count(), how, out);
             }
-            writer.add(image);
+            writer.add(image, how);
         }
 
         void end() throws IOException {

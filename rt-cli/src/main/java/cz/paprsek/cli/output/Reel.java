@@ -32,15 +32,23 @@ public record Reel(FrameWishes wishes, Optional<FilmWriter.Format> film) {
         if (wishes.frames().isEmpty() || (wishes.isOne() && film.isEmpty()) || given.equals(Optional.of(STANDARD_OUTPUT))) {
             return given;
         }
-        String ending = "." + film.map(FilmWriter.Format::extension).orElseGet(() -> plain.format().orElse(plain.raw() ? ImageFormat.RAW : ImageFormat.PNG).extension());
-        String number = film.isPresent() ? "" : "-" + Target.FRAME;
+        return film.isPresent() ? Optional.of(place(given, plain, "", film.get().extension())) : Optional.of(numbered(given, plain));
+    }
+
+    /** Where pictures of frames go, with a place for the number of the frame. */
+    public static String numbered(Optional<String> given, Targets plain) {
+        return given.filter(name -> name.contains(Target.FRAME)).orElseGet(
+                () -> place(given, plain, "-" + Target.FRAME, plain.format().orElse(plain.raw() ? ImageFormat.RAW : ImageFormat.PNG).extension()));
+    }
+
+    private static String place(Optional<String> given, Targets plain, String number, String extension) {
         if (given.isEmpty() || plain.isDirectory()) {
             String folder = given.orElse("");
-            return Optional.of(folder + (folder.isEmpty() || folder.endsWith("/") ? "" : "/") + Targets.NAME + number + ending);
+            return folder + (folder.isEmpty() || folder.endsWith("/") ? "" : "/") + Targets.NAME + number + "." + extension;
         }
         String file = given.get();
         int dot = file.lastIndexOf('.') > file.lastIndexOf('/') ? file.lastIndexOf('.') : file.length();
-        return Optional.of(film.isPresent() || file.contains(Target.FRAME) ? file : file.substring(0, dot) + number + file.substring(dot));
+        return file.substring(0, dot) + number + file.substring(dot);
     }
 
     /** The format of the pictures. */

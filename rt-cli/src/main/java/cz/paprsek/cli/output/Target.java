@@ -52,6 +52,11 @@ public record Target(SceneSource source, Optional<Path> file, ImageFormat format
         return file.map(Path::toString).orElse("-");
     }
 
+    /** Whether its name has a place for the number of a frame. */
+    boolean isNumbered() {
+        return file.filter(path -> name(path).contains(FRAME)).isPresent();
+    }
+
     /** Where one of the frames goes that have pictures of their own. */
     public Target ofFrame(FrameRange range, int frame) {
         return new Target(labelled(frame).source, file.map(path -> path.resolveSibling(name(path).replace(FRAME, range.padded(frame)))), format, refusal);

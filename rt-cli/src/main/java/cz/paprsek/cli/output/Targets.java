@@ -96,6 +96,9 @@ public record Targets(Optional<String> output, Optional<ImageFormat> format, boo
         if (output.isEmpty()) {
             throw new WrongUsage("an empty name stands where the picture's should");
         }
+        if (output.substring(0, Math.max(output.lastIndexOf('/'), output.lastIndexOf(FileSystems.getDefault().getSeparator())) + 1).contains(Target.FRAME)) {
+            throw new WrongUsage("'" + output + "': " + Target.FRAME + " can stand in the name of a picture, not in that of a folder");
+        }
         Matcher place = PLACE.matcher(output);
         while (place.find()) {
             if (!KNOWN.contains(place.group())) {

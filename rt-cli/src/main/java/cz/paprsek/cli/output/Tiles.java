@@ -27,11 +27,12 @@ interface Tiles extends AutoCloseable {
     /**
      * They are kept in a file beside the picture.
      *
-     * @param picture beside which file
+     * @param way says beside which file, and what is to become of tiles of another picture
      * @throws WrongUsage if that file is of another picture
      */
-    static Tiles kept(Target target, Path picture, Scene scene, Assets assets, RenderOptions options, Terminal terminal) throws IOException {
-        Checkpoint checkpoint = Checkpoint.open(picture, scene, assets, options);
+    static Tiles kept(Target target, Way way, Scene scene, Assets assets, RenderOptions options, Terminal terminal) throws IOException {
+        Path picture = way.tilesBeside(target);
+        Checkpoint checkpoint = Checkpoint.open(picture, way.keptAs(scene), assets, options, way.beginsAnew());
         long pixels = (long) options.region().width() * options.region().height();
         if (checkpoint.pixels() > 0 && options.isInPasses()) {
             terminal.message(target.source().label() + ": going on with the paths of an earlier render");

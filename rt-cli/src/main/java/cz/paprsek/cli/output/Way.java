@@ -28,6 +28,11 @@ interface Way {
         return shown;
     }
 
+    /** Whether tiles of another picture, which are found there, are of no use to anybody. */
+    default boolean beginsAnew() {
+        return false;
+    }
+
     /** Whether they are kept when the picture is written. */
     default boolean keepsTiles() {
         return false;

@@ -1,5 +1,6 @@
 package cz.paprsek.cli.value;
 
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import picocli.CommandLine.TypeConversionException;
@@ -27,6 +28,6 @@ public record FrameRange(int first, int last) {
 
     /** A number with zeros in front, so that names sort as frames follow each other. */
     public String padded(int frame) {
-        return String.format("%0" + Math.max(4, String.valueOf(last).length()) + "d", frame);
+        return String.format(Locale.ROOT, "%0" + Math.max(4, String.valueOf(last).length()) + "d", frame);
     }
 }

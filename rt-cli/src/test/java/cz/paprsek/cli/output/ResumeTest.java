@@ -149,7 +149,7 @@ class ResumeTest {
 
     /** Renders the whole picture without writing it: what is left of a process killed at the last moment. */
     private byte[] allTiles(Scene scene, RenderOptions options) throws IOException {
-        try (Checkpoint checkpoint = Checkpoint.open(picture, scene, cz.paprsek.asset.Assets.none(), options)) {
+        try (Checkpoint checkpoint = Checkpoint.open(picture, scene, cz.paprsek.asset.Assets.none(), options, false)) {
             Renderer.render(scene, options, RenderMonitor.NONE, new TileStore() {
                 @Override
                 public boolean load(Tile tile, int pass, Film into) {

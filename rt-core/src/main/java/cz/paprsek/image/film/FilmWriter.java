@@ -75,7 +75,7 @@ public final class FilmWriter {
 
     /** How one format is written. */
     private interface Kind {
-        void add(Image image) throws IOException;
+        void add(Image image, ImageOptions how) throws IOException;
 
         void end() throws IOException;
     }
@@ -109,8 +109,8 @@ public final class FilmWriter {
         PngFilm film = new PngFilm(new PngHead(width, height, 8, RGB), frames, rate.seconds(), rate.frames(), options.origin().texts(), out);
         return new Kind() {
             @Override
-            public void add(Image image) throws IOException {
-                IntBinaryOperator shown = options.shown(image);
+            public void add(Image image, ImageOptions how) throws IOException {
+                IntBinaryOperator shown = how.shown(image);
                 film.add((y, into, at) -> {
                     int i = at;
                     for (int x = 0; x < width; x++) {
@@ -132,8 +132,8 @@ public final class FilmWriter {
     private Kind gif(GifWriter film) {
         return new Kind() {
             @Override
-            public void add(Image image) throws IOException {
-                film.add(pixels(image));
+            public void add(Image image, ImageOptions how) throws IOException {
+                film.add(pixels(image, how));
             }
 
             @Override
@@ -146,8 +146,8 @@ public final class FilmWriter {
     private Kind y4m(Y4mWriter film) {
         return new Kind() {
             @Override
-            public void add(Image image) throws IOException {
-                film.add(pixels(image));
+            public void add(Image image, ImageOptions how) throws IOException {
+                film.add(pixels(image, how));
             }
 
             @Override
@@ -157,8 +157,8 @@ public final class FilmWriter {
         };
     }
 
-    private int[] pixels(Image image) {
-        IntBinaryOperator shown = options.shown(image);
+    private int[] pixels(Image image, ImageOptions how) {
+        IntBinaryOperator shown = how.shown(image);
         int[] pixels = new int[width * height];
         for (int i = 0; i < pixels.length; i++) {
             pixels[i] = shown.applyAsInt(i % width, i / width) & 0xFFFFFF;
@@ -172,11 +172,22 @@ public final class FilmWriter {
      * @throws IllegalArgumentException if it has another size, or opacity
      */
     public void add(Image image) throws IOException {
+        add(image, options);
+    }
+
+    /**
+     * Adds the next picture.
+     *
+     * @param how its own exposure and tone; what it tells of its origin is the film's
+     * @throws IllegalArgumentException as {@link #add(Image)}
+     */
+    public void add(Image image, ImageOptions how) throws IOException {
+        Objects.requireNonNull(how, "how");
         Require.that(image.width() == width && image.height() == height, "all pictures of a film must be of " + width + "x" + height + " pixels, but here is one of "
                 + image.width() + "x" + image.height());
         Require.that(!image.isTransparent(), "the pictures of a film have no opacity, which this picture has");
         Require.that(added < frames, "a film of " + frames + " pictures cannot have more");
-        kind.add(image);
+        kind.add(image, how);
         added++;
         out.flush();
     }
