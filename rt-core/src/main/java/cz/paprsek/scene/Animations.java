@@ -16,6 +16,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 import java.util.stream.Stream;
 
 /** Scenes at a time: what is animated in them is put in place of what is written. */
@@ -129,16 +130,24 @@ final class Animations {
         Require.that(one.turn() == Animation.Turning.ANGLES || kind == Kind.ROTATION, "turn is for rotations, not for " + one.attribute());
     }
 
-    /** The scene with all values as they are at a time, but for those of parameters, and without animations. */
-    static Scene at(Scene scene, double t) {
-        Map<ScenePath, Map<Integer, Map<Described, double[]>>> all = new LinkedHashMap<>();
-        for (Animation one : scene.animations()) {
-            if (!one.isOfParameter()) {
-                ScenePath place = ScenePath.parse(scene, one.target());
-                Part part = part(scene, place, one);
-                all.computeIfAbsent(place, at -> new LinkedHashMap<>()).computeIfAbsent(part.number, number -> new LinkedHashMap<>()).put(part.attribute, one.at(t));
-            }
+    /** What is animated, looked up in its scene. */
+    private record Moving(ScenePath place, Part part, Animation by) {
+        static Moving of(Scene scene, Animation one) {
+            ScenePath place = ScenePath.parse(scene, one.target());
+            return new Moving(place, Animations.part(scene, place, one), one);
         }
+    }
+
+    /** The scene with all values as they are at a time, but for those of parameters, and without animations; for any time. */
+    static DoubleFunction<Scene> of(Scene scene) {
+        List<Moving> moving = scene.animations().stream().filter(one -> !one.isOfParameter()).map(one -> Moving.of(scene, one)).toList();
+        return t -> at(scene, moving, t);
+    }
+
+    private static Scene at(Scene scene, List<Moving> moving, double t) {
+        Map<ScenePath, Map<Integer, Map<Described, double[]>>> all = new LinkedHashMap<>();
+        moving.forEach(one -> all.computeIfAbsent(one.place, at -> new LinkedHashMap<>()).computeIfAbsent(one.part.number, number -> new LinkedHashMap<>())
+                .put(one.part.attribute, one.by.at(t)));
         Scene still = scene.withAnimations(List.of());
         List<Camera> cameras = new ArrayList<>(still.cameras());
         List<Light> lights = new ArrayList<>(still.lights());

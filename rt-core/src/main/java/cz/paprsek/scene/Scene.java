@@ -20,6 +20,7 @@ import java.util.OptionalDouble;
 import java.util.SortedSet;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.DoubleFunction;
 import java.util.function.UnaryOperator;
 
 /**
@@ -80,10 +81,7 @@ public record Scene(
         materials = palette;
         objects = checked(objects, palette, all -> SceneRules.checkObjects(all, palette, SceneRules.REFUSE));
         Objects.requireNonNull(recipe, "recipe");
-        animations = List.copyOf(animations);
-        if (!animations.isEmpty()) {
-            SceneRules.checkAnimations(new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects), animations, SceneRules.REFUSE);
-        }
+        animations = animations.isEmpty() ? List.of() : checked(animations, new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects));
     }
 
     /** A scene that is only written down, and in which nothing moves. */
@@ -110,7 +108,12 @@ public record Scene(
      * @throws IllegalArgumentException if a value between two keys is none that it can have
      */
     public Scene at(double t) {
-        return Animations.at(this, t);
+        return moments().apply(t);
+    }
+
+    /** As {@link #at}, for many times: what moves is looked up once. */
+    public DoubleFunction<Scene> moments() {
+        return Animations.of(this);
     }
 
     /** The list as it is kept. What another scene has been made of is not checked again. */
@@ -120,6 +123,15 @@ public record Scene(
             check.accept(all);
         }
         return all.checkedWith(with);
+    }
+
+    private static List<Animation> checked(List<Animation> animations, Scene still) {
+        if (animations instanceof CheckedAnimations known && known.areOf(still)) {
+            return known;
+        }
+        CheckedAnimations copy = new CheckedAnimations(animations, still);
+        SceneRules.checkAnimations(still, copy, SceneRules.REFUSE);
+        return copy;
     }
 
     public Scene withName(String value) {

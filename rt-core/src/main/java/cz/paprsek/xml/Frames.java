@@ -22,11 +22,13 @@ final class Frames implements DoubleFunction<Scene> {
     private final Scene scene;
     /** Whether what formulas make depends on the time: then all of it is made anew for each frame. */
     private final boolean isMadeAnew;
+    private final DoubleFunction<Scene> moments;
 
     Frames(Scene given) {
         boolean knowsTime = Stream.concat(Stream.of(given.recipe().text()), given.recipe().included().values().stream()).anyMatch(text -> TIME.matcher(text).find());
         isMadeAnew = knowsTime || given.animations().stream().anyMatch(Animation::isOfParameter);
         scene = isMadeAnew ? Settled.of(given) : given;
+        moments = scene.moments();
     }
 
     @Override
@@ -34,7 +36,7 @@ final class Frames implements DoubleFunction<Scene> {
         Require.that(frame >= 1 && frame <= Integer.MAX_VALUE, "a frame must be a number from 1 on, but is " + Numbers.text(frame));
         double t = scene.settings().seconds(frame);
         try {
-            return (isMadeAnew ? made(new Moment(t, frame)) : scene).at(t).withRecipe(Recipe.NONE);
+            return (isMadeAnew ? made(new Moment(t, frame)).at(t) : moments.apply(t)).withRecipe(Recipe.NONE);
         } catch (IllegalArgumentException refused) {
             throw new IllegalArgumentException("frame " + Numbers.text(frame) + ": " + refused.getMessage(), refused);
         }

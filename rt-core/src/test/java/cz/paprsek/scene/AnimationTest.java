@@ -163,4 +163,18 @@ class AnimationTest {
         Scene scene = SCENE.withAnimations(List.of(of("ball", "radius", Ease.CATMULL_ROM, "9", "0.1", "0.1", "9")));
         assertThatIllegalArgumentException().isThrownBy(() -> scene.at(3)).withMessageStartingWith("sphere radius must be a finite number above 0");
     }
+
+    /** Of very many objects, and changed where nothing moves, an animated scene costs no more than a still one; what it is of is checked again when that changes. */
+    @Test
+    void whatIsAnimatedIsCheckedWhenItChangesAndOnlyThen() {
+        SceneObject[] many = IntStream.range(0, 2000).mapToObj(i -> SceneObject.of(new Sphere(1)).named(i == 7 ? "ball" : "")).toArray(SceneObject[]::new);
+        Scene scene = Scene.EMPTY.withCameras(List.of(Camera.DEFAULT.named("eye"))).plus(many)
+                .withAnimations(List.of(of("ball", "radius", Ease.LINEAR, "1", "3"), of("camera:eye", "fovy", Ease.LINEAR, "20", "40"), of("sphere#3", "radius", Ease.LINEAR, "1", "2")));
+        assertThat(scene.withName("x").withSettings(scene.settings().withFps(7)).animations()).isSameAs(scene.animations());
+        assertThatIllegalArgumentException().isThrownBy(() -> scene.withCameras(List.of(Camera.DEFAULT))).withMessageContaining("camera:eye");
+        assertThatIllegalArgumentException().isThrownBy(() -> scene.withObjects(List.of(many[0]))).withMessageContaining("ball");
+        assertThat(((Sphere) scene.moments().apply(1).objects().get(7).shape()).radius()).isEqualTo(2);
+        assertThat(((Sphere) scene.at(1).objects().get(2).shape()).radius()).isEqualTo(1.5);
+        assertThat(scene.at(1)).isEqualTo(scene.moments().apply(1));
+    }
 }
