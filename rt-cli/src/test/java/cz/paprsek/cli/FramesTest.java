@@ -217,6 +217,14 @@ class FramesTest {
     }
 
     @Test
+    void partsOfFramesAreMergedIntoAFolder() throws Exception {
+        assertThat(Run.cli("render", scene, "--frames", "1-2", "--shard", "1/1", "-o", folder.resolve("parts"), "-q").code()).isZero();
+        Run run = Run.cli("merge", folder.resolve("parts"), "-o", folder + "/out/");
+        assertThat(run.code()).as(run.err()).isZero();
+        isSame(ImageFiles.read(folder.resolve("out/parts-0002.png")), expected(2));
+    }
+
+    @Test
     void numbersInNamesAreThoseOfFilesInAnyLanguage() {
         Locale usual = Locale.getDefault();
         try {
