@@ -155,6 +155,13 @@ class FramesTest {
     }
 
     @Test
+    void someOfTheFramesDoNotEndTheFilm() throws Exception {
+        clear(ledgerOfTwo());
+        assertThat(framesThatAreThere("1", "1")).hasSize(1);
+        assertThat(framesThatAreThere("1", "3")).hasSize(2);
+    }
+
+    @Test
     void whatHasBeenReplacedIsNotThere() throws Exception {
         clear(ledgerOfTwo());
         String ledger = Files.readString(folder.resolve("r-{frame}.png.resume"));

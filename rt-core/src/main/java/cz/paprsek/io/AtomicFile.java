@@ -198,7 +198,7 @@ public final class AtomicFile {
      * Removes what processes that are no more have left half-written of all files of a folder whose names end alike.
      *
      * @param ending such as {@code .part}
-     * @throws IOException if there is no such folder, or something cannot be removed
+     * @throws IOException if there is no such folder
      */
     public static void sweepAll(Path folder, String ending) throws IOException {
         Objects.requireNonNull(folder, "folder");
@@ -218,14 +218,22 @@ public final class AtomicFile {
             return;
         }
         for (Path file : abandoned) {
-            Files.deleteIfExists(file);
+            try {
+                Files.deleteIfExists(file);
+            } catch (IOException kept) {
+                // Somebody else's, in a folder of many: nothing is lost by what is left.
+            }
         }
     }
 
     /** The process may run on another machine that shares the folder: a file that was touched lately is left alone. */
-    private static boolean isAbandoned(Path file, long process) throws IOException {
-        return ProcessHandle.of(process).isEmpty()
-                && Files.getLastModifiedTime(file).toInstant().isBefore(Instant.now().minus(ABANDONED_AFTER));
+    private static boolean isAbandoned(Path file, long process) {
+        try {
+            return ProcessHandle.of(process).isEmpty() && Files.getLastModifiedTime(file).toInstant().isBefore(Instant.now().minus(ABANDONED_AFTER));
+        } catch (IOException gone) {
+            // It has become what it was to be, or somebody else has removed it.
+            return false;
+        }
     }
 
     private static void fill(Path file, Content content, StandardOpenOption... how) throws IOException {

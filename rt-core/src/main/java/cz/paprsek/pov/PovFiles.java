@@ -26,7 +26,7 @@ public final class PovFiles {
     public static List<String> write(Scene scene, Appendable out) throws IOException {
         Scene shown = scene.shown();
         new PovWriter(shown, out).write();
-        return PovWarnings.of(shown);
+        return PovWarnings.of(shown, !scene.animations().isEmpty());
     }
 
     /**

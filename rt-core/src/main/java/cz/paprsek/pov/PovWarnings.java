@@ -38,14 +38,17 @@ final class PovWarnings {
     private static final double LARGEST = 1e5;
 
     private final Scene scene;
+    private final boolean moves;
     private final Set<String> sentences = new LinkedHashSet<>();
 
-    private PovWarnings(Scene scene) {
+    private PovWarnings(Scene scene, boolean moves) {
         this.scene = scene;
+        this.moves = moves;
     }
 
-    static List<String> of(Scene scene) {
-        PovWarnings warnings = new PovWarnings(scene);
+    /** @param moves whether the scene is one in which something moves, though not in what is told */
+    static List<String> of(Scene scene, boolean moves) {
+        PovWarnings warnings = new PovWarnings(scene, moves);
         warnings.check();
         return List.copyOf(warnings.sentences);
     }
@@ -95,7 +98,7 @@ final class PovWarnings {
     private void check() {
         checkRays(scene.settings());
         checkShown(scene.settings());
-        if (!scene.animations().isEmpty()) {
+        if (moves) {
             sentences.add("for POV-Ray nothing moves, and all is as the scene is written; convert --frame N gives it one of the pictures of a film");
         }
         checkLights();

@@ -17,6 +17,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 
 /** Scenes at a time: what is animated in them is put in place of what is written. */
@@ -184,5 +186,29 @@ final class Animations {
 
     private static Record with(Record record, Map<Described, double[]> values) {
         return RecordValues.with(record, values);
+    }
+
+    /** As {@link Scene#changed}. */
+    static Scene following(Scene scene, UnaryOperator<Scene> change, Function<ScenePath, Optional<ScenePath>> place) {
+        if (scene.animations().isEmpty()) {
+            return change.apply(scene);
+        }
+        // Meanwhile nothing is animated: between the steps of a change there may be nothing of that name.
+        Scene changed = change.apply(scene.withAnimations(List.of()));
+        return changed.withAnimations(scene.animations().stream().flatMap(one -> (one.isOfParameter() ? Optional.of(one)
+                : place.apply(ScenePath.parse(scene, one.target())).filter(now -> now.isIn(changed)).map(now -> of(changed, now, one))).stream()).toList());
+    }
+
+    /** With the target as it is written, as long as that leads there. */
+    private static Animation of(Scene scene, ScenePath place, Animation one) {
+        return leadsTo(scene, place, one.target()) ? one : new Animation(place.text(scene), one.attribute(), one.turn(), one.keys());
+    }
+
+    private static boolean leadsTo(Scene scene, ScenePath place, String target) {
+        try {
+            return ScenePath.parse(scene, target).equals(place);
+        } catch (IllegalArgumentException nowhere) {
+            return false;
+        }
     }
 }

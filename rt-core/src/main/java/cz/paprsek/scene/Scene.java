@@ -16,11 +16,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SortedSet;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
 /**
@@ -189,7 +191,20 @@ public record Scene(
     public Scene through(int camera) {
         List<Camera> all = new ArrayList<>(cameras);
         all.add(0, all.remove(camera));
-        return withCameras(all);
+        return changed(scene -> scene.withCameras(all), place -> Optional.of(place instanceof ScenePath.CameraAt at && at.index() <= camera
+                ? ScenePath.camera(at.index() == camera ? 0 : at.index() + 1) : place));
+    }
+
+    /**
+     * Changes of what there is and of what it is called: animations, which go by names and numbers, follow what they are of; those of what is not there any more are dropped.
+     *
+     * @param place where in the changed scene something is that was at a place before
+     * @throws IllegalArgumentException if the change makes a scene that cannot be
+     */
+    public Scene changed(UnaryOperator<Scene> change, Function<ScenePath, Optional<ScenePath>> place) {
+        Objects.requireNonNull(change, "change");
+        Objects.requireNonNull(place, "place");
+        return Animations.following(this, change, place);
     }
 
     /**

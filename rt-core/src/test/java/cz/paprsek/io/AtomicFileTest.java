@@ -177,4 +177,18 @@ class AtomicFileTest {
         assertThat(folder.toFile().list()).containsExactly("old");
         assertThat(old).hasContent("old");
     }
+
+    /** Such as somebody else's in a folder of all: here a folder that is not empty. */
+    @Test
+    void whatCannotBeRemovedOfWhatWasLeftIsLeft(@TempDir Path folder) throws Exception {
+        Path kept = folder.resolve("a.part.999999999-1.tmp");
+        Files.createDirectories(kept.resolve("full"));
+        Path gone = Files.writeString(folder.resolve("b.part.999999999-2.tmp"), "half");
+        for (Path one : List.of(kept, gone)) {
+            Files.setLastModifiedTime(one, FileTime.from(Instant.now().minusSeconds(3600)));
+        }
+        AtomicFile.sweepAll(folder, ".part");
+        assertThat(kept).exists();
+        assertThat(gone).doesNotExist();
+    }
 }

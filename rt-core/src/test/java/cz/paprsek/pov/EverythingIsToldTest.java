@@ -230,6 +230,7 @@ class EverythingIsToldTest {
         Scene moving = SceneFiles.parse("<scene xmlns='urn:paprsek:scene:1'><camera position='0 0 5' target='0 0 0'/><sphere name='ball' radius='1'/>"
                 + "<animate target='ball' attribute='radius'><key t='0' value='2'/></animate></scene>");
         assertThat(Export.of(moving).sentences()).anyMatch(sentence -> sentence.contains("--frame"));
+        assertThat(Export.of(moving.withObjects(List.of(moving.objects().get(0).hidden(true)))).sentences()).as("hidden").anyMatch(sentence -> sentence.contains("--frame"));
         assertThat(Export.of(moving.at(0))).isEqualTo(Export.of(SceneFiles.parse("<scene xmlns='urn:paprsek:scene:1'><camera position='0 0 5' target='0 0 0'/><sphere name='ball' radius='2'/></scene>")));
     }
 

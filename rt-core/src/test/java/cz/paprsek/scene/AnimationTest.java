@@ -151,6 +151,18 @@ class AnimationTest {
         assertThat(moving.withAnimations(List.of())).isEqualTo(SCENE);
     }
 
+    /** Who looks through another camera has it first; what moves by its number stays the same one. */
+    @Test
+    void whatMovesIsTheSameCameraThroughWhicheverOneLooks() throws Exception {
+        Scene scene = SceneFiles.parse("<scene xmlns='urn:paprsek:scene:1'><camera position='0 0 5' target='0 0 0'/><camera name='plan' projection='orthographic' height='4' position='0 9 0' target='0 0 0'/>"
+                + "<camera position='5 0 0' target='0 0 0'/><sphere radius='1'/><animate target='camera:#1' attribute='fovy'><key t='0' value='33'/></animate></scene>");
+        Scene plan = scene.through("plan").at(0);
+        assertThat(plan.cameras().get(1).lens()).isInstanceOfSatisfying(Lens.Perspective.class, lens -> assertThat(lens.fovy()).isEqualTo(33));
+        assertThat(plan.cameras().get(2)).isEqualTo(scene.cameras().get(2));
+        assertThat(scene.through(2).at(0).cameras()).containsExactly(scene.cameras().get(2), scene.at(0).camera(), scene.cameras().get(1));
+        assertThat(scene.through(0)).isEqualTo(scene);
+    }
+
     @Test
     void aFlightOfTheCameraTouchesNoBody() {
         Scene flight = SCENE.withAnimations(List.of(of("camera:eye", "position", Ease.SMOOTH, "0 0 9", "9 0 9")));

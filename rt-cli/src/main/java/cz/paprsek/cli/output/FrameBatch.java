@@ -29,8 +29,10 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.concurrent.CancellationException;
@@ -137,10 +139,12 @@ final class FrameBatch {
     private Outcome pictures() throws IOException {
         Path pattern = target.file().orElseThrow(() -> new WrongUsage("pictures of frames go to files; --format y4m makes a film of them that can go to standard output"));
         FrameLedger ledger = FrameLedger.of(pattern);
+        Set<Path> pictures = new HashSet<>();
         Outcome outcome = Outcome.DONE;
         for (int frame = range.first(); frame <= range.last() && outcome == Outcome.DONE; frame++) {
             Target now = target.ofFrame(range, frame);
             Path picture = now.file().orElseThrow();
+            pictures.add(picture);
             Scene written = frames.apply(frame);
             Scene seen = batch.view().of(written);
             Frame way = new OneOfMany(frame);
@@ -157,7 +161,7 @@ final class FrameBatch {
             }
         }
         if (batch.resume() && outcome == Outcome.DONE) {
-            ledger.discard();
+            ledger.done(pictures);
         }
         return outcome;
     }

@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * Which frames of a film are written already, in a file beside them: for each a line with a digest of all that it depends on, so that a frame of another scene, or of other settings, is rendered anew.
@@ -54,9 +56,11 @@ final class FrameLedger {
         }
     }
 
-    /** All frames are there. */
-    void discard() throws IOException {
-        Files.deleteIfExists(file);
+    /** Some frames are there: of a film of these nothing need be remembered. */
+    void done(Set<Path> pictures) throws IOException {
+        if (pictures.stream().map(FrameLedger::name).collect(Collectors.toSet()).containsAll(digests.keySet())) {
+            Files.deleteIfExists(file);
+        }
     }
 
     private void append(String text) throws IOException {

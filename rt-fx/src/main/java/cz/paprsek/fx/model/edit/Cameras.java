@@ -96,7 +96,7 @@ public final class Cameras {
     }
 
     private static EditorState moved(EditorState state, UnaryOperator<Scene> change, Function<ScenePath, Optional<ScenePath>> place) {
-        return state.moved(Animated.through(state.scene(), change, place), place);
+        return state.moved(state.scene().changed(change, place), place);
     }
 
     /** Makes a point sharp for one of a scene's cameras; a picture of too few rays for a blur gets the rays that new scenes have. */

@@ -74,7 +74,7 @@ public final class Materials {
         Map<String, Material> materials = new LinkedHashMap<>();
         scene.materials().forEach((name, material) -> materials.put(name.equals(old) ? fresh : name, material));
         MaterialName reference = new MaterialName(fresh);
-        return Animated.through(scene, still -> mapped(still.plus(fresh, Material.DEFAULT), source -> isCalled(source, old) ? reference : source).withMaterials(materials),
+        return scene.changed(still -> mapped(still.plus(fresh, Material.DEFAULT), source -> isCalled(source, old) ? reference : source).withMaterials(materials),
                 place -> Optional.of(place.equals(new MaterialAt(old)) ? new MaterialAt(fresh) : place));
     }
 
@@ -83,7 +83,7 @@ public final class Materials {
         Map<String, Material> materials = new LinkedHashMap<>(scene.materials());
         Material material = materials.remove(name);
         return material == null ? scene
-                : Animated.through(scene, still -> mapped(still, source -> isCalled(source, name) ? material : source).withMaterials(materials), Optional::of);
+                : scene.changed(still -> mapped(still, source -> isCalled(source, name) ? material : source).withMaterials(materials), Optional::of);
     }
 
     /** The body with what it and all within it is made of changed. */

@@ -196,7 +196,7 @@ final class SceneTree {
     EditorState result() {
         prune(objects);
         Map<Node, BodyAt> places = places();
-        Scene after = Animated.through(before.scene(), scene -> scene.withLights(lights).withObjects(objects.stream().map(Node::rebuiltObject).toList()), item -> place(item, places));
+        Scene after = before.scene().changed(scene -> scene.withLights(lights).withObjects(objects.stream().map(Node::rebuiltObject).toList()), item -> place(item, places));
         return before.moved(after, item -> place(item, places));
     }
 

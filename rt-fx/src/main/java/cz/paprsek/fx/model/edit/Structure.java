@@ -196,7 +196,7 @@ public final class Structure {
 
     /** Gives an object, operand, light or camera another name; empty for none. */
     public static EditorState rename(EditorState state, ScenePath item, String name) {
-        return state.withScene(Animated.through(state.scene(), scene -> renamed(scene, item, name), Optional::of));
+        return state.withScene(state.scene().changed(scene -> renamed(scene, item, name), Optional::of));
     }
 
     private static Scene renamed(Scene scene, ScenePath item, String name) {

@@ -43,7 +43,8 @@ public record Visible(Scene scene, Map<ScenePath, ScenePath> places) {
                 lights.add(whole.lights().get(i));
             }
         }
-        return new Visible(whole.withObjects(objects).withLights(lights), places);
+        // Nothing moves in what is looked at; what is hidden might be what an animation is of.
+        return new Visible(whole.withAnimations(List.of()).withObjects(objects).withLights(lights), places);
     }
 
     /** Where in the scene itself stands what is seen here. */

@@ -1,6 +1,5 @@
 package cz.paprsek.fx.model.property;
 
-import cz.paprsek.fx.model.edit.Animated;
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.edit.Pivots;
 import cz.paprsek.material.Material;
@@ -31,7 +30,7 @@ final class Targets {
 
     /** The change may be one of names. */
     private static Scene renamed(Scene scene, UnaryOperator<Scene> change) {
-        return Animated.through(scene, change, Optional::of);
+        return scene.changed(change, Optional::of);
     }
 
     /** Objects and operands. */

@@ -3,6 +3,7 @@ package cz.paprsek.fx.model.edit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
@@ -37,6 +38,14 @@ class VisibleTest {
     void withNothingHiddenItIsTheVerySceneAndEverythingStandsWhereItStands() {
         assertThat(without().scene()).isSameAs(SCENE);
         assertThat(without().original(ScenePath.body(1, 2))).isEqualTo(ScenePath.body(1, 2));
+    }
+
+    @Test
+    void whatIsAnimatedMayBeHidden() {
+        Scene moving = SCENE.withAnimations(List.of(new Animation("sphere#1", "radius", Animation.Turning.ANGLES, List.of(new Animation.Key(0, "1", Animation.Ease.LINEAR)))));
+        Visible visible = Visible.of(EditorState.of(moving).withHidden(Set.of(ScenePath.body(0))));
+        assertThat(visible.scene().objects()).hasSize(3);
+        assertThat(Visible.of(EditorState.of(moving)).scene()).isSameAs(moving);
     }
 
     @Test
