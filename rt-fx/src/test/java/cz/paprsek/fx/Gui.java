@@ -22,7 +22,8 @@ import javafx.stage.Stage;
  * on JavaFX's thread, and ends when the window has been laid out anew.
  */
 public final class Gui implements AutoCloseable {
-    private static final long PATIENCE_SECONDS = 20;
+    /** On a machine with other work to do; only what never comes takes so long. */
+    private static final long PATIENCE_SECONDS = 60;
 
     private final Stage stage;
     private final Robot robot;
