@@ -106,7 +106,7 @@ class ProjectionTest extends InProjections {
         editor.gui.act(() -> editor.model().select(BALL));
         drag(pane, new Vec3(0.2, 0.2, 0.2), new Vec3(0.2, 0.2, 0.2).plus(by));
         assertMoved(BALL, by, 1.5 / scale(pane));
-        assertThat(editor.text("#status-selection")).isEqualTo("ball");
+        assertThat(editor.text("#status-selection")).isEqualTo("ball   2 × 2 × 2");
         editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
         assertThat(editor.model().scene()).isSameAs(SCENE);
         editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.Z);
