@@ -10,16 +10,27 @@ import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.Wi
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.Architectures;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 
 /** The table of rooms: which package may use which. */
 @AnalyzeClasses(packages = "cz.paprsek", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
+    private static final long MOST_FILES = 25;
+
     @ArchTest
     static final ArchRule ROOMS = Architectures.layeredArchitecture().consideringOnlyDependenciesInLayers()
             .layer("io").definedBy("cz.paprsek.io")
@@ -30,7 +41,7 @@ class ArchitectureTest {
             .layer("material").definedBy("cz.paprsek.material")
             .layer("ray").definedBy("cz.paprsek.ray")
             .layer("shape").definedBy("cz.paprsek.shape..")
-            .layer("scene").definedBy("cz.paprsek.scene")
+            .layer("scene").definedBy("cz.paprsek.scene..")
             .layer("query").definedBy("cz.paprsek.query..")
             .layer("image").definedBy("cz.paprsek.image..")
             .layer("asset").definedBy("cz.paprsek.asset")
@@ -106,6 +117,7 @@ class ArchitectureTest {
             .layer("explain").definedBy("cz.paprsek.render.explain")
             .layer("film").definedBy("cz.paprsek.render.film")
             .layer("light").definedBy("cz.paprsek.render.light")
+            .layer("glow").definedBy("cz.paprsek.render.glow")
             .layer("eye").definedBy("cz.paprsek.render.eye")
             .layer("sample").definedBy("cz.paprsek.render.sample")
             .layer("texture").definedBy("cz.paprsek.render.texture")
@@ -119,10 +131,11 @@ class ArchitectureTest {
             .layer("live").definedBy("cz.paprsek.render.live")
             .whereLayer("explain").mayOnlyBeAccessedByLayers("integrate", "account", "render")
             .whereLayer("film").mayOnlyBeAccessedByLayers("integrate", "show", "work", "render")
-            .whereLayer("light").mayOnlyBeAccessedByLayers("surface", "integrate", "account", "show", "render")
+            .whereLayer("light").mayOnlyBeAccessedByLayers("glow", "surface", "integrate", "account", "show", "render")
+            .whereLayer("glow").mayOnlyBeAccessedByLayers("surface", "integrate", "render")
             .whereLayer("eye").mayOnlyBeAccessedByLayers("integrate", "account", "show", "render")
             .whereLayer("sample").mayOnlyBeAccessedByLayers("light", "integrate", "account", "show", "render")
-            .whereLayer("texture").mayOnlyBeAccessedByLayers("light", "surface", "render")
+            .whereLayer("texture").mayOnlyBeAccessedByLayers("glow", "surface", "render")
             .whereLayer("surface").mayOnlyBeAccessedByLayers("integrate", "account", "show", "render")
             .whereLayer("integrate").mayOnlyBeAccessedByLayers("account", "show", "work", "render")
             .whereLayer("account").mayOnlyBeAccessedByLayers("show", "render")
@@ -181,4 +194,14 @@ class ArchitectureTest {
     static final ArchRule ARITHMETIC_IS_THE_SAME_EVERYWHERE = noClasses().should().callMethodWhere(
             target(owner(equivalentTo(Math.class)))
                     .and(target(nameMatching("a?(sin|cos|tan)h?|atan2|exp|expm1|log|log10|log1p|pow|cbrt|hypot"))));
+
+    /** In all modules: this one is the first that is built. */
+    @Test
+    void noRoomIsLargerThanAReaderCanSee() throws IOException {
+        try (Stream<Path> files = Files.walk(Path.of(".."))) {
+            Map<Path, Long> rooms = files.filter(file -> file.toString().endsWith(".java") && file.toString().contains("/src/main/java/"))
+                    .collect(Collectors.groupingBy(Path::getParent, TreeMap::new, Collectors.counting()));
+            assertThat(rooms).hasSizeGreaterThan(50).allSatisfy((room, count) -> assertThat(count).isLessThanOrEqualTo(MOST_FILES));
+        }
+    }
 }

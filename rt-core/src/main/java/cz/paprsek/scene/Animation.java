@@ -5,6 +5,7 @@ import cz.paprsek.attribute.Element;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.motion.Quaternion;
 import cz.paprsek.text.Numbers;
 import java.util.Arrays;
 import java.util.List;

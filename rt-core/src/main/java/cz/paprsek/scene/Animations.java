@@ -8,6 +8,7 @@ import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
 import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.scene.ScenePath.MaterialAt;
+import cz.paprsek.scene.motion.RecordValues;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.text.Similar;

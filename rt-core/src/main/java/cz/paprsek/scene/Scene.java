@@ -79,7 +79,7 @@ public record Scene(
         Require.that(!cameras.isEmpty(), "a scene needs a camera");
         cameras = checked(cameras, Camera.class, all -> SceneRules.checkCameras(all, SceneRules.REFUSE));
         lights = checked(lights, Light.class, all -> SceneRules.checkLights(all, SceneRules.REFUSE));
-        Palette palette = materials instanceof Palette known ? known : new Palette(materials);
+        Checked.Materials palette = materials instanceof Checked.Materials known ? known : new Checked.Materials(materials);
         materials = palette;
         objects = checked(objects, palette, all -> SceneRules.checkObjects(all, palette, SceneRules.REFUSE));
         Objects.requireNonNull(recipe, "recipe");
@@ -128,10 +128,10 @@ public record Scene(
     }
 
     private static List<Animation> checked(List<Animation> animations, Scene still) {
-        if (animations instanceof CheckedAnimations known && known.areOf(still)) {
+        if (animations instanceof Checked.Animations known && known.areOf(still)) {
             return known;
         }
-        CheckedAnimations copy = new CheckedAnimations(animations, still);
+        Checked.Animations copy = new Checked.Animations(animations, still);
         SceneRules.checkAnimations(still, copy, SceneRules.REFUSE);
         return copy;
     }
@@ -168,7 +168,7 @@ public record Scene(
 
     /** The names of the files it needs besides its own: pictures and meshes, relative to its folder. */
     public SortedSet<String> files() {
-        return UsedFiles.of(this);
+        return Bodies.files(this);
     }
 
     /** The camera whose picture it is: the first. */
@@ -242,7 +242,7 @@ public record Scene(
     }
 
     public Scene withMaterials(Map<String, Material> value) {
-        Palette fresh = value instanceof Palette known ? known : new Palette(value);
+        Checked.Materials fresh = value instanceof Checked.Materials known ? known : new Checked.Materials(value);
         List<SceneObject> known = SceneRules.allow(materials, fresh) ? pieces().checkedWith(fresh) : objects;
         return new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, fresh, known, animations, recipe);
     }
@@ -284,7 +284,7 @@ public record Scene(
      */
     public Scene with(Collection<ScenePath.BodyAt> places, BiFunction<ScenePath.BodyAt, Body, Body> change) {
         Objects.requireNonNull(change, "change");
-        return BodyChanges.of(this, places, change);
+        return Bodies.of(this, places, change);
     }
 
     /** As {@link #with(Collection, BiFunction)}, at one place. */
@@ -295,7 +295,7 @@ public record Scene(
 
     /** Without the bodies and operands that are hidden; this very scene if none is. Places in it may be others. */
     public Scene shown() {
-        return BodyChanges.shown(this);
+        return Bodies.shown(this);
     }
 
     /** With one more light. */

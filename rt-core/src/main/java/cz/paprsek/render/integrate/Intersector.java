@@ -1,7 +1,7 @@
 package cz.paprsek.render.integrate;
 
 import cz.paprsek.ray.Hit;
-import cz.paprsek.render.light.Glows;
+import cz.paprsek.render.glow.Glows;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Contacts;
 import cz.paprsek.render.surface.Level;

@@ -2,13 +2,13 @@ package cz.paprsek.render.integrate;
 
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.glow.Glows;
+import cz.paprsek.render.glow.SkyLamp;
+import cz.paprsek.render.glow.SkyLight;
 import cz.paprsek.render.light.Emitters;
-import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.light.ManyLamps;
 import cz.paprsek.render.light.PointLamp;
-import cz.paprsek.render.light.SkyLamp;
-import cz.paprsek.render.light.SkyLight;
 import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Contacts;

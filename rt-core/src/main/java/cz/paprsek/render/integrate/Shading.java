@@ -3,7 +3,7 @@ package cz.paprsek.render.integrate;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
-import cz.paprsek.render.light.Glows;
+import cz.paprsek.render.glow.Glows;
 import cz.paprsek.render.sample.Sampler;
 import cz.paprsek.render.surface.Backdrop;
 import cz.paprsek.render.surface.Finish;

@@ -4,7 +4,7 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.render.explain.LightTerm.ShadowRay.Obstacle;
 import cz.paprsek.render.explain.LinearRgb;
 import cz.paprsek.render.explain.TracedRay.Absorption;
-import cz.paprsek.render.light.Glows;
+import cz.paprsek.render.glow.Glows;
 import cz.paprsek.render.surface.Bodies;
 import cz.paprsek.render.surface.Contacts;
 import cz.paprsek.render.surface.Media;

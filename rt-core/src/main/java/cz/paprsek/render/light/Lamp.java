@@ -15,16 +15,16 @@ import cz.paprsek.tree.Bundle;
 /** A light ready for shading: one class for each kind. Immutable. */
 public abstract class Lamp {
     /** By no more than this is light multiplied, however near: so that pictures are of finite numbers. */
-    static final double MOST = 1e20;
+    public static final double MOST = 1e20;
 
     /** More than 1: a body that shines has many points to look for. A path looks for one of them. */
-    static final int BODY_SAMPLES = 16;
+    public static final int BODY_SAMPLES = 16;
 
     private final double red;
     private final double green;
     private final double blue;
 
-    Lamp(Rgb color, double intensity) {
+    protected Lamp(Rgb color, double intensity) {
         red = color.linearRed() * intensity;
         green = color.linearGreen() * intensity;
         blue = color.linearBlue() * intensity;

@@ -2,8 +2,8 @@ package cz.paprsek.render.surface;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.ray.Hit;
-import cz.paprsek.render.light.SkyLight;
-import cz.paprsek.render.light.SkyPicture;
+import cz.paprsek.render.glow.SkyLight;
+import cz.paprsek.render.glow.SkyPicture;
 import cz.paprsek.render.texture.Texture;
 import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Scene;

@@ -2,8 +2,8 @@ package cz.paprsek.render.surface;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.render.glow.Glows;
 import cz.paprsek.render.light.Emitters;
-import cz.paprsek.render.light.Glows;
 import cz.paprsek.render.light.Lamp;
 import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.Scene;

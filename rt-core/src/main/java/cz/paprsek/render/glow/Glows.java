@@ -1,9 +1,10 @@
-package cz.paprsek.render.light;
+package cz.paprsek.render.glow;
 
 import cz.paprsek.math.Angles;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.light.Lamp;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.placed.Ray;

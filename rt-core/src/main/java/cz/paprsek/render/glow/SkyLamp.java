@@ -1,8 +1,9 @@
-package cz.paprsek.render.light;
+package cz.paprsek.render.glow;
 
 import cz.paprsek.material.Rgb;
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;
+import cz.paprsek.render.light.Lamp;
 
 /** A picture of everything around, which paths look for as they do for lights: in its directions as often as they are bright. Scratch of one worker. */
 public final class SkyLamp extends Lamp {

@@ -1,4 +1,4 @@
-package cz.paprsek.render.light;
+package cz.paprsek.render.glow;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

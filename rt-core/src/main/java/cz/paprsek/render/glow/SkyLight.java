@@ -1,4 +1,4 @@
-package cz.paprsek.render.light;
+package cz.paprsek.render.glow;
 
 import cz.paprsek.ray.Arrival;
 import cz.paprsek.ray.Hit;

@@ -1,4 +1,4 @@
-package cz.paprsek.render.light;
+package cz.paprsek.render.glow;
 
 import cz.paprsek.tree.ItemBoxes;
 import cz.paprsek.tree.Tree;

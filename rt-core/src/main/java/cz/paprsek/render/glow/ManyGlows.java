@@ -1,4 +1,4 @@
-package cz.paprsek.render.light;
+package cz.paprsek.render.glow;
 
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.tree.Search;

@@ -1,19 +1,27 @@
 package cz.paprsek.scene;
 
+import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialSource;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Text;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.function.BiFunction;
 
-/** Changes of objects and operands, by their places. */
-final class BodyChanges {
-    private BodyChanges() {}
+/** What is changed of, and asked of, all objects and operands of a scene. */
+final class Bodies {
+    private Bodies() {}
 
     static Scene of(Scene scene, Collection<BodyAt> places, BiFunction<BodyAt, Body, Body> change) {
         Map<Integer, List<BodyAt>> byObject = new HashMap<>();
@@ -72,5 +80,31 @@ final class BodyChanges {
             result = body.withShape(new Csg(csg.operation(), operands));
         }
         return places.contains(at) ? change.apply(at, result) : result;
+    }
+
+    /** Which files a scene needs besides its own. */
+    static SortedSet<String> files(Scene scene) {
+        SortedSet<String> names = new TreeSet<>();
+        if (scene.sky() instanceof Scene.Sky.Picture picture) {
+            names.add(picture.file());
+        }
+        scene.materials().values().forEach(material -> names.addAll(material.files()));
+        scene.objects().forEach(object -> addFiles(object.material(), object.shape(), names));
+        return Collections.unmodifiableSortedSet(names);
+    }
+
+    private static void addFiles(MaterialSource material, Shape shape, SortedSet<String> names) {
+        if (material instanceof Material own) {
+            names.addAll(own.files());
+        }
+        if (shape instanceof Mesh mesh && !mesh.file().isEmpty()) {
+            names.add(mesh.file());
+        }
+        if (shape instanceof Text text) {
+            names.addAll(text.file().stream().toList());
+        }
+        if (shape instanceof Csg csg) {
+            csg.operands().forEach(operand -> addFiles(operand.material(), operand.solid(), names));
+        }
     }
 }

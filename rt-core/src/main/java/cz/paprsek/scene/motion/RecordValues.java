@@ -1,4 +1,4 @@
-package cz.paprsek.scene;
+package cz.paprsek.scene.motion;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Rgb;
@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 
 /** Records with other numbers at some of their attributes. */
-final class RecordValues {
+public final class RecordValues {
     private RecordValues() {}
 
     /**
@@ -19,7 +19,7 @@ final class RecordValues {
      *
      * @throws IllegalArgumentException with the record's own sentence if it refuses
      */
-    static Record with(Record record, Map<Described, double[]> values) {
+    public static Record with(Record record, Map<Described, double[]> values) {
         RecordComponent[] components = record.getClass().getRecordComponents();
         List<String> names = Arrays.stream(components).map(RecordComponent::getName).toList();
         Object[] arguments = Arrays.stream(components).map(component -> get(component, record)).toArray();

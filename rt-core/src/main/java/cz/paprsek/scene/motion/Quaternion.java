@@ -1,17 +1,17 @@
-package cz.paprsek.scene;
+package cz.paprsek.scene.motion;
 
 import cz.paprsek.math.Angles;
 import cz.paprsek.math.Vec3;
 
 /** A rotation as a quaternion of length 1, w + xi + yj + zk. */
-record Quaternion(double w, double x, double y, double z) {
+public record Quaternion(double w, double x, double y, double z) {
     /** Rotations nearer to each other than this cosine of half the angle are mixed evenly: the sine that would be divided by is lost in rounding. */
     private static final double NEAR = 1 - 1e-12;
     /** As near to looking straight up or down as this, one of two angles about the same line is enough. */
     private static final double UPRIGHT = 1 - 1e-12;
 
     /** Of angles in degrees about x, then y, then z. */
-    static Quaternion ofDegrees(Vec3 degrees) {
+    public static Quaternion ofDegrees(Vec3 degrees) {
         return about(2, degrees.z()).times(about(1, degrees.y())).times(about(0, degrees.x()));
     }
 
@@ -31,7 +31,7 @@ record Quaternion(double w, double x, double y, double z) {
      * @param share 0 for this, 1 for the other
      * @source Shoemake, Animating Rotation with Quaternion Curves, SIGGRAPH 1985
      */
-    Quaternion towards(Quaternion other, double share) {
+    public Quaternion towards(Quaternion other, double share) {
         double cos = w * other.w + x * other.x + y * other.y + z * other.z;
         // Of the two that stand for the other rotation, the nearer.
         double sign = cos < 0 ? -1 : 1;
@@ -48,7 +48,7 @@ record Quaternion(double w, double x, double y, double z) {
     }
 
     /** The angles in degrees about x, then y, then z. */
-    Vec3 degrees() {
+    public Vec3 degrees() {
         double sin = 2 * (w * y - z * x);
         boolean isUpright = Math.abs(sin) > UPRIGHT;
         double about = isUpright ? 0 : StrictMath.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y));
