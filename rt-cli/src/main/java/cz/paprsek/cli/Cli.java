@@ -10,6 +10,7 @@ import cz.paprsek.cli.process.Memory;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.cli.shard.Sharing;
 import cz.paprsek.cli.value.Filters;
 import cz.paprsek.cli.value.Formats;
 import cz.paprsek.cli.value.FrameRange;
@@ -62,10 +63,17 @@ final class Cli {
 
     private final Terminal terminal;
     private final Stop stop;
+    private final Optional<Sharing> sharing;
 
     Cli(Terminal terminal, Stop stop) {
+        this(terminal, stop, Optional.empty());
+    }
+
+    /** @param sharing as {@link RenderCommand} has it */
+    Cli(Terminal terminal, Stop stop, Optional<Sharing> sharing) {
         this.terminal = terminal;
         this.stop = stop;
+        this.sharing = sharing;
     }
 
     /** Runs the command that the arguments say; returns its {@linkplain ExitCode exit code}. */
@@ -157,7 +165,7 @@ final class Cli {
 
     private Object command(String name) {
         return switch (name) {
-            case "render" -> new RenderCommand(terminal, stop);
+            case "render" -> new RenderCommand(terminal, stop, sharing);
             case "merge" -> new MergeCommand(terminal, stop);
             case "plan" -> new PlanCommand(terminal, stop);
             case "validate" -> new ValidateCommand(terminal, stop);

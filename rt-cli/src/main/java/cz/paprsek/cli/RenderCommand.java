@@ -25,6 +25,7 @@ import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Again;
 import cz.paprsek.cli.shard.ShardWork;
+import cz.paprsek.cli.shard.Sharing;
 import cz.paprsek.cli.shard.Span;
 import cz.paprsek.cli.value.Modes;
 import cz.paprsek.cli.value.OutputFormat;
@@ -77,6 +78,7 @@ import picocli.CommandLine.Spec;
 final class RenderCommand implements Callable<Integer> {
     private final Terminal terminal;
     private final Stop stop;
+    private final Optional<Sharing> sharing;
 
     @Spec
     private CommandSpec spec;
@@ -184,8 +186,14 @@ final class RenderCommand implements Callable<Integer> {
     private boolean quiet;
 
     RenderCommand(Terminal terminal, Stop stop) {
+        this(terminal, stop, Optional.empty());
+    }
+
+    /** @param sharing takes the orders for shares, in place of files in a folder */
+    RenderCommand(Terminal terminal, Stop stop, Optional<Sharing> sharing) {
         this.terminal = terminal;
         this.stop = stop;
+        this.sharing = sharing;
     }
 
     @Override
@@ -216,7 +224,7 @@ final class RenderCommand implements Callable<Integer> {
         View view = view();
         view.check(targets);
         Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
-        Optional<ShardWork> share = shard.map(one -> new ShardWork(one, Words.path(output.orElseThrow()), sharedWords()));
+        Optional<Sharing> share = shard.map(one -> sharing.orElseGet(() -> new ShardWork(one, Words.path(output.orElseThrow()), sharedWords())));
         return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, given.pictures(), reel, progress, Report.of(terminal, json, quiet), share).run(targets);
     }
 

@@ -3,7 +3,8 @@ package cz.paprsek.cli.output;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.output.Report.Outcome;
 import cz.paprsek.cli.process.WrongUsage;
-import cz.paprsek.cli.shard.ShardWork;
+import cz.paprsek.cli.shard.Footage;
+import cz.paprsek.cli.shard.Sharing;
 import cz.paprsek.cli.shard.Span;
 import cz.paprsek.cli.value.FrameRange;
 import cz.paprsek.cli.value.SceneDigest;
@@ -81,7 +82,7 @@ final class FrameBatch {
     }
 
     /** A share of the frames, whose parts go to files of their own. */
-    private Outcome shared(ShardWork work) throws IOException {
+    private Outcome shared(Sharing work) throws IOException {
         long begin = System.nanoTime();
         Scene seen = batch.view().of(frames.apply(range.first()));
         Assets pictures = assets(seen);
@@ -93,7 +94,7 @@ final class FrameBatch {
             return batch.fail(target, Outcome.WRONG_USAGE, List.of(target.source().label() + ": " + refused.getMessage()));
         }
         steady(range.last(), seen.settings());
-        return batch.part(work, target, batch.view().of(read), pictures, options, new ShardWork.Footage() {
+        return batch.part(work, target, batch.view().of(read), pictures, options, new Footage() {
             @Override
             public ImageOptions written(int frame) {
                 return batch.writing().of(frames.apply(frame), options, batch.view(), ImageFormat.PNG);

@@ -1,11 +1,11 @@
 package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.process.Terminal;
-import cz.paprsek.cli.shard.ShardWork;
+import cz.paprsek.cli.shard.Sharing;
 import java.util.Locale;
 
 /** How far the share of a picture is, in lines for a log: one every ten seconds. */
-final class PartProgress implements ShardWork.Listener {
+final class PartProgress implements Sharing.Listener {
     private static final double SECONDS_BETWEEN = 10;
 
     private final Terminal terminal;

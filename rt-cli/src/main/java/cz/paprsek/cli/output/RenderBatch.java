@@ -11,7 +11,9 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Card;
-import cz.paprsek.cli.shard.ShardWork;
+import cz.paprsek.cli.shard.Footage;
+import cz.paprsek.cli.shard.Order;
+import cz.paprsek.cli.shard.Sharing;
 import cz.paprsek.cli.shard.Span;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
@@ -44,7 +46,7 @@ import java.util.concurrent.CancellationException;
  * @param share of the work that is to be done, in place of all of it
  */
 public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view, Writing writing, boolean resume, Optional<Double> seconds, Pictures pictures, Reel reel, Progress.Maker progress, Report report,
-        Optional<ShardWork> share) {
+        Optional<Sharing> share) {
 
     /** The exit code of the worst. */
     public int run(List<Target> targets) {
@@ -170,8 +172,8 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
     }
 
     /** A picture that does not move. */
-    private ShardWork.Footage still(Scene read, Scene scene, Assets assets, RenderOptions options) {
-        return new ShardWork.Footage() {
+    private Footage still(Scene read, Scene scene, Assets assets, RenderOptions options) {
+        return new Footage() {
             @Override
             public ImageOptions written(int frame) {
                 return writing.of(read, options, view, ImageFormat.PNG);
@@ -189,12 +191,12 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
      *
      * @param scene what is shown; of a film, all of it
      */
-    Outcome part(ShardWork work, Target target, Scene scene, Assets assets, RenderOptions options, ShardWork.Footage footage, Span span, long begin) {
+    Outcome part(Sharing work, Target target, Scene scene, Assets assets, RenderOptions options, Footage footage, Span span, long begin) {
         String label = target.source().label();
         try {
             PartProgress shown = new PartProgress(terminal, label + ": shard " + work.shard(), progress == Progress.Maker.SILENT);
             Card card = Card.of(scene, !span.isStill(), assets, options, footage.written(span.first()), view.legend());
-            ShardWork.Done done = work.run(card, options, span, footage, stop, shown);
+            Sharing.Done done = work.run(new Order(target.source().file(), scene, assets, card, options, span, footage), stop, shown);
             if (stop.requested()) {
                 return fail(target, Outcome.INTERRUPTED, List.of(label + ": interrupted; what is done stays in " + target.shown() + ", and the same command goes on from there"));
             }

@@ -2,7 +2,7 @@ package cz.paprsek.cli.output;
 
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Terminal;
-import cz.paprsek.cli.shard.ShardWork;
+import cz.paprsek.cli.shard.Sharing;
 import cz.paprsek.cli.value.Shard;
 import cz.paprsek.io.Failures;
 import cz.paprsek.io.Json;
@@ -20,7 +20,7 @@ public interface Report {
     void done(Target target, String scene, int width, int height, RenderResult result, double totalSeconds);
 
     /** The share of a picture's work is done. */
-    void shared(Target target, Shard shard, ShardWork.Done done, double totalSeconds);
+    void shared(Target target, Shard shard, Sharing.Done done, double totalSeconds);
 
     /** A scene has no picture; the user has been told why. */
     void failed(Target target, Outcome outcome, List<String> problems);
@@ -70,7 +70,7 @@ public interface Report {
         }
 
         @Override
-        public void shared(Target target, Shard shard, ShardWork.Done done, double totalSeconds) {
+        public void shared(Target target, Shard shard, Sharing.Done done, double totalSeconds) {
             if (!quiet) {
                 int before = done.parts() - done.made();
                 terminal.result(String.format(Locale.ROOT, "%s -> %s  shard %s  %d parts%s  %.2f s", target.source().label(), target.shown(), shard, done.parts(),
@@ -103,7 +103,7 @@ public interface Report {
         }
 
         @Override
-        public void shared(Target target, Shard shard, ShardWork.Done done, double totalSeconds) {
+        public void shared(Target target, Shard shard, Sharing.Done done, double totalSeconds) {
             terminal.result(begin(target, Outcome.DONE).with("shard", shard.toString()).with("parts", done.parts()).with("made", done.made())
                     .with("seconds", micros(totalSeconds)).toString());
         }

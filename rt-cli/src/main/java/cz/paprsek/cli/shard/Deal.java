@@ -37,12 +37,13 @@ final class Deal {
         this.first = span.first();
         this.shards = shards;
         frames = span.count();
-        tiles = Grid.tiles(region, side(region));
+        tiles = Grid.tiles(region, side(region, frames, (long) PARTS * shards));
     }
 
-    private int side(Tile region) {
+    /** The largest side of tiles with which there are so many of them, if there can be. */
+    static int side(Tile region, int frames, long wanted) {
         int side = LARGEST_SIDE;
-        while (side > Grid.SIDE && (long) Grid.cells(region.width(), side) * Grid.cells(region.height(), side) * frames < (long) PARTS * shards) {
+        while (side > Grid.SIDE && (long) Grid.cells(region.width(), side) * Grid.cells(region.height(), side) * frames < wanted) {
             side -= Grid.SIDE;
         }
         return side;

@@ -4,7 +4,6 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Deal.Piece;
 import cz.paprsek.cli.value.Shard;
-import cz.paprsek.image.ImageOptions;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
@@ -35,57 +34,23 @@ import java.util.concurrent.atomic.AtomicInteger;
  * @param folder where parts go; it is made
  * @param words as {@link PartHead} has them
  */
-public record ShardWork(Shard shard, Path folder, List<String> words) {
+public record ShardWork(Shard shard, Path folder, List<String> words) implements Sharing {
     public ShardWork {
         words = List.copyOf(words);
     }
 
-    /**
-     * How much there was to do.
-     *
-     * @param parts of the share
-     * @param made those of them that were not there
-     */
-    public record Done(int parts, int made) {}
-
-    /** Is told how far it is, by any thread. */
-    @FunctionalInterface
-    public interface Listener {
-        /**
-         * A part is there.
-         *
-         * @param done how many are, those that were there before included
-         */
-        void made(int done, int parts);
-    }
-
-    /** What is to be rendered, frame by frame; a picture that is no film has the frame 0. */
-    public interface Footage {
-        /** How the picture is written in a format that tells its origin. */
-        ImageOptions written(int frame);
-
-        /** Prepares the scene. */
-        RenderScene scene(int frame);
-    }
-
-    /**
-     * Makes what is not there; returns early if a stop is asked for.
-     *
-     * @throws IOException if a part cannot be written
-     * @throws WrongUsage if there are parts of another picture in the folder
-     * @throws IllegalStateException as {@link Renderer}
-     */
-    public Done run(Card card, RenderOptions options, Span span, Footage footage, Stop stop, Listener listener) throws IOException {
+    @Override
+    public Done run(Order order, Stop stop, Listener listener) throws IOException {
         makeFolder();
         PartsFolder parts = new PartsFolder(folder);
         SortedMap<Integer, List<Piece>> frames = new TreeMap<>();
-        new Deal(options.region(), span, shard.count()).of(shard).forEach(piece -> frames.computeIfAbsent(piece.frame(), key -> new ArrayList<>()).add(piece));
+        new Deal(order.options().region(), order.span(), shard.count()).of(shard).forEach(piece -> frames.computeIfAbsent(piece.frame(), key -> new ArrayList<>()).add(piece));
         int all = frames.values().stream().mapToInt(List::size).sum();
         // Half-written parts are removed before the process ends.
         stop.oweLastWords();
-        Crew crew = new Crew(card, options, span, footage, stop, parts, all, listener);
+        Crew crew = new Crew(order, stop, parts, all, listener);
         for (Map.Entry<Integer, List<Piece>> frame : frames.entrySet()) {
-            List<Piece> lacking = parts.lacking(card, frame.getKey(), frame.getValue());
+            List<Piece> lacking = parts.lacking(order.card(), frame.getKey(), frame.getValue());
             crew.found(frame.getValue().size() - lacking.size());
             if (!lacking.isEmpty() && !stop.requested()) {
                 crew.work(frame.getKey(), lacking);
@@ -108,10 +73,7 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
 
     /** Those who do the work, and what they have in common. */
     private final class Crew implements RenderMonitor {
-        private final Card card;
-        private final RenderOptions options;
-        private final Span span;
-        private final Footage footage;
+        private final Order order;
         private final Stop stop;
         private final PartsFolder parts;
         private final int all;
@@ -120,11 +82,8 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
         private final AtomicBoolean failed = new AtomicBoolean();
         private int found;
 
-        Crew(Card card, RenderOptions options, Span span, Footage footage, Stop stop, PartsFolder parts, int all, Listener listener) {
-            this.card = card;
-            this.options = options;
-            this.span = span;
-            this.footage = footage;
+        Crew(Order order, Stop stop, PartsFolder parts, int all, Listener listener) {
+            this.order = order;
             this.stop = stop;
             this.parts = parts;
             this.all = all;
@@ -139,10 +98,10 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
         /** Makes parts of a frame. */
         void work(int frame, List<Piece> pieces) throws IOException {
             parts.prepare(frame);
-            RenderScene scene = footage.scene(frame);
-            Told told = Told.of(footage.written(frame).origin());
+            RenderScene scene = order.footage().scene(frame);
+            Told told = Told.of(order.footage().written(frame).origin());
             Queue<Piece> queue = new ConcurrentLinkedQueue<>(pieces);
-            int threads = Math.min(options.threads(), pieces.size());
+            int threads = Math.min(order.options().threads(), pieces.size());
             ExecutorService crew = Executors.newFixedThreadPool(threads);
             try {
                 List<Future<?>> members = new ArrayList<>();
@@ -189,9 +148,9 @@ public record ShardWork(Shard shard, Path folder, List<String> words) {
         }
 
         private void make(RenderScene scene, Told told, Piece piece, Renderer renderer) throws IOException {
-            RenderResult result = renderer.next(scene, options.withRegion(piece.tile()).withThreads(1), this);
+            RenderResult result = renderer.next(scene, order.options().withRegion(piece.tile()).withThreads(1), this);
             if (result.outcome() == RenderResult.Outcome.DONE) {
-                PartFile.write(parts.file(piece), new PartHead(card, told, piece.frame(), piece.tile(), span, shard, words), result.image(), result.layers());
+                PartFile.write(parts.file(piece), new PartHead(order.card(), told, piece.frame(), piece.tile(), order.span(), shard, words), result.image(), result.layers());
                 listener.made(found + made.incrementAndGet(), all);
             }
         }

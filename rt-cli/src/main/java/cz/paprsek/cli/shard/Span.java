@@ -43,7 +43,7 @@ public record Span(int first, int last) {
         return first == 0;
     }
 
-    int count() {
+    public int count() {
         return last - first + 1;
     }
 }

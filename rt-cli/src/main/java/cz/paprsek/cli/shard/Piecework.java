@@ -1,0 +1,163 @@
+package cz.paprsek.cli.shard;
+
+import cz.paprsek.cli.process.Stop;
+import cz.paprsek.cli.shard.Deal.Piece;
+import cz.paprsek.cli.shard.PartFile.Pixels;
+import cz.paprsek.cli.value.Shard;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderResult;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.render.Tile;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.BooleanSupplier;
+
+/**
+ * A picture or film of which somebody else deals out the work, tile by tile: an engine that knows which machines there are. It takes the order, does nothing with it, and makes the tiles that it is asked for
+ * later, by any number of threads.
+ *
+ * @see ShardWork
+ */
+public final class Piecework implements Sharing {
+    /** How many frames stay prepared: more than one, as the threads of a machine do not all go to the next at once. */
+    private static final int FRAMES_KEPT = 3;
+    private static final Shard ALL = new Shard(1, 1);
+
+    private final List<String> words;
+    private final Map<Integer, RenderScene> prepared = new LinkedHashMap<>();
+    private Optional<Order> taken = Optional.empty();
+
+    /** @param words as {@link PartHead} has them */
+    public Piecework(List<String> words) {
+        this.words = List.copyOf(words);
+    }
+
+    @Override
+    public Shard shard() {
+        return ALL;
+    }
+
+    @Override
+    public Done run(Order order, Stop stop, Listener listener) {
+        taken = Optional.of(order);
+        return new Done(0, 0);
+    }
+
+    /** Whether there is an order: none if the words were wrong, or the scene could not be read. */
+    public boolean isOrdered() {
+        return taken.isPresent();
+    }
+
+    private Order order() {
+        return taken.orElseThrow();
+    }
+
+    /** Which picture it is, in letters: two are the same if these are. */
+    public String card() {
+        return order().card().text();
+    }
+
+    /** The file of the scene, as it was named. */
+    public Path scene() {
+        return order().file();
+    }
+
+    /**
+     * What the scene needs beside its file: pictures, meshes, fonts and other scenes, by their names.
+     *
+     * @throws IOException if one cannot be read
+     */
+    public Map<String, byte[]> files() throws IOException {
+        Map<String, byte[]> files = new TreeMap<>();
+        order().scene().recipe().included().forEach((name, text) -> files.put(name, text.getBytes(StandardCharsets.UTF_8)));
+        for (String name : order().assets().digests().keySet()) {
+            ByteBuffer content = order().assets().bytes(name);
+            byte[] bytes = new byte[content.remaining()];
+            content.get(bytes);
+            files.put(name, bytes);
+        }
+        return files;
+    }
+
+    /** The frames of the film; of a picture that is none, only 0. */
+    public Span span() {
+        return order().span();
+    }
+
+    /**
+     * The tiles of a frame, neighbours after each other.
+     *
+     * @param side how many pixels their sides have, but at the edges: a multiple of 32
+     * @throws IllegalArgumentException if it is none
+     */
+    public List<Tile> tiles(int side) {
+        if (side < Grid.SIDE || side % Grid.SIDE != 0) {
+            throw new IllegalArgumentException("the side of a tile is a multiple of " + Grid.SIDE + " pixels, not " + side);
+        }
+        return Grid.tiles(order().card().region(), side);
+    }
+
+    /** The largest side of tiles with which there are as many of them as wished for, if there can be. */
+    public int side(long tiles) {
+        return Deal.side(order().card().region(), span().count(), tiles);
+    }
+
+    /** Where the part of a tile goes in a folder of parts. */
+    public static Path part(Path folder, int frame, Tile tile) {
+        return new PartsFolder(folder).file(new Piece(frame, tile));
+    }
+
+    /** Whether a file is the part of a tile, and whole. */
+    public boolean isPart(Path file, int frame, Tile tile) {
+        try {
+            PartHead head = PartFile.read(file, Pixels.IGNORED);
+            return head.card().equals(order().card()) && head.frame() == frame && head.tile().equals(tile);
+        } catch (IOException damaged) {
+            return false;
+        }
+    }
+
+    /**
+     * Renders a tile on one thread, and puts its part {@linkplain #part where it goes}.
+     *
+     * @param cancelled is asked again and again whether nobody wants it any more
+     * @throws InterruptedIOException if so
+     * @throws IOException if it cannot be written
+     * @throws IllegalStateException as {@link Renderer}
+     */
+    public void make(Path folder, int frame, Tile tile, BooleanSupplier cancelled) throws IOException {
+        RenderMonitor monitor = new RenderMonitor() {
+            @Override
+            public boolean cancelled() {
+                return cancelled.getAsBoolean();
+            }
+        };
+        RenderResult result = Renderer.render(scene(frame), order().options().withRegion(tile).withThreads(1), monitor);
+        if (result.outcome() != RenderResult.Outcome.DONE) {
+            throw new InterruptedIOException("interrupted");
+        }
+        new PartsFolder(folder).prepare(frame);
+        PartHead head = new PartHead(order().card(), Told.of(order().footage().written(frame).origin()), frame, tile, span(), ALL, words);
+        PartFile.write(part(folder, frame, tile), head, result.image(), result.layers());
+    }
+
+    /** What is prepared of a frame, by the first thread that needs it. */
+    private synchronized RenderScene scene(int frame) {
+        RenderScene known = prepared.get(frame);
+        if (known == null) {
+            known = order().footage().scene(frame);
+            prepared.put(frame, known);
+            prepared.keySet().stream().findFirst().filter(oldest -> prepared.size() > FRAMES_KEPT).ifPresent(prepared::remove);
+        }
+        return known;
+    }
+}
