@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.value.FrameRange;
 import cz.paprsek.image.Image;
@@ -14,6 +15,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -196,6 +198,23 @@ class FramesTest {
     }
 
     @Test
+    void whatSomebodyHasPutInThePlaceOfAFrameIsNotThere() throws Exception {
+        clear(ledgerOfTwo());
+        Files.write(folder.resolve("r-0002.png"), Files.readAllBytes(folder.resolve("r-0001.png")));
+        Files.setLastModifiedTime(folder.resolve("r-0002.png"), FileTime.fromMillis(1_000_000));
+        assertThat(framesThatAreThere("1", "3")).containsExactly(folder.resolve("r-0001.png"));
+        isSame(ImageFiles.read(folder.resolve("r-0002.png")), expected(2));
+    }
+
+    @Test
+    void wrongWordsAreWrongUsageOfFramesThatAreResumedToo() {
+        for (String resume : List.of("--quiet", "--resume")) {
+            Run run = Run.cli("render", scene, "--frames", "1-2", resume, "--max-depth", "999", "-o", folder.resolve("r-{frame}.png"));
+            assertThat(run.code()).as(run.err()).isEqualTo(ExitCode.WRONG_USAGE);
+        }
+    }
+
+    @Test
     void ofPathsThatWereInterruptedAnotherSceneBeginsAnew() throws Exception {
         Path pattern = folder.resolve("r-{frame}.png");
         assertThat(Run.cli("render", scene, "--frame", "1", "--integrator", "path", "--samples", "16", "--resume", "-o", pattern, "-q").code()).isZero();
@@ -204,7 +223,9 @@ class FramesTest {
         assertThat(framesThatAreThere("1", "2", "--integrator", "path", "--samples", "16")).isEmpty();
         Run.cli("render", scene, "--frame", "1", "--integrator", "path", "--samples", "16", "-o", folder.resolve("plain.png"), "-q");
         assertThat(folder.resolve("r-0001.png")).hasSameBinaryContentAs(folder.resolve("plain.png"));
-        assertThat(folder.resolve("r-0001.png.resume")).doesNotExist();
+        // A film does not touch what is kept of a frame by itself, for more paths.
+        assertThat(folder.resolve("r-0001.png.resume")).exists();
+        assertThat(folder.resolve("r-0001.png.film.resume")).doesNotExist();
     }
 
     @Test

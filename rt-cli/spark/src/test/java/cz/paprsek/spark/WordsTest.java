@@ -17,7 +17,7 @@ class WordsTest {
     }
 
     @Test
-    void acopyOfTheSceneHasItsFilesBesideIt() {
+    void aCopyOfTheSceneHasItsFilesBesideIt() {
         assertThat(Words.elsewhere(List.of("a.xml", "--assets", "b", "--samples", "2", "--assets=c"), "a.xml", "/tmp/a.xml")).containsExactly("/tmp/a.xml", "--samples", "2");
     }
 

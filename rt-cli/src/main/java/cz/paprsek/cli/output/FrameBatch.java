@@ -149,7 +149,7 @@ final class FrameBatch {
             Scene written = frames.apply(frame);
             Scene seen = batch.view().of(written);
             Frame way = new OneOfMany(frame);
-            String digest = batch.resume() ? digest(way.keptAs(seen), written, assets(seen), now, batch.options(now, seen)) : "";
+            String digest = batch.resume() ? digest(way.keptAs(seen), written, assets(seen), now, options(now, seen)) : "";
             if (batch.resume() && ledger.has(picture, digest)) {
                 batch.terminal().message(now.source().label() + ": is there already");
                 continue;
@@ -158,13 +158,21 @@ final class FrameBatch {
             outcome = batch.render(now, written, seen, assets(seen), way);
             if (batch.resume() && outcome == Outcome.DONE) {
                 ledger.add(picture, digest);
-                Files.deleteIfExists(Checkpoint.fileFor(picture));
+                Files.deleteIfExists(Checkpoint.fileFor(way.tilesBeside(now)));
             }
         }
         if (batch.resume() && outcome == Outcome.DONE) {
             ledger.done(pictures);
         }
         return outcome;
+    }
+
+    private RenderOptions options(Target now, Scene seen) {
+        try {
+            return batch.options(now, seen);
+        } catch (IllegalArgumentException refused) {
+            throw new WrongUsage(String.valueOf(refused.getMessage()));
+        }
     }
 
     /** Of all that the bytes of a picture depend on. */
@@ -261,6 +269,13 @@ final class FrameBatch {
         @Override
         public boolean beginsAnew() {
             return true;
+        }
+
+        /** Not where the paths of a frame lie that was asked for by itself: they are kept for more of them. */
+        @Override
+        public Path tilesBeside(Target to) {
+            Path picture = to.file().orElseThrow();
+            return picture.resolveSibling(picture.getFileName() + ".film");
         }
     }
 

@@ -1,6 +1,7 @@
 package cz.paprsek.cli.shard;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.cli.value.SceneDigest;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageOptions;
 import cz.paprsek.material.Rgb.Tone;
@@ -8,14 +9,12 @@ import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
-import java.util.TreeMap;
 
 /**
  * Which picture, or film, parts are of. Two parts belong together if their cards are the same to the letter: of the same scene with the same files beside it, by the same
@@ -48,18 +47,8 @@ public record Card(String program, String settings, double exposure, Tone tone, 
      * @param how the picture will be written in a format that tells its origin
      */
     public static Card of(Scene scene, boolean isFilm, Assets assets, RenderOptions options, ImageOptions how, boolean legend) {
-        MessageDigest digest = sha256();
-        digest.update(assets.digest().getBytes(StandardCharsets.UTF_8));
-        if (isFilm) {
-            update(digest, "film " + scene.recipe().text());
-        }
-        // The scene's text has only the names of files that it includes.
-        new TreeMap<>(scene.recipe().included()).forEach((name, text) -> {
-            update(digest, name);
-            update(digest, text);
-        });
-        String content = hex(digest.digest(SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8)));
-        String settings = hex(digest.digest(options.withThreads(1).toString().getBytes(StandardCharsets.UTF_8)));
+        String content = isFilm ? SceneDigest.of(scene, assets, "film " + scene.recipe().text()) : SceneDigest.of(scene, assets);
+        String settings = HexFormat.of().formatHex(sha256().digest(options.withThreads(1).toString().getBytes(StandardCharsets.UTF_8)));
         List<String> planes = options.layers().stream().flatMap(layer -> layer.planes(scene.lights()).stream()).toList();
         return new Card(how.origin().program(), how.origin().settings(), how.exposure(), how.tone(), options.mode(), options.numbers(), legend, options.transparent(), options.region(), planes, content, settings);
     }
@@ -128,16 +117,5 @@ public record Card(String program, String settings, double exposure, Tone tone, 
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every Java has SHA-256", e);
         }
-    }
-
-    /** With its length in front, so that no two texts are the digest of another one. */
-    private static void update(MessageDigest digest, String text) {
-        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
-        digest.update((bytes.length + " ").getBytes(StandardCharsets.UTF_8));
-        digest.update(bytes);
-    }
-
-    private static String hex(byte[] digest) {
-        return HexFormat.of().formatHex(digest);
     }
 }

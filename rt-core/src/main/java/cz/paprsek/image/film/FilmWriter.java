@@ -80,6 +80,16 @@ public final class FilmWriter {
         void end() throws IOException;
     }
 
+    @FunctionalInterface
+    private interface PixelWriter {
+        void add(int[] pixels) throws IOException;
+    }
+
+    @FunctionalInterface
+    private interface Ending {
+        void end() throws IOException;
+    }
+
     /**
      * Writes the head of a film.
      *
@@ -100,8 +110,12 @@ public final class FilmWriter {
         this.out = out;
         this.kind = switch (format) {
             case APNG -> apng(FrameRate.of(fps));
-            case GIF -> gif(new GifWriter(out, width, height, fps));
-            case Y4M -> y4m(new Y4mWriter(out, width, height, FrameRate.of(fps)));
+            case GIF -> {
+                GifWriter film = new GifWriter(out, width, height, fps);
+                yield plain(film::add, film::end);
+            }
+            // It has no mark for its end.
+            case Y4M -> plain(new Y4mWriter(out, width, height, FrameRate.of(fps))::add, () -> {});
         };
     }
 
@@ -129,7 +143,8 @@ public final class FilmWriter {
         };
     }
 
-    private Kind gif(GifWriter film) {
+    /** A format whose pictures are colours as they are shown. */
+    private Kind plain(PixelWriter film, Ending ending) {
         return new Kind() {
             @Override
             public void add(Image image, ImageOptions how) throws IOException {
@@ -138,21 +153,7 @@ public final class FilmWriter {
 
             @Override
             public void end() throws IOException {
-                film.end();
-            }
-        };
-    }
-
-    private Kind y4m(Y4mWriter film) {
-        return new Kind() {
-            @Override
-            public void add(Image image, ImageOptions how) throws IOException {
-                film.add(pixels(image, how));
-            }
-
-            @Override
-            public void end() {
-                // There is no mark for the end.
+                ending.end();
             }
         };
     }
