@@ -116,7 +116,7 @@ final class LessonCommand implements Callable<Integer> {
         if (part instanceof Paragraph paragraph) {
             say("", in(paragraph.text()));
         } else if (part instanceof Formula formula) {
-            say("    ", formula.text());
+            say("    ", in(formula.text()));
         } else if (part instanceof Look look) {
             say("→ " + look.column() + "," + look.row() + "  ", in(look.text()));
         } else if (part instanceof Question question) {

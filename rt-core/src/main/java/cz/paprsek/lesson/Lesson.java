@@ -40,8 +40,8 @@ public record Lesson(String name, Optional<Path> file, Said title, Scene scene, 
         }
     }
 
-    /** A formula, the same in every language. */
-    public record Formula(String text) implements Part {
+    /** A formula: in each language its own, or the same in all. */
+    public record Formula(Said text) implements Part {
         public Formula {
             Objects.requireNonNull(text, "text");
         }

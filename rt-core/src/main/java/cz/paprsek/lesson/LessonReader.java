@@ -89,7 +89,7 @@ final class LessonReader {
     private Part part(Tag tag, Scene scene) throws LessonException {
         return switch (tag.name()) {
             case "p" -> new Paragraph(said(tag));
-            case "formula" -> new Formula(tag.words());
+            case "formula" -> new Formula(tag.children().isEmpty() ? Said.inAll(tag.words()) : said(tag));
             case "look" -> look(tag, scene.settings());
             case "question" -> question(tag, scene);
             default -> task(tag);

@@ -10,6 +10,11 @@ public record Said(String english, String czech) {
         Objects.requireNonNull(czech, "czech");
     }
 
+    /** What is the same in all languages. */
+    static Said inAll(String text) {
+        return new Said(text, text);
+    }
+
     /** The text in a language; in English if it is not Czech. */
     public String in(Locale locale) {
         return locale.getLanguage().equals("cs") ? czech : english;

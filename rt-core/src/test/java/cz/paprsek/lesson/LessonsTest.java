@@ -96,7 +96,13 @@ class LessonsTest {
             // A Czech sentence has a comma where an English one has a point within a number.
             assertThat(said.czech()).doesNotContainPattern("\\d\\.\\d");
         });
-        assertThat(lesson.parts()).hasAtLeastOneElementOfType(Formula.class);
+        List<Said> formulas = lesson.parts().stream().filter(Formula.class::isInstance).map(part -> ((Formula) part).text()).toList();
+        assertThat(formulas).isNotEmpty().allSatisfy(said -> {
+            // The names of functions, and of what the scene file calls so, are the same everywhere.
+            String own = said.english().replaceAll("\\b(sin|tan|max|fovy)\\b", "");
+            assertThat(said.english().equals(said.czech()) && own.matches(".*\\p{L}{3}.*")).as(said.english()).isFalse();
+            assertThat(said.czech()).doesNotContainPattern("\\d\\.\\d");
+        });
     }
 
     private static Stream<Said> said(Part part) {

@@ -110,7 +110,7 @@ public final class LessonPane extends BorderPane {
             return Verdicts.text(paragraph.text().in(texts.locale()), "lesson-text");
         }
         if (part instanceof Formula formula) {
-            Label label = Verdicts.text(formula.text(), "lesson-formula");
+            Label label = Verdicts.text(formula.text().in(texts.locale()), "lesson-formula");
             label.setMaxWidth(Double.MAX_VALUE);
             return label;
         }
