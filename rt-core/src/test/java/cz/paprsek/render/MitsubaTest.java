@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * renders, and its variance.
  */
 class MitsubaTest {
+    private static final List<String> SHIPPED = List.of("cornell", "plates");
     private static final int BLOCKS = 8;
     private static final int SIDE = 8;
     private static final int PATHS = Integer.getInteger("paths.samples", 12);
@@ -26,14 +27,14 @@ class MitsubaTest {
 
     /** A few paths are as bright as their number tells; with -Dpaths.samples=512 or more they tell 0.3 %. */
     @ParameterizedTest
-    @ValueSource(strings = {"cornell", "table", "glow"})
+    @ValueSource(strings = {"cornell", "table", "glow", "plates"})
     void picturesOfPathsAreThoseOfMitsuba(String name) throws Exception {
         compare(name, PATHS, PATHS < ENOUGH ? 1 : 0.003);
     }
 
     private static void compare(String name, int paths, double most) throws Exception {
         Path folder = Path.of("src/test/resources/mitsuba");
-        Scene scene = SceneFiles.read(name.equals("cornell") ? Path.of("../scenes/cornell.xml") : folder.resolve(name + ".xml"));
+        Scene scene = SceneFiles.read(SHIPPED.contains(name) ? Path.of("../scenes", name + ".xml") : folder.resolve(name + ".xml"));
         Image image = Renderer.render(scene.withSettings(scene.settings().withSize(BLOCKS * SIDE, BLOCKS * SIDE).withSamples(paths)));
         List<double[]> recorded = Files.readAllLines(folder.resolve(name + ".txt")).stream().filter(line -> !line.startsWith("#"))
                 .map(line -> Stream.of(line.split(" ")).mapToDouble(Double::parseDouble).toArray()).toList();

@@ -17,18 +17,22 @@ import cz.paprsek.render.surface.World;
 import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SphereLight;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFiles;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -72,6 +76,32 @@ class WelchTest {
     @CsvSource("0.02")
     void anEstimateThatIsOffIsFound(double by) {
         assertThat(kolmogorov(pValues(Estimator.POINTS.means(0, 0), Estimator.BOTH.means(0, GROUPS), 1 + by))).isLessThan(1e-6);
+    }
+
+    /** Lamps from large to small, seen in plates from smooth to rough: some are found by their points almost alone, others by directions almost alone. */
+    @Test
+    void platesAreAsBrightWhicheverWayTheLampsAreFound() throws Exception {
+        Scene seen = SceneFiles.read(Path.of("../scenes/plates.xml"));
+        // Past the lamps, which not all ways show.
+        Scene plates = seen.withCamera(Camera.lookingAt(new Vec3(0, 2.2, 12), new Vec3(0, 1.1, 1)).withFovy(16));
+        Scene dark = plates.withLights(List.of());
+        for (Light light : plates.lights()) {
+            SphereLight lamp = (SphereLight) light;
+            double radiance = lamp.intensity() * lamp.referenceDistance() * lamp.referenceDistance() / (lamp.radius() * lamp.radius());
+            dark = dark.plus(Estimator.byChance(SceneObject.of(new Sphere(lamp.radius())).at(lamp.position().x(), lamp.position().y(), lamp.position().z())
+                    .madeOf(Material.DEFAULT.withDiffusion(0).withHighlight(0, 1).withEmission(lamp.color(), radiance))));
+        }
+        double[] points = sums(means(plates.withLights(plates.lights().stream().<Light>map(light -> ((SphereLight) light).withVisible(false)).toList()), 3, 0));
+        double[] both = sums(means(plates, 3, GROUPS));
+        double[] directions = sums(means(dark, 3, 0));
+        assertThat(welch(points, both)).isGreaterThan(0.001);
+        assertThat(welch(directions, both)).isGreaterThan(0.001);
+        assertThat(variance(both)).as("found both ways").isLessThan(variance(directions)).isLessThan(variance(points));
+    }
+
+    /** Of all pixels, by independent sequences. */
+    private static double[] sums(double[][] means) {
+        return IntStream.range(0, GROUPS).mapToDouble(group -> Arrays.stream(means).mapToDouble(pixel -> pixel[group]).sum()).toArray();
     }
 
     /** Of all pixels that see anything. */
@@ -144,23 +174,26 @@ class WelchTest {
          * @param first number of the first
          */
         double[][] means(double roughness, int first) {
-            RenderSettings settings = new RenderSettings(SIDE, SIDE, 2, 1).withIntegrator(Integrator.PATH).withSamples(PATHS);
-            Scene scene = scene(roughness);
-            Paths paths = new Paths(new World(scene, new Textures(SKY_PICTURE), () -> false), this == SKY_BY_CHANCE ? 3 : 2, new Passes(settings, false));
-            paths.begin(() -> false);
-            Eye eye = Eye.of(scene.camera(), SIDE, SIDE);
-            double[][] means = new double[SIDE * SIDE][GROUPS];
-            for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
-                for (int i = 0; i < PATHS; i++) {
-                    int group = Sampler.scramble(i) - first;
-                    if (group >= 0 && group < GROUPS) {
-                        paths.traceAlone(eye, pixel % SIDE, pixel / SIDE, i);
-                        means[pixel][group] += paths.alone().red * Sampler.SCRAMBLES / PATHS;
-                    }
+            return WelchTest.means(scene(roughness), this == SKY_BY_CHANCE ? 3 : 2, first);
+        }
+    }
+
+    private static double[][] means(Scene scene, int depth, int first) {
+        RenderSettings settings = new RenderSettings(SIDE, SIDE, 2, 1).withIntegrator(Integrator.PATH).withSamples(PATHS);
+        Paths paths = new Paths(new World(scene, new Textures(Estimator.SKY_PICTURE), () -> false), depth, new Passes(settings, false));
+        paths.begin(() -> false);
+        Eye eye = Eye.of(scene.camera(), SIDE, SIDE);
+        double[][] means = new double[SIDE * SIDE][GROUPS];
+        for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
+            for (int i = 0; i < PATHS; i++) {
+                int group = Sampler.scramble(i) - first;
+                if (group >= 0 && group < GROUPS) {
+                    paths.traceAlone(eye, pixel % SIDE, pixel / SIDE, i);
+                    means[pixel][group] += paths.alone().red * Sampler.SCRAMBLES / PATHS;
                 }
             }
-            return means;
         }
+        return means;
     }
 
     /** The p-value of Welch's test: that two means as far apart, or farther, are of the same mean. */
