@@ -1,11 +1,13 @@
 package cz.paprsek.image;
 
 import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * Planes of numbers of one size, each with a name: {@code R}, {@code G}, {@code B} and {@code A} for the picture and its opacity, and for what
@@ -122,7 +124,25 @@ public final class Layers {
         return image;
     }
 
-    private float[] plane(String name) {
+    /** Which lights there are layers of, by the words that layers have for them: {@code lamp} of {@code light.lamp.R}; last {@code rest}, for all that comes from none. */
+    public List<String> lights() {
+        return LightMix.lights(this);
+    }
+
+    /**
+     * A picture whose lights are made brighter, darker or of another colour afterwards: what each of them brings is taken as often as is wished.
+     *
+     * @param picture of which these are the layers
+     * @param shares by the words of {@link #lights}, for red, green and blue, in linear light: 0 for nothing, 1 for what there is; lights that are not named stay as they are.
+     *     If all are 1, the picture is the same to the last bit
+     * @throws IllegalArgumentException if there is no such light, a share is negative or above the largest float, or the sizes differ
+     */
+    public Image mixed(Image picture, Map<String, Vec3> shares) {
+        return LightMix.of(Objects.requireNonNull(picture, "picture"), this, Objects.requireNonNull(shares, "shares"));
+    }
+
+    /** Its own values, which nobody may change. */
+    float[] plane(String name) {
         float[] values = planes.get(name);
         if (values == null) {
             throw new IllegalArgumentException("there is no plane named " + name + " among " + String.join(", ", planes.keySet()));

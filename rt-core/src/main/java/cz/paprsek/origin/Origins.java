@@ -77,6 +77,7 @@ public final class Origins {
                     .append(render.region().width()).append(',').append(render.region().height());
         }
         text.append(render.transparent() ? " --transparent" : "");
+        text.append(render.denoised() ? " --denoise" : "");
         if (!render.layers().isEmpty()) {
             text.append(" --aov ").append(render.layers().stream().map(Layer::toString).collect(Collectors.joining(",")));
         }

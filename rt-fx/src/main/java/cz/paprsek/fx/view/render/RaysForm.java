@@ -90,6 +90,12 @@ final class RaysForm {
                 integrator.valueProperty(), mostSamples.textProperty());
     }
 
+    /** Whether pictures are made in whole passes of paths, of which noise can be taken out. */
+    BooleanBinding areWholePasses() {
+        return Bindings.createBooleanBinding(() -> integrator.getValue().value() == Integrator.PATH && samples.validProperty().get() && mostSamples.validProperty().get()
+                && Math.max(samples.get(), mostSamples.get()) % RenderSettings.USUAL_PATHS == 0, integrator.valueProperty(), samples.textProperty(), mostSamples.textProperty());
+    }
+
     /** Whether all fields hold numbers within their ranges. */
     BooleanBinding valid() {
         return valid;

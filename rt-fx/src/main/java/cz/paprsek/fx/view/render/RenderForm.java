@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -48,6 +49,8 @@ final class RenderForm extends FlowPane {
     private final StopsField exposure;
     private final ChoiceBox<Named<Tone>> tone = new ChoiceBox<>();
     private final CheckBox transparent;
+    private final CheckBox denoise;
+    private final CheckBox mix;
     private final ModeBox mode;
     private final CameraBox camera;
     private final HBox cameraGroup;
@@ -68,15 +71,18 @@ final class RenderForm extends FlowPane {
         for (Tone curve : Tone.values()) {
             tone.getItems().add(new Named<>(curve, texts.of("kind." + curve)));
         }
-        transparent = new CheckBox(texts.of("render.transparent"));
-        transparent.setId("render-transparent");
-        transparent.setTooltip(new Tooltip(texts.of("render.transparent.hint")));
+        transparent = check("render-transparent", texts.of("render.transparent"), texts.of("render.transparent.hint"));
+        denoise = check("render-denoise", texts.of("render.denoise"), texts.of("render.denoise.hint"));
+        mix = check("render-mix", texts.of("render.mix"), texts.of("render.mix.hint"));
         mode = new ModeBox(texts);
         BooleanBinding isOfLight = Bindings.createBooleanBinding(() -> mode.getValue() == null || mode.mode() == RenderMode.SHADED, mode.valueProperty());
         BooleanBinding isOfErrors = Bindings.createBooleanBinding(() -> mode.getValue() != null && mode.mode() == RenderMode.ERROR, mode.valueProperty());
         // How far a value is off depends on how it is shown.
         Stream.of(exposure, tone).forEach(control -> control.disableProperty().bind(isOfLight.or(isOfErrors).not()));
         transparent.disableProperty().bind(isOfLight.not());
+        mix.disableProperty().bind(isOfLight.not());
+        // Layers keep their noise, and who mixes them anew would bring it back.
+        denoise.disableProperty().bind(isOfLight.not().or(rays.areWholePasses().not()).or(mix.selectedProperty()));
         BooleanBinding isUnknown = isOfErrors.and(rays.areJudged().not());
         Label unknown = new Label(texts.of("render.unjudged"));
         unknown.setId("render-unjudged");
@@ -94,7 +100,7 @@ final class RenderForm extends FlowPane {
         setVgap(6);
         setAlignment(Pos.CENTER_LEFT);
         getChildren().addAll(group(presets, width, new Label("×"), height), group(new Label(texts.of("render.depth")), depth),
-                group(new Label(texts.of("render.threads")), threads), group(new Label(texts.of("render.exposure")), exposure, tone), transparent,
+                group(new Label(texts.of("render.threads")), threads), group(new Label(texts.of("render.exposure")), exposure, tone), transparent, denoise, mix,
                 group(new Label(texts.of("render.mode")), mode, unknown), group(new Label(texts.of("render.lights")), lights), cameraGroup);
         getChildren().addAll(1, rays.groups());
     }
@@ -109,7 +115,7 @@ final class RenderForm extends FlowPane {
         depth.set(settings.maxDepth());
         exposure.set(settings.exposure());
         tone.getItems().stream().filter(one -> one.value() == settings.tone()).forEach(tone.getSelectionModel()::select);
-        transparent.setSelected(false);
+        Stream.of(transparent, denoise, mix).forEach(box -> box.setSelected(false));
         mode.reset();
         lights.offer(scene);
         follow(state);
@@ -132,7 +138,20 @@ final class RenderForm extends FlowPane {
         RenderSettings wished = rays.applyTo(settings.withSize(width.get(), height.get()).withMaxDepth(depth.get())
                 .withExposure(exposure.get()).withTone(tone.getValue().value()));
         RenderOptions options = rays.applyTo(RenderOptions.of(wished).withThreads(threads.get()).withMode(mode.mode()));
-        return transparent.isSelected() && mode.mode() == RenderMode.SHADED ? options.withTransparency() : options;
+        options = isWished(transparent) ? options.withTransparency() : options;
+        options = isWished(mix) ? options.withLayers(List.of(Layer.LIGHT)) : options;
+        return isWished(denoise) ? options.withDenoiser() : options;
+    }
+
+    private static boolean isWished(CheckBox box) {
+        return box.isSelected() && !box.isDisabled();
+    }
+
+    private static CheckBox check(String id, String text, String hint) {
+        CheckBox box = new CheckBox(text);
+        box.setId(id);
+        box.setTooltip(new Tooltip(hint));
+        return box;
     }
 
     /** The scene as the chosen camera sees it, with those of its lights that are to be lit. */

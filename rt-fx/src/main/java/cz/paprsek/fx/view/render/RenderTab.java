@@ -20,6 +20,8 @@ import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.ProgressBar;
 import javafx.scene.control.Tab;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -37,6 +39,8 @@ final class RenderTab extends Tab {
     private final ProgressBar bar = new ProgressBar(0);
     private final Label progress = new Label();
     private final Label pixel = new Label();
+    private final ToggleButton before = new ToggleButton();
+    private final BorderPane content;
     private final Timeline clock = new Timeline(new KeyFrame(BETWEEN_UPDATES, event -> update()));
     private final ReadOnlyObjectWrapper<Optional<PicturePoint>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
 
@@ -62,13 +66,22 @@ final class RenderTab extends Tab {
         HBox.setHgrow(pixel, Priority.ALWAYS);
         pixel.setMaxWidth(Double.MAX_VALUE);
         pixel.setAlignment(Pos.CENTER_RIGHT);
-        HBox status = new HBox(10, cancel, bar, progress, pixel);
+        before.setText(texts.of("render.before"));
+        before.setId("render-before");
+        before.setMinWidth(Region.USE_PREF_SIZE);
+        before.setTooltip(new Tooltip(texts.of("render.before.hint")));
+        before.selectedProperty().addListener((property, old, now) -> showCompared());
+        before.setDisable(true);
+        before.setVisible(task.noisy().isPresent());
+        before.managedProperty().bind(before.visibleProperty());
+        HBox status = new HBox(10, cancel, bar, progress, before, pixel);
         status.setAlignment(Pos.CENTER_LEFT);
         status.getStyleClass().add("render-status");
         VBox bottom = new VBox();
         task.options().mode().scale().ifPresent(scale -> bottom.getChildren().add(new ScaleStrip(scale)));
         bottom.getChildren().add(status);
-        setContent(new BorderPane(view, null, null, bottom, null));
+        content = new BorderPane(view, null, null, bottom, null);
+        setContent(content);
         setOnClosed(event -> task.cancel());
         clock.setCycleCount(Animation.INDEFINITE);
         task.stateProperty().addListener((property, old, now) -> follow(now));
@@ -94,8 +107,15 @@ final class RenderTab extends Tab {
     }
 
     void compareWith(Optional<RenderTab> other) {
-        compared = other;
-        view.compare(other.map(tab -> tab.task.buffer()));
+        if (!other.equals(compared)) {
+            compared = other;
+            before.setSelected(false);
+        }
+        showCompared();
+    }
+
+    private void showCompared() {
+        view.compare(before.isSelected() ? task.noisy() : compared.map(tab -> tab.task.buffer()));
     }
 
     /** How far it is, or how it ended, in words. */
@@ -116,6 +136,8 @@ final class RenderTab extends Tab {
             clock.play();
         } else if (task.isDone()) {
             clock.stop();
+            before.setDisable(state != Worker.State.SUCCEEDED);
+            task.mixer().filter(mixer -> state == Worker.State.SUCCEEDED).ifPresent(mixer -> content.setRight(new MixPane(task.subject().whole(), mixer, texts)));
         }
         update();
     }

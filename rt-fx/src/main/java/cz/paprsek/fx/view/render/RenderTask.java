@@ -5,12 +5,15 @@ import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.ImageOptions.Origin;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
+import cz.paprsek.render.RenderResult.Outcome;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.render.Tile;
+import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.RenderSettings;
 import java.util.Optional;
@@ -27,6 +30,8 @@ final class RenderTask extends Task<RenderResult> {
     private final Assets assets;
     private final RenderOptions options;
     private final PictureBuffer buffer;
+    /** What it was before its noise was taken out; empty unless that is wished. */
+    private final Optional<PictureBuffer> noisy;
     private final AtomicLong rays = new AtomicLong();
     private final long created = System.nanoTime();
     private volatile int done;
@@ -34,6 +39,7 @@ final class RenderTask extends Task<RenderResult> {
     private volatile long ended;
     private volatile @Nullable RenderScene prepared;
     private volatile @Nullable Image image;
+    private volatile @Nullable Mixer mixer;
 
     /** @throws ArithmeticException if the picture is larger than any array */
     RenderTask(Subject subject, Assets assets, RenderOptions options) {
@@ -41,6 +47,7 @@ final class RenderTask extends Task<RenderResult> {
         this.assets = assets;
         this.options = options;
         this.buffer = new PictureBuffer(options.settings().width(), options.settings().height());
+        this.noisy = options.denoised() ? Optional.of(new PictureBuffer(buffer.width(), buffer.height())) : Optional.empty();
     }
 
     @Override
@@ -48,7 +55,14 @@ final class RenderTask extends Task<RenderResult> {
         try {
             RenderScene ready = RenderScene.of(subject.seen(), assets, new Monitor());
             prepared = ready;
-            return Renderer.render(ready, options, new Monitor());
+            RenderResult result = Renderer.render(ready, options, new Monitor());
+            if (options.denoised() && result.outcome() == Outcome.DONE) {
+                buffer.paint(result.image(), new Tile(0, 0, buffer.width(), buffer.height()), 1, how());
+            }
+            if (options.layers().contains(Layer.LIGHT)) {
+                mixer = new Mixer(result, buffer, how());
+            }
+            return result;
         } finally {
             ended = System.nanoTime();
         }
@@ -70,11 +84,24 @@ final class RenderTask extends Task<RenderResult> {
 
     /** How it is saved: as it is shown, and told where it comes from. */
     ImageOptions saved(ImageFormat format) {
-        return how().withOrigin(subject.origin(options, format));
+        Origin origin = subject.origin(options, format);
+        String mix = Optional.ofNullable(mixer).map(Mixer::told).orElse("");
+        return how().withOrigin(mix.isEmpty() || origin.equals(Origin.UNTOLD) ? origin
+                : new Origin(origin.scene(), origin.digest(), origin.program(), origin.settings() + "; lights mixed afterwards: " + mix));
     }
 
     PictureBuffer buffer() {
         return buffer;
+    }
+
+    /** The picture before its noise was taken out, to be compared with it; empty unless that is wished. */
+    Optional<PictureBuffer> noisy() {
+        return noisy;
+    }
+
+    /** What mixes its lights; empty until the picture is finished, and if there are no layers of lights. */
+    Optional<Mixer> mixer() {
+        return Optional.ofNullable(mixer);
     }
 
     /** The scene made ready for rays; empty until it is. */
@@ -82,9 +109,9 @@ final class RenderTask extends Task<RenderResult> {
         return Optional.ofNullable(prepared);
     }
 
-    /** The picture in linear light, as far as it has got; empty until there is a tile of it. */
+    /** The picture in linear light, as far as it has got, and with its lights as they are mixed; empty until there is a tile of it. */
     Optional<Image> image() {
-        return Optional.ofNullable(image);
+        return Optional.ofNullable(mixer).map(Mixer::image).or(() -> Optional.ofNullable(image));
     }
 
     /** Whether nothing more will be painted; after cancelling, that is a moment later. */
@@ -115,6 +142,7 @@ final class RenderTask extends Task<RenderResult> {
             total = tilesTotal;
             countUpTo(tilesDone);
             buffer.paint(underWay, tile, 1, how());
+            noisy.ifPresent(before -> before.paint(underWay, tile, 1, how()));
         }
     }
 

@@ -1,0 +1,135 @@
+package cz.paprsek.fx.view.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.Screenshots;
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFormat;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.PointLight;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Rectangle;
+import cz.paprsek.shape.Sphere;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.concurrent.Worker;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TabPane;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.image.PixelReader;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** What can be done to a picture when it is finished: its noise taken out, its lights mixed anew. */
+class FinishedPicturesTest {
+    private static final PointLight KEY = new PointLight("key", new Vec3(2, 4, 3), Rgb.WHITE, 0.3, 0);
+    private static final PointLight FILL = new PointLight("", new Vec3(-3, 2, 2), new Rgb(120, 160, 255), 0.2, 0);
+    private static final RenderSettings PATHS = new RenderSettings(40, 30, 3, 1).withIntegrator(Integrator.PATH).withSamples(64);
+    private static final Scene SCENE = Scene.EMPTY.withSettings(PATHS).withCamera(Camera.lookingAt(new Vec3(0, 1.5, 5), new Vec3(0, 0.5, 0))).withBackground(new Rgb(30, 50, 80))
+            .withLights(List.of(KEY, FILL))
+            .plus(SceneObject.of(new Rectangle(-4, -4, 4, 4)).rotated(-90, 0, 0).madeOf(Material.color(200, 120, 80)))
+            .plus(SceneObject.of(new Sphere(0.6)).at(-0.5, 0.6, 0).madeOf(Material.color(250, 250, 250)));
+
+    private final EditorModel model = new EditorModel(SCENE);
+    private final RenderPane pane = Gui.on(() -> new RenderPane(model, Texts.in(Locale.ENGLISH), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty()));
+    private final Gui gui = Gui.show(() -> pane, 1000, 640);
+
+    @AfterEach
+    void close() {
+        gui.act(pane::cancelAll);
+        gui.close();
+    }
+
+    @Test
+    void aDenoisedPictureIsThatOfTheCommandLineAndIsComparedWithWhatItWas() {
+        gui.act(pane::renderAsTheSceneAsks);
+        untilDone();
+        assertThat(shown().getContent().lookup("#render-before").isVisible()).as("no noise was taken out").isFalse();
+        gui.click("#render-denoise");
+        gui.click("#render-start");
+        untilDone();
+        assertThat(shown().task().options()).isEqualTo(RenderOptions.of(PATHS).withDenoiser());
+        Image clean = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(PATHS).withDenoiser(), RenderMonitor.NONE).image();
+        Image noisy = Renderer.render(SCENE);
+        assertThat(shown().task().image().orElseThrow().toLinear()).isEqualTo(clean.toLinear()).isNotEqualTo(noisy.toLinear());
+        assertShows(shown().task().buffer().image().getPixelReader(), clean);
+        assertShows(shown().task().noisy().orElseThrow().image().getPixelReader(), noisy);
+        gui.act(() -> ((ToggleButton) shown().getContent().lookup("#render-before")).setSelected(true));
+        assertThat(shown().view().lookup(".wipe").isVisible()).isTrue();
+        assertThat(shown().task().saved(ImageFormat.PNG).origin().settings()).contains(" --denoise");
+        assertThat(Screenshots.save(gui, "render-denoised")).isNotEmptyFile();
+    }
+
+    @Test
+    void noiseIsTakenOutOfWholePassesOfPathsOnly() {
+        assertThat(gui.node("#render-denoise").isDisabled()).isFalse();
+        gui.act(() -> ((TextField) gui.node("#render-samples")).setText("100"));
+        assertThat(gui.node("#render-denoise").isDisabled()).isTrue();
+        gui.act(() -> ((TextField) gui.node("#render-samples")).setText("128"));
+        assertThat(gui.node("#render-denoise").isDisabled()).isFalse();
+        gui.click("#render-mix");
+        assertThat(gui.node("#render-denoise").isDisabled()).as("layers keep their noise").isTrue();
+    }
+
+    @Test
+    void lightsAreMixedWithoutRenderingAgain() {
+        gui.click("#render-mix");
+        gui.click("#render-start");
+        untilDone();
+        Image rendered = Renderer.render(SCENE);
+        assertThat(shown().task().image().orElseThrow().toLinear()).isEqualTo(rendered.toLinear());
+        gui.act(() -> ((Slider) gui.node("#mix-stops-0")).setValue(1));
+        gui.click("#mix-shines-1");
+        Scene wished = SCENE.withLights(List.of(KEY.withIntensity(0.6), FILL.withIntensity(0)));
+        Image expected = Renderer.render(wished);
+        gui.until("the lights are mixed", () -> isNear(expected));
+        assertThat(shown().task().saved(ImageFormat.PNG).origin().settings()).endsWith(" --aov light; lights mixed afterwards: key × 2 2 2, 2 × 0 0 0");
+        gui.until("it is shown", () -> Math.abs((shown().task().buffer().image().getPixelReader().getArgb(20, 25) >> 8 & 255) - (expected.argb(20, 25) >> 8 & 255)) <= 1);
+        assertThat(Screenshots.save(gui, "render-mixed")).isNotEmptyFile();
+        gui.click("#render-mix-reset");
+        gui.until("all is as it was rendered", () -> Arrays.equals(shown().task().image().orElseThrow().toLinear(), rendered.toLinear()));
+        assertThat(shown().task().saved(ImageFormat.PNG).origin().settings()).endsWith(" --aov light");
+    }
+
+    private boolean isNear(Image expected) {
+        float[] now = shown().task().image().orElseThrow().toLinear();
+        float[] then = expected.toLinear();
+        double most = 0;
+        for (int i = 0; i < now.length; i++) {
+            most = Math.max(most, Math.abs(now[i] - then[i]));
+        }
+        return most < 1e-5;
+    }
+
+    private static void assertShows(PixelReader shown, Image image) {
+        for (int i = 0; i < image.width() * image.height(); i++) {
+            assertThat(shown.getArgb(i % image.width(), i / image.width())).isEqualTo(image.argb(i % image.width(), i / image.width()));
+        }
+    }
+
+    private RenderTab shown() {
+        return (RenderTab) ((TabPane) gui.node("#renders")).getSelectionModel().getSelectedItem();
+    }
+
+    private void untilDone() {
+        gui.until("the picture is rendered", () -> shown().task().getState() == Worker.State.SUCCEEDED);
+    }
+}
