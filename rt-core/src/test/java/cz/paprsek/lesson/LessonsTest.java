@@ -85,6 +85,19 @@ class LessonsTest {
         assertThat(LessonCheck.problems(lesson, RenderMonitor.NONE)).isEmpty();
     }
 
+    @Test
+    void theTourGoesFromStepToStep() {
+        Lesson tour = Lessons.tour();
+        assertThat(tour.tasks()).hasSize(10);
+        assertThat(LessonCheck.problems(tour, RenderMonitor.NONE)).isEmpty();
+        for (int i = 1; i < tour.tasks().size(); i++) {
+            Scene before = tour.tasks().get(i - 1).solution();
+            for (int k = 0; k < tour.tasks().size(); k++) {
+                assertThat(tour.tasks().get(k).isDone(before, tour.assets(), RenderMonitor.NONE)).as("step %d after step %d", k + 1, i).isEqualTo(k < i);
+            }
+        }
+    }
+
     @ParameterizedTest
     @FieldSource("NAMES")
     void allIsSaidInBothLanguages(String name) {

@@ -10,6 +10,7 @@ import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.fx.view.lesson.LessonDesk;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.manual.ManualWindow;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
@@ -51,6 +52,7 @@ final class Editor implements Notices {
     private final MistakesWindow mistakes;
     private final PresenterWindow presenter;
     private final LessonDesk lessons;
+    private final ManualWindow manual;
     private final ObjectProperty<Theme> theme;
     private final ObjectProperty<Texts> texts;
     private final BooleanProperty snapping = new SimpleBooleanProperty(true);
@@ -78,6 +80,7 @@ final class Editor implements Notices {
         this.mistakes = new MistakesWindow(this);
         this.presenter = new PresenterWindow(this);
         this.lessons = new LessonDesk(model, files::newFromLesson);
+        this.manual = new ManualWindow(texts::get, theme::get, open -> WindowPlace.keep(open, settings, "window.manual", () -> Sizes.opened(open, 1120, 760, Optional.empty())));
         stage.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1280, 800));
         stage.setMinWidth(LEAST_WIDTH);
         stage.setMinHeight(LEAST_HEIGHT);
@@ -183,6 +186,17 @@ final class Editor implements Notices {
         return lessons;
     }
 
+    ManualWindow manual() {
+        return manual;
+    }
+
+    /** Shows where to begin. */
+    void welcome() {
+        if (window != null) {
+            window.welcome();
+        }
+    }
+
     /** Changes the language of the window, now and for later. */
     void setLanguage(Locale language) {
         settings.set("language", language.toLanguageTag());
@@ -213,6 +227,7 @@ final class Editor implements Notices {
         library.close();
         mistakes.close();
         presenter.close();
+        manual.close();
         if (window != null) {
             window.close();
         }
@@ -277,6 +292,7 @@ final class Editor implements Notices {
         mistakes.fill();
         presenter.translate();
         renders.translate();
+        manual.translate();
         showTitle();
     }
 

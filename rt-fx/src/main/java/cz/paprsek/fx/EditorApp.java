@@ -23,5 +23,8 @@ public final class EditorApp extends Application {
         editor.start(StartFile.find(arguments, Path.of("").toAbsolutePath(), StartFile.programFolder()), Templates.read("showcase"));
         WindowPlace.keep(stage, editor.settings(), "window", () -> Sizes.mostOfTheScreen(stage, WIDTH, HEIGHT));
         stage.show();
+        if (arguments.isEmpty() && Welcome.isWanted(editor.settings())) {
+            editor.welcome();
+        }
     }
 }

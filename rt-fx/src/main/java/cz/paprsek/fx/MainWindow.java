@@ -23,6 +23,7 @@ import cz.paprsek.fx.view.shell.StatusBar;
 import cz.paprsek.fx.view.texts.Measures;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.fx.view.tree.ObjectTree;
+import cz.paprsek.fx.view.welcome.WelcomePane;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.warning.SceneWarning;
 import java.io.File;
@@ -48,6 +49,7 @@ import org.jspecify.annotations.Nullable;
 final class MainWindow {
     private final BorderPane root = new BorderPane();
     private final StackPane whole;
+    private final WelcomePane welcome;
     private final MenuBar menuBar;
     private final Editor editor;
     private final Views views;
@@ -86,7 +88,8 @@ final class MainWindow {
         HelpPane help = new HelpPane(texts, () -> MenuItems.of(menuBar().getMenus()));
         Menus menus = new Menus(editor, views, palette, commands, finder::open, help::open);
         menuBar = menus.menuBar();
-        whole = new StackPane(root, finder, help);
+        welcome = new WelcomePane(texts);
+        whole = new StackPane(root, welcome, finder, help);
         commands.setOnRename(tree::rename);
         VBox.setVgrow(tree, Priority.ALWAYS);
         VBox left = new VBox(palette, tree);
@@ -150,6 +153,10 @@ final class MainWindow {
         return status;
     }
 
+    void welcome() {
+        Welcome.open(welcome, editor);
+    }
+
     boolean isPictureComplete() {
         return views.isPictureComplete();
     }
@@ -198,6 +205,7 @@ final class MainWindow {
     }
 
     void close() {
+        welcome.close();
         lesson.ifPresent(LessonPane::close);
         watch.close();
         views.close();

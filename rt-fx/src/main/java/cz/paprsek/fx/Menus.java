@@ -32,6 +32,7 @@ import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCombination;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
@@ -180,7 +181,10 @@ final class Menus {
     }
 
     private Menu helpMenu() {
-        return menu("menu.help", command("help-menu.keys", () -> help.accept(HelpPane.Page.KEYS)).keys("F1").icon(MaterialDesignK.KEYBOARD_OUTLINE).menuItem(),
+        return menu("menu.help", command("help-menu.welcome", editor::welcome).menuItem(),
+                command("help-menu.tour", () -> editor.lessons().open(Lessons.tour())).menuItem(),
+                command("help-menu.manual", editor.manual()::show).keys("Shift+F1").icon(MaterialDesignB.BOOK_OPEN_OUTLINE).menuItem(), new SeparatorMenuItem(),
+                command("help-menu.keys", () -> help.accept(HelpPane.Page.KEYS)).keys("F1").icon(MaterialDesignK.KEYBOARD_OUTLINE).menuItem(),
                 command("help-menu.glossary", () -> help.accept(HelpPane.Page.GLOSSARY)).icon(MaterialDesignA.ALPHABETICAL_VARIANT).menuItem());
     }
 

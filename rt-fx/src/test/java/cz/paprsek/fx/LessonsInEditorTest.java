@@ -3,6 +3,7 @@ package cz.paprsek.fx;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.view.manual.ManualPane;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.lesson.Lesson;
 import cz.paprsek.lesson.Lessons;
@@ -19,7 +20,9 @@ import java.util.stream.IntStream;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Labeled;
+import javafx.scene.control.ListView;
 import javafx.scene.control.TextField;
+import javafx.scene.image.ImageView;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -28,7 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
 
-/** Lessons in the whole window. */
+/** Lessons in the whole window, and what else a newcomer meets: where to begin, the tour, the manual. */
 class LessonsInEditorTest {
     @TempDir
     Path folder;
@@ -196,5 +199,87 @@ class LessonsInEditorTest {
         editor.menu("teach-lessons");
         editor.menu("teach-lessons");
         assertThat(text("#lesson-title")).isEqualTo("Mine");
+    }
+
+    private Node node(String id) {
+        return editor.gui.stage().getScene().lookup(id);
+    }
+
+    private boolean isWelcome() {
+        return Gui.on(() -> node("#welcome").isVisible());
+    }
+
+    @Test
+    void shippedScenesArePicturesThatAreOpenedByKeys() {
+        editor.menu("help-menu-welcome");
+        assertThat(isWelcome()).isTrue();
+        editor.gui.until("the first picture is there", () -> node("#welcome-shipped").lookup(".welcome-picture").lookup(".image-view") instanceof ImageView view && view.getImage() != null);
+        editor.gui.keys(KeyCode.ESCAPE);
+        assertThat(isWelcome()).isFalse();
+        editor.menu("help-menu-welcome");
+        // The tour, three new ones, open, library, manual, at the start; then the tiles.
+        for (int i = 0; i < 8; i++) {
+            editor.gui.keys(KeyCode.TAB);
+        }
+        assertThat(Gui.on(() -> editor.gui.stage().getScene().getFocusOwner() instanceof Button button ? button.getText() : "")).isEqualTo(Templates.EXAMPLES.get(0));
+        editor.gui.keys(KeyCode.SPACE);
+        editor.gui.until("the scene is open", () -> editor.model().scene().equals(Templates.read(Templates.EXAMPLES.get(0))));
+        assertThat(isWelcome()).isFalse();
+    }
+
+    @Test
+    void whetherItComesAtTheStartIsRemembered() {
+        assertThat(Welcome.isWanted(editor.editor.settings())).isTrue();
+        editor.menu("help-menu-welcome");
+        editor.gui.click("#welcome-at-start");
+        assertThat(Welcome.isWanted(editor.editor.settings())).isFalse();
+        editor.gui.click("#welcome-new-studio");
+        assertThat(isWelcome()).isFalse();
+        assertThat(editor.model().scene()).isEqualTo(Templates.read("studio"));
+    }
+
+    @Test
+    void theTourIsDoneStepByStepAndCountsWhatIsDone() {
+        editor.menu("help-menu-tour");
+        Lesson tour = Lessons.tour();
+        assertThat(text("#lesson-title")).isEqualTo("A bowl with handles in five minutes");
+        int done = 0;
+        for (Task task : tour.tasks()) {
+            editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.CHANGE), scene -> task.solution()));
+            done++;
+            String counted = done + " of 10 done";
+            editor.gui.until(counted, () -> text("#lesson-progress").equals(counted));
+        }
+        editor.menu("edit-menu-undo");
+        assertThat(text("#lesson-progress")).isEqualTo("10 of 10 done");
+    }
+
+    @Test
+    void theManualIsSearchedAndFollowedAndSpeaksBothLanguages() {
+        editor.menu("help-menu-manual");
+        ManualPane pane = pane();
+        assertThat(Gui.on(pane::path)).isEqualTo("README.md");
+        editor.gui.act(() -> ((TextField) pane.lookup("#manual-search")).setText("rubber band"));
+        assertThat(Gui.on(pane::path)).isEqualTo("docs/editor.md");
+        assertThat(Gui.on(() -> ((ListView<?>) pane.lookup("#manual-pages")).getItems().size())).isBetween(1, 4);
+        assertThat(Gui.on(() -> pane.lookup(".manual-found"))).isNotNull();
+        editor.gui.act(() -> pane.show("docs/lessons.md"));
+        assertThat(Gui.on(pane::path)).isEqualTo("docs/lessons.md");
+        editor.gui.act(() -> ((Button) pane.lookup("#manual-back")).fire());
+        assertThat(Gui.on(pane::path)).isEqualTo("docs/editor.md");
+        editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+        assertThat(Gui.on(() -> pane().path())).isEqualTo("docs/cs/start.md");
+    }
+
+    private ManualPane pane() {
+        return Gui.on(() -> (ManualPane) editor.editor.manual().stage().map(stage -> stage.getScene().getRoot()).orElseThrow());
+    }
+
+    @Test
+    void theTourSpeaksCzech() {
+        editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+        editor.menu("help-menu-tour");
+        assertThat(text("#lesson-title")).isEqualTo("Mísa s uchy za pět minut");
+        assertThat(Gui.on(() -> Optional.ofNullable(node("#lesson-next")).map(Node::isDisabled))).contains(true);
     }
 }

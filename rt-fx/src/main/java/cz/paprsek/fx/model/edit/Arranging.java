@@ -9,6 +9,7 @@ import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.scene.ScenePath.LightAt;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Csg.Operation;
 import cz.paprsek.shape.Plane;
@@ -16,6 +17,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -146,6 +148,23 @@ public final class Arranging {
         }
         boolean isOut = others.stream().allMatch(at -> at.in(state.scene()).hidden());
         return state.withScene(state.scene().with(others, (at, body) -> body.hidden(!isOut)));
+    }
+
+    /** Hides all lights but some in the editor; shows all again if no other is to be seen. The scene stays as it is. */
+    public static EditorState lightsAlone(EditorState state, Collection<? extends ScenePath> items) {
+        List<LightAt> chosen = Places.lights(items);
+        Set<ScenePath> others = IntStream.range(0, state.scene().lights().size()).mapToObj(ScenePath::light).filter(at -> !chosen.contains(at)).collect(Collectors.toSet());
+        if (chosen.isEmpty() || others.isEmpty()) {
+            return state;
+        }
+        Set<ScenePath> hidden = new LinkedHashSet<>(state.hidden());
+        hidden.removeAll(chosen);
+        if (hidden.containsAll(others) && hidden.size() == state.hidden().size()) {
+            hidden.removeAll(others);
+        } else {
+            hidden.addAll(others);
+        }
+        return state.withHidden(hidden);
     }
 
     private static Stream<BodyAt> children(Scene scene, BodyAt parent) {

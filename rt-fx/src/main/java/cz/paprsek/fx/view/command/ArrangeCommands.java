@@ -52,6 +52,12 @@ final class ArrangeCommands {
         return Stream.of(command("arrange.base", one, Edit.REORDER, Arranging::base), command("arrange.solo", operands, Edit.CHANGE, Arranging::solo)).map(Command::menuItem).toList();
     }
 
+    /** What is done with lights. */
+    List<MenuItem> lightItems() {
+        Predicate<Set<ScenePath>> some = items -> !Places.lights(items).isEmpty() && Places.lights(items).size() < edits.model().scene().lights().size();
+        return List.of(command("arrange.lights-alone", some, Edit.HIDE, Arranging::lightsAlone).keys("Shortcut+Alt+L").menuItem());
+    }
+
     private Command aligned(String key, Predicate<Set<ScenePath>> possible, Axis axis, Side side) {
         return command(key, possible, Edit.MOVE, (state, items) -> Arranging.aligned(state, items, axis, side));
     }

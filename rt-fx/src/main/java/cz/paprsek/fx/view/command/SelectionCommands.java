@@ -127,6 +127,7 @@ public final class SelectionCommands {
         items.add(new ArrangeCommands(edits).menu());
         items.addAll(new ArrangeCommands(edits).operandItems());
         items.add(new SeparatorMenuItem());
+        items.addAll(new ArrangeCommands(edits).lightItems());
         items.addAll(items(soften, look, makeFirst, addCamera));
         items.add(new SeparatorMenuItem());
         items.addAll(items(leaveOut, hide, showAll, lock, unlockAll));

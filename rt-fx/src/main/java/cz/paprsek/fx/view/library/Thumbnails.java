@@ -33,10 +33,10 @@ import javafx.scene.image.WritableImage;
  * Small pictures of scenes, rendered one after the other in the background. Kept by the scene's content: a
  * scene that is renamed or tagged keeps its picture. For JavaFX's thread.
  */
-final class Thumbnails implements AutoCloseable {
+public final class Thumbnails implements AutoCloseable {
     /** Pixels. */
-    static final int WIDTH = 192;
-    static final int HEIGHT = 108;
+    public static final int WIDTH = 192;
+    public static final int HEIGHT = 108;
     /** Levels of rays. Glass within glass takes twice the time for each; fewer only make it a little darker. */
     private static final int DEEPEST = 7;
     /** In a pixel. */
@@ -59,12 +59,12 @@ final class Thumbnails implements AutoCloseable {
     private volatile boolean closed;
 
     /** @param assets where pictures come from that the scenes name */
-    Thumbnails(Supplier<Assets> assets) {
+    public Thumbnails(Supplier<Assets> assets) {
         this.assets = assets;
     }
 
     /** A picture, or a sentence why there is none. */
-    record Picture(Optional<Image> image, String fault) {}
+    public record Picture(Optional<Image> image, String fault) {}
 
     /** A picture that is asked for, and who wants to know when it is there. */
     private record Wish(Scene scene, Assets assets, Runnable receiver) {}
@@ -85,13 +85,18 @@ final class Thumbnails implements AutoCloseable {
     }
 
     /** The picture, if there is one already. */
-    Optional<Picture> get(Scene scene) {
+    public Optional<Picture> get(Scene scene) {
         return Optional.ofNullable(made.get(Content.of(scene)));
     }
 
     /** Makes a picture, and tells when it is there. */
     void request(Scene scene, Runnable receiver) {
-        wishes.add(new Wish(scene, assets.get(), receiver));
+        request(scene, assets.get(), receiver);
+    }
+
+    /** Makes a picture of a scene whose pictures come from elsewhere, and tells when it is there. */
+    public void request(Scene scene, Assets from, Runnable receiver) {
+        wishes.add(new Wish(scene, from, receiver));
         next();
     }
 

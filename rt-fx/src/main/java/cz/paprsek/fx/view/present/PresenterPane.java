@@ -1,10 +1,7 @@
 package cz.paprsek.fx.view.present;
 
 import cz.paprsek.asset.Assets;
-import cz.paprsek.drawing.RayLine;
-import cz.paprsek.drawing.RayLine.Style;
 import cz.paprsek.fx.view.explain.Explained;
-import cz.paprsek.fx.view.explain.RayLegend;
 import cz.paprsek.fx.view.library.Worker;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.picture.PictureBuffer;
@@ -22,12 +19,8 @@ import cz.paprsek.render.live.LivePass;
 import cz.paprsek.render.live.LiveRender;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import java.util.EnumSet;
-import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutorService;
@@ -39,18 +32,10 @@ import javafx.animation.Timeline;
 import javafx.application.Platform;
 import javafx.beans.binding.Bindings;
 import javafx.beans.value.ObservableValue;
-import javafx.geometry.Pos;
-import javafx.scene.control.Button;
-import javafx.scene.control.ButtonBase;
-import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
-import javafx.scene.control.ListView;
-import javafx.scene.control.ToggleButton;
-import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.ColumnConstraints;
-import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -76,17 +61,12 @@ public final class PresenterPane extends BorderPane {
     private final ExecutorService explainer = Worker.named("present-pixel");
     private final CompletableFuture<RenderScene> ready;
     private final StagePicture picture;
-    private final Label title = new Label();
-    private final Label progress = new Label();
     private final Label sum = new Label();
-    private final ListView<Step> steps = new ListView<>();
-    private final ToggleButton playing;
-    private final ToggleButton zoomed;
-    private final ToggleButton blank;
+    private final Exercise steps;
+    private final PresenterTools tools;
+    private final KindBoxes kinds;
     private final Timeline play;
-    private final Set<Style> hidden = EnumSet.noneOf(Style.class);
     private Optional<Telling> telling = Optional.empty();
-    private Optional<RayLine> pointed = Optional.empty();
     private Optional<Step> meant = Optional.empty();
     private String light = "";
     private int column;
@@ -123,31 +103,24 @@ public final class PresenterPane extends BorderPane {
         picture = new StagePicture(buffer);
         picture.setOnPixel(point -> show((int) point.getX(), (int) point.getY()));
         picture.setOnRay(line -> go(told -> told.go(line.ray())));
-        picture.setOnPointed(this::point);
-        playing = toggle("present.play", texts.of("present.space"));
-        zoomed = toggle("present.zoom", "Z");
-        blank = toggle("present.blank", "B");
+        steps = new Exercise(texts, this::mean);
+        picture.setOnPointed(steps::point);
+        tools = new PresenterTools(texts, this::step);
+        kinds = new KindBoxes(texts, theme, this::draw);
         play = new Timeline(new KeyFrame(EACH, event -> step(1)));
         play.setCycleCount(Animation.INDEFINITE);
-        playing.selectedProperty().addListener((property, old, now) -> play(now));
-        zoomed.selectedProperty().addListener((property, old, now) -> picture.zoom(now));
-        blank.selectedProperty().addListener((property, old, now) -> {
-            telling.ifPresent(Telling::forgetAsked);
-            steps.refresh();
+        tools.playing().selectedProperty().addListener((property, old, now) -> play(now));
+        tools.zoomed().selectedProperty().addListener((property, old, now) -> picture.zoom(now));
+        tools.blank().selectedProperty().addListener((property, old, now) -> {
+            steps.setBlank(now);
             showSum();
         });
-        title.setId("present-title");
-        progress.setId("present-progress");
         sum.setId("present-sum");
         sum.setWrapText(true);
         sum.setMinHeight(Region.USE_PREF_SIZE);
-        fillSteps();
-        FlowPane tools = new FlowPane(8, 4, title, button("present.back", "←", () -> step(-1)), progress, button("present.next", "→", () -> step(1)), playing, zoomed, blank);
-        tools.setId("present-tools");
-        tools.setAlignment(Pos.CENTER_LEFT);
         setTop(tools);
         setCenter(stage());
-        setBottom(kinds(theme));
+        setBottom(kinds);
         addEventFilter(KeyEvent.KEY_PRESSED, this::key);
         styleProperty().bind(Bindings.createStringBinding(() -> "-fx-font-size: " + Math.max(SMALLEST_TYPE, Math.rint(getHeight() / LINES)) + "px", heightProperty()));
         ready = CompletableFuture.supplyAsync(() -> RenderScene.of(scene, assets, whileOpen), explainer);
@@ -173,19 +146,6 @@ public final class PresenterPane extends BorderPane {
         return stage;
     }
 
-    private void fillSteps() {
-        steps.setId("present-steps");
-        steps.setPlaceholder(new Label(""));
-        steps.setCellFactory(view -> {
-            StepCell cell = new StepCell(view, line -> blank.isSelected() && telling.filter(told -> told.isAsked(line)).isEmpty(), this::isLinked);
-            cell.setOnMouseEntered(event -> mean(Optional.ofNullable(cell.getItem())));
-            cell.setOnMouseExited(event -> mean(Optional.ofNullable(steps.getSelectionModel().getSelectedItem())));
-            cell.setOnMouseClicked(event -> ask(cell.getIndex()));
-            return cell;
-        });
-        steps.getSelectionModel().selectedItemProperty().addListener((property, old, now) -> mean(Optional.ofNullable(now)));
-    }
-
     /** Ends what is being computed. */
     public void close() {
         closed = true;
@@ -198,8 +158,8 @@ public final class PresenterPane extends BorderPane {
     /** One of the same pixel in another language, after this one has been closed. */
     public PresenterPane translated(Texts other, ObservableValue<Theme> theme) {
         PresenterPane fresh = new PresenterPane(scene, assets, other, theme, buffer);
-        fresh.zoomed.setSelected(zoomed.isSelected());
-        fresh.blank.setSelected(blank.isSelected());
+        fresh.tools.zoomed().setSelected(tools.zoomed().isSelected());
+        fresh.tools.blank().setSelected(tools.blank().isSelected());
         fresh.show(column, row);
         return fresh;
     }
@@ -208,7 +168,7 @@ public final class PresenterPane extends BorderPane {
     public void show(int atColumn, int atRow) {
         column = Math.max(0, Math.min(settings.width() - 1, atColumn));
         row = Math.max(0, Math.min(settings.height() - 1, atRow));
-        title.setText(texts.of("present.pixel", column, row, settings.width(), settings.height()));
+        tools.title().setText(texts.of("present.pixel", column, row, settings.width(), settings.height()));
         int mine = turn.incrementAndGet();
         double x = column + 0.5;
         double y = row + 0.5;
@@ -231,7 +191,7 @@ public final class PresenterPane extends BorderPane {
 
     /** The pixel that is told of, in words: which, of how large a picture. */
     public String title() {
-        return title.getText();
+        return tools.title().getText();
     }
 
     private void say(Throwable failed) {
@@ -252,16 +212,13 @@ public final class PresenterPane extends BorderPane {
     }
 
     private void showSum() {
-        sum.setText(blank.isSelected() ? texts.of("present.hidden") : light);
+        sum.setText(tools.blank().isSelected() ? texts.of("present.hidden") : light);
     }
 
     /** Shows the ray that has come. */
     private void refresh() {
-        pointed = Optional.empty();
-        steps.getItems().setAll(telling.map(told -> told.steps(texts.words())).orElse(List.of()));
-        steps.scrollTo(0);
-        progress.setText(telling.map(told -> texts.of("present.ray", told.now() + 1, told.rays().size(), told.ray().name(), told.ray().percent())).orElse(""));
-        mean(Optional.empty());
+        steps.show(telling);
+        tools.progress().setText(telling.map(told -> texts.of("present.ray", told.now() + 1, told.rays().size(), told.ray().name(), told.ray().percent())).orElse(""));
     }
 
     private void go(Consumer<Telling> where) {
@@ -274,7 +231,7 @@ public final class PresenterPane extends BorderPane {
     private void step(int rays) {
         go(told -> told.go(told.now() + rays));
         if (telling.map(Telling::isLast).orElse(true)) {
-            playing.setSelected(false);
+            tools.playing().setSelected(false);
         }
     }
 
@@ -296,58 +253,15 @@ public final class PresenterPane extends BorderPane {
     }
 
     private void draw() {
-        picture.show(telling.map(told -> told.drawn(hidden)), line -> meant.isPresent() && telling.filter(told -> told.isAbout(line, meant.get().topic())).isPresent(),
+        picture.show(telling.map(told -> told.drawn(kinds.hidden())), line -> meant.isPresent() && telling.filter(told -> told.isAbout(line, meant.get().topic())).isPresent(),
                 meant.isPresent() ? telling.flatMap(Telling::body) : Optional.empty());
-    }
-
-    /** The mouse is at a ray: the lines of the exercise that speak of it light up. */
-    private void point(Optional<RayLine> at) {
-        if (!at.equals(pointed)) {
-            pointed = at;
-            steps.refresh();
-        }
-    }
-
-    private boolean isLinked(Step step) {
-        return pointed.isPresent() && telling.filter(told -> told.isAbout(pointed.get(), step.topic())).isPresent();
-    }
-
-    private void ask(int line) {
-        telling.ifPresent(told -> told.ask(line));
-        steps.refresh();
     }
 
     /** The numbers of the next line; after the last ray's last one, the pixel's. */
     private void askNext() {
-        Optional<Integer> next = telling.flatMap(told -> told.nextToAsk(steps.getItems()));
-        next.ifPresentOrElse(line -> {
-            ask(line);
-            steps.getSelectionModel().select(line);
-            steps.scrollTo(Math.max(0, line - 3));
-        }, () -> sum.setText(light));
-    }
-
-    private FlowPane kinds(ObservableValue<Theme> theme) {
-        FlowPane boxes = new FlowPane(14, 2);
-        boxes.setId("present-kinds");
-        for (Style style : Style.values()) {
-            CheckBox box = new CheckBox(style.title(texts.words()));
-            box.setId("present-kind-" + style.name().toLowerCase(Locale.ROOT).replace('_', '-'));
-            box.setGraphic(RayLegend.line(style, theme));
-            box.setSelected(true);
-            box.setFocusTraversable(false);
-            box.setMinWidth(Region.USE_PREF_SIZE);
-            box.selectedProperty().addListener((property, old, now) -> {
-                if (now) {
-                    hidden.remove(style);
-                } else {
-                    hidden.add(style);
-                }
-                draw();
-            });
-            boxes.getChildren().add(box);
+        if (!steps.askNext()) {
+            sum.setText(light);
         }
-        return boxes;
     }
 
     private void key(KeyEvent event) {
@@ -370,9 +284,9 @@ public final class PresenterPane extends BorderPane {
                 case LEFT, PAGE_UP -> step(-1);
                 case HOME -> go(told -> told.go(0));
                 case END -> go(told -> told.go(told.rays().size()));
-                case SPACE -> playing.fire();
-                case Z -> zoomed.fire();
-                case B -> blank.fire();
+                case SPACE -> tools.playing().fire();
+                case Z -> tools.zoomed().fire();
+                case B -> tools.blank().fire();
                 case ENTER -> askNext();
                 default -> {
                     return;
@@ -380,26 +294,6 @@ public final class PresenterPane extends BorderPane {
             }
         }
         event.consume();
-    }
-
-    private Button button(String key, String keys, Runnable action) {
-        Button button = new Button();
-        button.setOnAction(event -> action.run());
-        return tool(button, key, keys);
-    }
-
-    private ToggleButton toggle(String key, String keys) {
-        return tool(new ToggleButton(), key, keys);
-    }
-
-    /** @param keys what does the same, as it is written on them */
-    private <T extends ButtonBase> T tool(T button, String key, String keys) {
-        button.setText(texts.of(key));
-        button.setId(key.replace('.', '-'));
-        button.setTooltip(new Tooltip(keys));
-        button.setFocusTraversable(false);
-        button.setMinWidth(Region.USE_PREF_SIZE);
-        return button;
     }
 
     /** Paints coarsely first. */

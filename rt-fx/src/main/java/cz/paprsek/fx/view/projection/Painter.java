@@ -200,6 +200,9 @@ final class Painter {
         double y = y(LightMoves.place(light));
         g.setStroke(color);
         g.setLineWidth(1.5);
+        // The rim is of the theme and keeps a pale light apart from what is behind; within is the light's own colour.
+        g.setFill(Color.color(light.color().red() / 255, light.color().green() / 255, light.color().blue() / 255));
+        g.fillOval(x - 4, y - 4, 8, 8);
         g.strokeOval(x - 4, y - 4, 8, 8);
         for (int i = 0; i < 8; i++) {
             double dx = Math.cos(i * Math.PI / 4);
