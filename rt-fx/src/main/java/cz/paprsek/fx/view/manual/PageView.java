@@ -43,6 +43,7 @@ final class PageView extends VBox {
         this.isKnown = isKnown;
         this.onLink = onLink;
         getStyleClass().add("manual-page");
+        setMinWidth(0);
         setMaxWidth(WIDEST);
         page.blocks().forEach(block -> shown.put(block, node(block)));
         getChildren().addAll(shown.values());
