@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.view.command.Command;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.find.HelpPane;
@@ -158,9 +159,19 @@ final class Menus {
         explain.setId("view-menu-explain");
         explain.setAccelerator(KeyCombination.valueOf("Shortcut+E"));
         explain.selectedProperty().bindBidirectional(views.explaining().onProperty());
+        CheckMenuItem free = new CheckMenuItem(texts.of("view-menu.free"));
+        free.setId("view-menu-free");
+        free.setAccelerator(KeyCombination.valueOf("Shortcut+5"));
+        free.selectedProperty().bindBidirectional(views.freeShownProperty());
+        Menu look = menu("free.menu");
+        look.getItems().setAll(views.freeItems());
+        Menu cut = menu("cut.menu", command("cut.x", () -> views.cut(Axis.X)).menuItem(), command("cut.y", () -> views.cut(Axis.Y)).menuItem(),
+                command("cut.z", () -> views.cut(Axis.Z)).keys("Shortcut+Shift+C").menuItem(), new SeparatorMenuItem(),
+                command("cut.more", () -> views.moveCut(-0.05)).keys("Shortcut+Page_Down").menuItem(), command("cut.less", () -> views.moveCut(0.05)).keys("Shortcut+Page_Up").menuItem(),
+                command("cut.whole", views::whole).keys("Shortcut+Shift+W").menuItem());
         return menu("menu.view",
                 maximize("view-menu.top", 0, "Shortcut+1"), maximize("view-menu.camera", 1, "Shortcut+2"),
-                maximize("view-menu.front", 2, "Shortcut+3"), maximize("view-menu.right", 3, "Shortcut+4"), new SeparatorMenuItem(),
+                maximize("view-menu.front", 2, "Shortcut+3"), maximize("view-menu.right", 3, "Shortcut+4"), free, look, cut, new SeparatorMenuItem(),
                 command("view-menu.zoom-in", () -> views.zoom(pane -> pane.zoom(1.25))).keys("Shortcut+Plus").menuItem(),
                 command("view-menu.zoom-out", () -> views.zoom(pane -> pane.zoom(0.8))).keys("Shortcut+Minus").menuItem(), fitAll.menuItem(),
                 command("view-menu.fit-selection", views::fitSelection).keys("Shortcut+Shift+0").menuItem(), new SeparatorMenuItem(), explain,

@@ -2,9 +2,12 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.model.edit.Cameras;
+import cz.paprsek.fx.model.edit.CutPlane;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.view.camera.CameraPane;
+import cz.paprsek.fx.view.camera.FreeCommands;
 import cz.paprsek.fx.view.command.CameraCommands;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.SelectionCommands;
@@ -21,9 +24,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Region;
@@ -40,6 +49,13 @@ final class Views {
     private final PaneGrid grid;
     private final ExplainMode explaining;
     private final CameraCommands cameras;
+    private final CameraPane free;
+    private final TitledView freeView;
+    private final FreeCommands freeCommands;
+    private final ObjectProperty<Optional<CutPlane>> cut = new SimpleObjectProperty<>(Optional.empty());
+    private final BooleanProperty freeShown = new SimpleBooleanProperty();
+    /** How many scenes had been opened when the free view was shown. */
+    private int freeOpenings = -1;
     private final Runnable present;
     private Node last;
     private Optional<ProjectionPane> active = Optional.empty();
@@ -65,9 +81,22 @@ final class Views {
         titled.get(1).addTool(cameras.chooser());
         titled.get(1).addFoldingTool(explainButton(texts));
         camera.acceptMaterials(commands.edits());
+        camera.acceptEdits(commands.edits(), editor.snapping());
         projections.forEach(ProjectionPane::acceptMaterials);
         camera.setContextMenu(commands.contextMenu());
         projections.forEach(pane -> pane.setContextMenu(commands.contextMenu()));
+        free = CameraPane.free(model, editor::fault);
+        free.acceptMaterials(commands.edits());
+        camera.cutBy(cut);
+        free.cutBy(cut);
+        commands.setOnBlink(() -> List.of(camera, free).forEach(pane -> pane.blink(model.selection())));
+        free.acceptEdits(commands.edits(), editor.snapping());
+        free.setContextMenu(commands.contextMenu());
+        freeView = titled("free", texts.of("view.free"), texts, free);
+        freeCommands = new FreeCommands(commands.edits(), free, () -> freeShown.set(true), () -> editor.say(texts.of("view.camera-locked")));
+        freeView.addTool(freeButton(texts));
+        freeShown.addListener((property, old, now) -> showFree(now));
+        free.focusWithinProperty().addListener((property, old, now) -> last = now ? free : last);
         last = camera;
         for (TitledView view : titled) {
             view.content().focusWithinProperty().addListener((property, old, now) -> last = now ? view.content() : last);
@@ -95,6 +124,51 @@ final class Views {
         button.setFocusTraversable(false);
         button.selectedProperty().bindBidirectional(explaining.onProperty());
         return button;
+    }
+
+    private MenuButton freeButton(Texts texts) {
+        MenuButton button = new MenuButton("", new FontIcon(MaterialDesignC.CUBE_SCAN));
+        button.setId("free-looks");
+        button.getStyleClass().add("view-button");
+        button.setFocusTraversable(false);
+        button.setTooltip(new Tooltip(texts.of("free.menu")));
+        button.setAccessibleText(texts.of("free.menu"));
+        List<MenuItem> items = freeCommands.items();
+        items.forEach(item -> item.setId("title-" + item.getId()));
+        button.getItems().setAll(items);
+        return button;
+    }
+
+    /** A free view in the place of the one from the right, below the camera's. */
+    BooleanProperty freeShownProperty() {
+        return freeShown;
+    }
+
+    /** What is done with the free view. */
+    List<MenuItem> freeItems() {
+        return freeCommands.items();
+    }
+
+    /** Cuts solids open across an axis, in the middle. */
+    void cut(Axis axis) {
+        cut.set(Optional.of(new CutPlane(axis, 0.5)));
+    }
+
+    void whole() {
+        cut.set(Optional.empty());
+    }
+
+    /** Moves the plane that solids are cut by, by a share of what there is. */
+    void moveCut(double by) {
+        cut.set(cut.get().map(plane -> new CutPlane(plane.axis(), plane.share() + by)));
+    }
+
+    private void showFree(boolean isShown) {
+        if (isShown && freeOpenings != model.openingsProperty().get()) {
+            freeOpenings = model.openingsProperty().get();
+            free.look(old -> model.state().camera());
+        }
+        grid.replace(isShown ? titled.get(3) : freeView, isShown ? freeView : titled.get(3));
     }
 
     private Button presentButton(Texts texts) {
@@ -148,6 +222,9 @@ final class Views {
     }
 
     void toggle(TitledView view) {
+        if (view == titled.get(3)) {
+            freeShown.set(false);
+        }
         grid.toggle(view);
     }
 
@@ -183,5 +260,6 @@ final class Views {
 
     void close() {
         camera.close();
+        free.close();
     }
 }

@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.fx.view.camera.CameraPane;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
@@ -20,6 +21,7 @@ import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
 import javafx.stage.Window;
+import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -100,6 +102,42 @@ class CamerasInEditorTest {
         assertThat(editor.model().scene().cameras()).extracting(Camera::name).containsExactly("camera 2", "camera");
         editor.menu("view-menu-remove-camera");
         assertThat(editor.model().scene().cameras()).extracting(Camera::name).containsExactly("camera");
+    }
+
+    @Test
+    void theFreeViewIsMovedWithoutTheScenesCameraUntilThatIsWished() {
+        Scene start = editor.model().scene();
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.DIGIT5);
+        CameraPane free = (CameraPane) editor.gui.node("#free-pane");
+        Node picture = editor.gui.node("#free-pane .live-picture");
+        editor.gui.until("the picture is complete", free::isComplete);
+        assertThat(free.camera()).isEqualTo(start.camera());
+        editor.gui.act(() -> editor.model().select());
+        editor.gui.drag(picture, 20, 20, 90, 40);
+        assertThat(free.camera()).isNotEqualTo(start.camera());
+        assertThat(editor.model().scene()).isSameAs(start);
+        editor.menu("free-top");
+        assertThat(free.camera().forward().y()).isCloseTo(-1, Offset.offset(1e-5));
+        assertThat(free.camera().position().y()).isGreaterThan(4);
+        editor.menu("free-from-camera");
+        assertThat(free.camera()).isEqualTo(start.camera());
+        editor.menu("free-right");
+        editor.gui.act(() -> editor.model().select(ScenePath.body(0)));
+        editor.menu("free-selection");
+        editor.gui.act(picture::requestFocus);
+        editor.gui.keys(KeyCode.G);
+        editor.gui.keys(KeyCode.Z);
+        editor.gui.keys(KeyCode.DIGIT1);
+        editor.gui.keys(KeyCode.ENTER);
+        assertThat(editor.model().scene().objects().get(0).placement().position()).as("edited here, too").isEqualTo(start.objects().get(0).placement().position().plus(new Vec3(0, 0, 1)));
+        editor.gui.until("the picture is complete", free::isComplete);
+        assertThat(Screenshots.save(editor.gui, "free-view")).isNotEmptyFile();
+        editor.menu("free-to-camera");
+        assertThat(editor.model().scene().camera().position()).isEqualTo(free.camera().position());
+        editor.gui.act(editor.model()::undo);
+        assertThat(editor.model().scene().camera()).isEqualTo(start.camera());
+        editor.menu("view-menu-right");
+        assertThat(editor.gui.node("#projection-right")).as("the view from the right is back").isNotNull();
     }
 
     @Test

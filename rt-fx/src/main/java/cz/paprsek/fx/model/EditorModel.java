@@ -253,12 +253,13 @@ public final class EditorModel {
     }
 
     /** Shows what has become of a scene so far. */
-    void preview(EditorState start, Scene changed) {
+    void preview(EditorState start, EditorState fresh) {
         Scene before = start.scene();
+        Scene changed = fresh.scene();
         // Another camera or other settings are looked at many times a second, and nothing follows them.
         boolean isSame = changed.objects() == before.objects() || changed.objects().equals(before.objects());
         boolean isOfCopies = !copies().isNone() && !(isSame && changed.lights().equals(before.lights()) && changed.materials().equals(before.materials()));
-        EditorState shown = start.withScene(isOfCopies ? SceneFiles.following(changed) : changed);
+        EditorState shown = isOfCopies ? fresh.withScene(SceneFiles.following(changed)) : fresh;
         show(isSame && !isOfCopies ? shown : withMeshes(shown));
     }
 

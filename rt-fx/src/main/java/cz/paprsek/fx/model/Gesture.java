@@ -32,7 +32,14 @@ public final class Gesture {
      */
     public void preview(UnaryOperator<Scene> change) {
         if (isOpen()) {
-            model.preview(start, change.apply(start.scene()));
+            model.preview(start, start.withScene(change.apply(start.scene())));
+        }
+    }
+
+    /** As {@link #preview}, of changes that also move or select items. */
+    public void previewState(UnaryOperator<EditorState> change) {
+        if (isOpen()) {
+            model.preview(start, change.apply(start));
         }
     }
 

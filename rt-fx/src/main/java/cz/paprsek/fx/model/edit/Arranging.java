@@ -38,19 +38,19 @@ public final class Arranging {
     public enum Axis {
         X, Y, Z;
 
-        private double of(Vec3 v) {
+        public double of(Vec3 v) {
             return this == X ? v.x() : this == Y ? v.y() : v.z();
         }
 
-        private Vec3 times(double length) {
+        public Vec3 times(double length) {
             return this == X ? new Vec3(length, 0, 0) : this == Y ? new Vec3(0, length, 0) : new Vec3(0, 0, length);
         }
 
-        private double least(Bounds box) {
+        public double least(Bounds box) {
             return this == X ? box.minX() : this == Y ? box.minY() : box.minZ();
         }
 
-        private double most(Bounds box) {
+        public double most(Bounds box) {
             return this == X ? box.maxX() : this == Y ? box.maxY() : box.maxZ();
         }
     }

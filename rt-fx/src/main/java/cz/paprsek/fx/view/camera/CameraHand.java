@@ -1,17 +1,11 @@
 package cz.paprsek.fx.view.camera;
 
-import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.Gesture;
-import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.CameraMoves;
-import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderScene.Pick;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Camera.Target;
-import cz.paprsek.scene.ScenePath;
-import java.util.function.UnaryOperator;
 import javafx.animation.PauseTransition;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
@@ -36,11 +30,11 @@ final class CameraHand {
     private static final Duration WHEEL_REST = Duration.millis(400);
 
     private final LivePicture picture;
-    private final EditorModel model;
+    private final Viewpoint view;
     private final PauseTransition wheelRest = new PauseTransition(WHEEL_REST);
     private Runnable onLocked = () -> {};
     private @Nullable Drag drag;
-    private @Nullable Gesture wheel;
+    private Viewpoint.@Nullable Move wheel;
     private double wheelNotches;
     private Vec3 wheelPivot = Vec3.ZERO;
 
@@ -52,7 +46,7 @@ final class CameraHand {
         final double x;
         final double y;
         final Vec3 pivot;
-        @Nullable Gesture gesture;
+        Viewpoint.@Nullable Move move;
 
         Drag(Kind kind, double x, double y, Vec3 pivot) {
             this.kind = kind;
@@ -62,9 +56,9 @@ final class CameraHand {
         }
     }
 
-    CameraHand(LivePicture picture, EditorModel model) {
+    CameraHand(LivePicture picture, Viewpoint view) {
         this.picture = picture;
-        this.model = model;
+        this.view = view;
         picture.setFocusTraversable(true);
         picture.setOnMousePressed(this::pressed);
         picture.setOnMouseDragged(this::dragged);
@@ -79,11 +73,16 @@ final class CameraHand {
         dragged(event);
         Drag ended = drag;
         drag = null;
-        if (ended == null || ended.gesture == null) {
+        if (ended == null || ended.move == null) {
             return false;
         }
-        ended.gesture.commit();
+        ended.move.commit();
         return true;
+    }
+
+    /** Forgets a button held down: somebody else has made use of it. */
+    void forget() {
+        drag = null;
     }
 
     private void pressed(MouseEvent event) {
@@ -103,15 +102,15 @@ final class CameraHand {
         }
         double right = event.getX() - now.x;
         double down = event.getY() - now.y;
-        Gesture gesture = now.gesture;
-        if (gesture == null) {
+        Viewpoint.Move move = now.move;
+        if (move == null) {
             if (Math.hypot(right, down) < CLICK_SLACK || isLocked()) {
                 return;
             }
-            gesture = model.begin(Label.of(Label.Edit.CAMERA));
-            now.gesture = gesture;
+            move = view.begin();
+            now.move = move;
         }
-        preview(gesture, camera -> moved(camera, now.kind, now.pivot, right, down));
+        move.preview(camera -> moved(camera, now.kind, now.pivot, right, down));
     }
 
     private void scrolled(ScrollEvent event) {
@@ -119,16 +118,16 @@ final class CameraHand {
         if (event.getDeltaY() == 0 || drag != null || isLocked()) {
             return;
         }
-        Gesture gesture = wheel;
-        if (gesture == null || !gesture.isOpen()) {
-            gesture = model.begin(Label.of(Label.Edit.CAMERA));
-            wheel = gesture;
+        Viewpoint.Move move = wheel;
+        if (move == null || !move.isOpen()) {
+            move = view.begin();
+            wheel = move;
             wheelNotches = 0;
             wheelPivot = pivot();
         }
         wheelNotches += event.getDeltaY() / 40;
         double factor = Math.exp(-NEARER_PER_NOTCH * wheelNotches);
-        preview(gesture, camera -> CameraMoves.dollied(camera, wheelPivot, factor));
+        move.preview(camera -> CameraMoves.dollied(camera, wheelPivot, factor));
         wheelRest.playFromStart();
     }
 
@@ -141,8 +140,8 @@ final class CameraHand {
     }
 
     private void key(KeyEvent event) {
-        if (event.getCode() == KeyCode.ESCAPE && drag != null && drag.gesture != null) {
-            drag.gesture.cancel();
+        if (event.getCode() == KeyCode.ESCAPE && drag != null && drag.move != null) {
+            drag.move.cancel();
             event.consume();
             return;
         }
@@ -167,8 +166,7 @@ final class CameraHand {
         endWheel();
         Kind kind = !event.getCode().isArrowKey() ? Kind.DOLLY : event.isShiftDown() ? Kind.PAN : Kind.ORBIT;
         Vec3 pivot = pivot();
-        int eye = model.state().eye();
-        model.edit(Label.of(Label.Edit.CAMERA), scene -> Cameras.changed(scene, eye, camera -> moved(camera, kind, pivot, right, down)));
+        view.change(camera -> moved(camera, kind, pivot, right, down));
     }
 
     /** Is told when the camera should move, but is locked. */
@@ -176,16 +174,17 @@ final class CameraHand {
         onLocked = listener;
     }
 
-    private boolean isLocked() {
-        boolean locked = model.state().isLocked(ScenePath.camera(model.state().eye()));
-        if (locked) {
-            onLocked.run();
-        }
-        return locked;
+    /** Tells that the camera is locked. */
+    void tellLocked() {
+        onLocked.run();
     }
 
-    private static void preview(Gesture gesture, UnaryOperator<Camera> change) {
-        gesture.preview(scene -> Cameras.changed(scene, gesture.start().eye(), change));
+    private boolean isLocked() {
+        boolean locked = view.isLocked();
+        if (locked) {
+            tellLocked();
+        }
+        return locked;
     }
 
     /** The scene follows the mouse; the camera therefore goes the other way. */
@@ -210,7 +209,7 @@ final class CameraHand {
 
     /** What the camera looks at: its target, or the surface in the middle of the picture, or else the point nearest to the world's origin. */
     private Vec3 pivot() {
-        Camera camera = model.state().camera();
+        Camera camera = view.camera();
         if (camera.aim() instanceof Target target) {
             return target.point();
         }

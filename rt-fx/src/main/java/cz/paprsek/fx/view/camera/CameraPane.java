@@ -3,12 +3,15 @@ package cz.paprsek.fx.view.camera;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Places;
+import cz.paprsek.fx.model.edit.CutPlane;
 import cz.paprsek.fx.model.edit.Visible;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureStyle;
+import cz.paprsek.fx.view.rays.BodyOutline.Look;
 import cz.paprsek.fx.view.rays.DrawnRays;
+import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.LinkedHashSet;
@@ -16,13 +19,22 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
+import javafx.animation.Animation;
+import javafx.animation.KeyFrame;
+import javafx.animation.Timeline;
+import javafx.beans.InvalidationListener;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.WeakChangeListener;
 import javafx.geometry.Point2D;
 import javafx.geometry.Pos;
 import javafx.scene.Cursor;
+import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
 import javafx.scene.input.KeyCode;
@@ -31,19 +43,33 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
+import javafx.util.Duration;
 
 /**
  * The live picture of the model's scene, as its camera sees it, without what is hidden. Mouse and keys move the camera, see {@link CameraHand}; a click selects the
  * object that is seen at the pixel, a second one the operand of it, Alt and a click the innermost operand at once.
  */
 public final class CameraPane extends StackPane implements AutoCloseable {
+    private static final Duration BLINK = Duration.millis(450);
+    private static final int BLINKS = 3;
+
     private final EditorModel model;
     private final LivePicture picture;
     private final CameraHand hand;
     private final ReadOnlyObjectWrapper<Optional<PicturePoint>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
     /** Held here, because the model, which may outlive the pane, holds it weakly. */
     private final ChangeListener<EditorState> onState;
+    private final Viewpoint view;
     private Visible visible;
+    private Optional<ObjectHand> objects = Optional.empty();
+    private Optional<BodyAt> hovered = Optional.empty();
+    private Optional<BodyAt> droppedOn = Optional.empty();
+    private final Timeline blinking = new Timeline();
+    /** What is blinking, while it is not to be seen. */
+    private Set<ScenePath> without = Set.of();
+    private ObjectProperty<Optional<CutPlane>> cut = new SimpleObjectProperty<>(Optional.empty());
+    private final InvalidationListener onCut = changed -> show();
+    private Runnable onSelection = () -> {};
     private Predicate<PicturePoint> clickedFirst = point -> false;
     /** Who waits for a click, if somebody does. */
     private Optional<Consumer<PicturePoint>> waiting = Optional.empty();
@@ -51,10 +77,22 @@ public final class CameraPane extends StackPane implements AutoCloseable {
 
     /** @param onFault is told, on JavaFX's thread, if the renderer fails */
     public CameraPane(EditorModel model, Consumer<Throwable> onFault) {
+        this(model, new SceneCamera(model), onFault);
+    }
+
+    /** A view of its own beside that of the scene's camera, which it leaves alone; it begins where that is. */
+    public static CameraPane free(EditorModel model, Consumer<Throwable> onFault) {
+        CameraPane pane = new CameraPane(model, new FreeCamera(model.state().camera()), onFault);
+        pane.setId("free-pane");
+        return pane;
+    }
+
+    private CameraPane(EditorModel model, Viewpoint view, Consumer<Throwable> onFault) {
         this.model = model;
-        this.visible = Visible.of(model.state());
+        this.view = view;
+        this.visible = Visible.of(view.seen(model.state()));
         this.picture = new LivePicture(visible.scene(), model.assets(), onFault);
-        this.hand = new CameraHand(picture, model);
+        this.hand = new CameraHand(picture, view);
         Label size = new Label();
         size.getStyleClass().add("picture-size");
         size.setMouseTransparent(true);
@@ -70,18 +108,26 @@ public final class CameraPane extends StackPane implements AutoCloseable {
                 event.consume();
             }
         });
-        picture.setOnMouseMoved(event -> pointed.set(picture.at(event.getX(), event.getY())));
-        picture.setOnMouseExited(event -> pointed.set(Optional.empty()));
+        picture.setOnMouseMoved(event -> point(picture.at(event.getX(), event.getY())));
+        picture.setOnMouseExited(event -> point(Optional.empty()));
+        picture.overlay().setPainter(this::draw);
         Runnable caption = () -> size.setText(model.scene().settings().width() + " × " + model.scene().settings().height()
                 + (picture.completeProperty().get() ? "" : " …"));
         picture.completeProperty().addListener((property, old, now) -> caption.run());
         onState = (property, old, now) -> {
+            if (!old.selection().equals(now.selection()) && isBlinking()) {
+                blinking.stop();
+                showWithout(Set.of());
+            }
             if (old.eye() != now.eye() || !old.scene().equals(now.scene()) || !old.hidden().equals(now.hidden())) {
-                visible = Visible.of(now);
-                picture.show(visible.scene(), model.assets());
+                show();
                 caption.run();
+            } else if (!old.selection().equals(now.selection())) {
+                picture.overlay().repaint();
+                onSelection.run();
             }
         };
+        view.setOnMoved(this::show);
         model.stateProperty().addListener(new WeakChangeListener<>(onState));
         caption.run();
     }
@@ -114,12 +160,96 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     /** Lets materials be dropped on the objects of the picture. */
     public void acceptMaterials(Edits edits) {
         MaterialDrop.accept(picture, edits, event -> picture.at(event.getX(), event.getY()).flatMap(this::body).map(BodyAt::object),
-                body -> picture.highlight(body.flatMap(this::seen)));
+                body -> {
+                    droppedOn = body;
+                    picture.overlay().repaint();
+                });
     }
 
-    /** Where in the picture's scene a body of the model's scene stands. */
-    private Optional<BodyAt> seen(BodyAt body) {
-        return ScenePath.bodies(visible.scene()).filter(at -> visible.original(at).equals(body)).findFirst();
+    /**
+     * Lets what is selected be moved, turned and scaled in the picture.
+     *
+     * @param snapping whether drags keep to round numbers and to other objects
+     */
+    public void acceptEdits(Edits edits, BooleanProperty snapping) {
+        ObjectHand fresh = new ObjectHand(picture, edits, view, snapping::get);
+        objects = Optional.of(fresh);
+        ModeBox box = new ModeBox(edits.texts(), fresh.modeProperty());
+        StackPane.setAlignment(box, Pos.TOP_RIGHT);
+        box.setVisible(fresh.hasHandles());
+        onSelection = () -> box.setVisible(fresh.hasHandles());
+        getChildren().add(box);
+    }
+
+    /** Shows solids cut open, as long as a plane is given. */
+    public void cutBy(ObjectProperty<Optional<CutPlane>> plane) {
+        cut = plane;
+        CutBox box = new CutBox(plane);
+        StackPane.setAlignment(box, Pos.BOTTOM_RIGHT);
+        getChildren().add(box);
+        plane.addListener(onCut);
+    }
+
+    /** Shows the scene without some of it and with it, a few times: what is it good for? Selecting something else ends that. */
+    public void blink(Set<ScenePath> items) {
+        blinking.stop();
+        blinking.getKeyFrames().setAll(new KeyFrame(Duration.ZERO, event -> showWithout(items)), new KeyFrame(BLINK, event -> showWithout(Set.of())), new KeyFrame(BLINK.multiply(2)));
+        blinking.setCycleCount(BLINKS);
+        blinking.playFromStart();
+    }
+
+    /** Whether something is blinking. */
+    public boolean isBlinking() {
+        return blinking.getStatus() == Animation.Status.RUNNING;
+    }
+
+    private void showWithout(Set<ScenePath> items) {
+        without = items;
+        show();
+    }
+
+    /** From where it is seen. */
+    public Camera camera() {
+        return view.camera();
+    }
+
+    /** Looks from elsewhere; of the scene's camera, one step of the history. */
+    public void look(UnaryOperator<Camera> change) {
+        if (view.isLocked()) {
+            hand.tellLocked();
+        } else {
+            view.change(change);
+        }
+    }
+
+    private void show() {
+        Set<ScenePath> hidden = new LinkedHashSet<>(model.state().hidden());
+        hidden.addAll(without);
+        Visible whole = Visible.of(view.seen(model.state().withHidden(hidden)));
+        visible = cut.getValue().map(plane -> plane.of(whole)).orElse(whole);
+        picture.show(visible.scene(), model.assets());
+        picture.overlay().repaint();
+        onSelection.run();
+    }
+
+    private void point(Optional<PicturePoint> at) {
+        pointed.set(at);
+        Optional<BodyAt> under = at.filter(point -> objects.isPresent()).flatMap(this::body).map(this::deeper)
+                .filter(body -> !model.state().isLocked(body) && objects.filter(ObjectHand::isOnHandle).isEmpty());
+        if (!under.equals(hovered)) {
+            hovered = under;
+            picture.overlay().repaint();
+        }
+    }
+
+    private void draw(GraphicsContext g) {
+        Outlines outlines = new Outlines(g, model.state(), view.camera());
+        hovered.filter(body -> body.isIn(model.scene()) && !model.selection().contains(body)).ifPresent(body -> outlines.draw(body, Look.FAINT));
+        if (objects.isPresent()) {
+            outlines.selected();
+        }
+        droppedOn.filter(body -> body.isIn(model.scene())).ifPresent(body -> outlines.draw(body, Look.STRONG));
+        objects.ifPresent(known -> known.draw(g));
     }
 
     /** Where in the model's scene stands what is seen at a point. */
@@ -177,12 +307,18 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     /** Ends rendering for ever. */
     @Override
     public void close() {
+        blinking.stop();
+        cut.removeListener(onCut);
         picture.close();
     }
 
     private void released(MouseEvent event) {
         event.consume();
         menu.ifPresent(ContextMenu::hide);
+        if (objects.isPresent() && objects.get().release(event)) {
+            hand.forget();
+            return;
+        }
         if (hand.release(event)) {
             return;
         }

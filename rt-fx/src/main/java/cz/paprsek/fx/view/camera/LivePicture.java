@@ -13,12 +13,12 @@ import cz.paprsek.render.live.LivePass;
 import cz.paprsek.render.live.LiveRender;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.ScenePath.BodyAt;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.geometry.Point2D;
 import javafx.scene.image.ImageView;
 import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
@@ -33,7 +33,7 @@ final class LivePicture extends Region implements AutoCloseable {
     private final ImageView view = new ImageView();
     private final Rectangle frame = new Rectangle();
     private final RayOverlay rays = new RayOverlay();
-    private final Highlight highlight = new Highlight();
+    private final Overlay overlay = new Overlay();
     private final ReadOnlyBooleanWrapper complete = new ReadOnlyBooleanWrapper();
     private final Consumer<Throwable> onFault;
     private Runnable onRefreshed = () -> {};
@@ -55,7 +55,7 @@ final class LivePicture extends Region implements AutoCloseable {
         // Else each of them, when it changes, would have the other laid out again.
         view.setManaged(false);
         frame.setManaged(false);
-        getChildren().addAll(view, frame, highlight, rays);
+        getChildren().addAll(view, frame, overlay, rays);
         // While nobody can see it, it does not take the processor from what is seen.
         sceneProperty().addListener((property, old, now) -> restart());
         visibleProperty().addListener((property, old, now) -> restart());
@@ -100,12 +100,14 @@ final class LivePicture extends Region implements AutoCloseable {
         return at(frame.getX() + frame.getWidth() / 2, frame.getY() + frame.getHeight() / 2);
     }
 
-    /** Draws the outline of a body above the picture, or none any more. */
-    void highlight(Optional<BodyAt> body) {
-        highlight.relocate(frame.getX(), frame.getY());
-        highlight.setWidth(frame.getWidth());
-        highlight.setHeight(frame.getHeight());
-        highlight.show(scene, body);
+    /** What is drawn above the picture. */
+    Overlay overlay() {
+        return overlay;
+    }
+
+    /** Where the mouse is in the frame, whether inside or beside. */
+    Point2D inFrame(double x, double y) {
+        return new Point2D(x - frame.getX(), y - frame.getY());
     }
 
     /** Draws rays above the picture. */
@@ -146,6 +148,7 @@ final class LivePicture extends Region implements AutoCloseable {
         view.setFitWidth(width);
         view.setFitHeight(height);
         rays.place(frame.getX(), frame.getY(), width, height);
+        overlay.place(frame.getX(), frame.getY(), width, height);
         return otherSize;
     }
 

@@ -49,7 +49,9 @@ public final class SelectionCommands {
     private final Command showAll;
     private final Command lock;
     private final Command unlockAll;
+    private final Command blink;
     private Runnable onRename = () -> {};
+    private Runnable onBlink = () -> {};
 
     public SelectionCommands(Edits edits) {
         this.edits = edits;
@@ -79,6 +81,7 @@ public final class SelectionCommands {
         repeat = command("object.repeat", bodies, () -> edits.repeat(false)).keys("Shortcut+Shift+R");
         repeatRound = command("object.repeat-round", bodies, () -> edits.repeat(true));
         pivot = either(command("object.pivot", bodies, edits::pivot), edits::hasPivot, "object.pivot-middle");
+        blink = command("object.blink", bodies, () -> onBlink.run()).keys("Shortcut+B");
         leaveOut = either(command("object.leave-out", bodies, edits::leaveOut), edits::isLeftOut, "object.take-in");
         hide = either(command("object.hide", any, edits::hideOrShow).keys("Shortcut+H").icon(MaterialDesignE.EYE_OFF_OUTLINE),
                 edits::isHidden, "object.show");
@@ -91,6 +94,11 @@ public final class SelectionCommands {
     /** Gives what is selected another name, where names are shown. */
     public void setOnRename(Runnable action) {
         onRename = action;
+    }
+
+    /** Shows what would be without what is selected. */
+    public void setOnBlink(Runnable action) {
+        onBlink = action;
     }
 
     public Edits edits() {
@@ -130,7 +138,7 @@ public final class SelectionCommands {
         items.addAll(new ArrangeCommands(edits).lightItems());
         items.addAll(items(soften, look, makeFirst, addCamera));
         items.add(new SeparatorMenuItem());
-        items.addAll(items(leaveOut, hide, showAll, lock, unlockAll));
+        items.addAll(items(blink, leaveOut, hide, showAll, lock, unlockAll));
         return items;
     }
 

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.projection;
 
+import cz.paprsek.fx.model.edit.Rounds;
 import cz.paprsek.fx.view.look.Palette;
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -12,28 +13,14 @@ import javafx.scene.text.TextAlignment;
 
 /** Lines at round numbers, as far apart as the zoom allows, with labels; and the axes. */
 final class Grid {
-    /** How near fine lines may come, pixels. */
-    private static final double CLOSEST = 14;
     private static final Font FONT = Font.font("System", 10);
 
     private Grid() {}
 
-    /** The distance of fine lines: 1, 2 or 5 times a power of ten, scene units. */
-    static double step(double scale) {
-        double least = CLOSEST / scale;
-        double power = Math.pow(10, Math.floor(Math.log10(least)));
-        for (double factor : new double[] {1, 2, 5}) {
-            if (factor * power >= least * (1 - 1e-9)) {
-                return factor * power;
-            }
-        }
-        return 10 * power;
-    }
-
     static void draw(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
         g.setFill(palette.background());
         g.fillRect(0, 0, view.width(), view.height());
-        double step = step(view.scale());
+        double step = Rounds.step(view.scale());
         lines(g, view, step, palette.minor());
         lines(g, view, 5 * step, palette.major());
         g.setLineWidth(1);

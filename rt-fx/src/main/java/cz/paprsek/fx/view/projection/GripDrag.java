@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.Gesture;
+import cz.paprsek.fx.model.edit.Rounds;
 import cz.paprsek.fx.view.projection.Grips.Grip;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
@@ -29,7 +30,7 @@ final class GripDrag extends Drag.Changing {
         double byU = byU(x);
         double byV = byV(y);
         boolean snap = snaps(keys);
-        double step = Grid.step(view.scale());
+        double step = Rounds.step(view.scale());
         if (grip instanceof Grip.Dial dial) {
             double value = dial.at(dial.place().plus(axes.vector(byU, byV)), dial.isAngle() ? keys.free() ? FINE_DEGREES : DEGREES : snap ? step : step / FINE);
             gesture.preview(scene -> dial.changed().apply(scene, value));
@@ -41,7 +42,7 @@ final class GripDrag extends Drag.Changing {
         } else if (grip instanceof Grip.Aim aim) {
             double u = axes.u(aim.place());
             double v = axes.v(aim.place());
-            Vec3 point = aim.place().plus(axes.vector(snap ? Snapping.toGrid(u + byU, step) - u : byU, snap ? Snapping.toGrid(v + byV, step) - v : byV));
+            Vec3 point = aim.place().plus(axes.vector(snap ? Rounds.toGrid(u + byU, step) - u : byU, snap ? Rounds.toGrid(v + byV, step) - v : byV));
             // Looking along an up of its own, or at itself, a camera has no view, which is refused: the last one stays until the mouse has moved on.
             gesture.preview(scene -> aim.turned().apply(scene, point));
         }

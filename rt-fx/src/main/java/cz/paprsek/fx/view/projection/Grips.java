@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.Copies;
 import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.model.edit.Pivots;
+import cz.paprsek.fx.model.edit.Rounds;
 import cz.paprsek.math.Angles;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
@@ -61,7 +62,7 @@ final class Grips {
             /** The number at a point, a multiple of a step, within the limits; of a length, a step at least. */
             double at(Vec3 point, double step) {
                 double pulled = value + read.applyAsDouble(point) - read.applyAsDouble(place);
-                return Math.max(isAngle ? least : step, Math.min(most, Snapping.toGrid(pulled, step)));
+                return Math.max(isAngle ? least : step, Math.min(most, Rounds.toGrid(pulled, step)));
             }
         }
 

@@ -1,6 +1,8 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.edit.Arranging;
+import cz.paprsek.fx.model.edit.Arranging.Role;
 import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.view.look.Palette;
 import cz.paprsek.fx.view.projection.Grips.Grip;
@@ -68,19 +70,54 @@ final class Painter {
         g.setLineWidth(1.8);
         g.beginPath();
         for (ScenePath item : state.selection()) {
-            if (item instanceof ScenePath.BodyAt body && !state.isHidden(item)) {
+            if (item instanceof ScenePath.BodyAt body && !state.isHidden(item) && figures.of(body).operands().isEmpty()) {
                 whole(figures.of(body), ghosts);
             }
         }
         g.setStroke(palette.selected());
         g.stroke();
         ghosts(ghosts, palette.selected());
+        for (ScenePath item : state.selection()) {
+            if (item instanceof ScenePath.BodyAt body && !state.isHidden(item)) {
+                operands(state, body, figures);
+            }
+        }
         Scene scene = figures.scene();
         for (ScenePath item : state.selection()) {
             if (item instanceof ScenePath.LightAt light && !state.isHidden(item)) {
                 light(scene.lights().get(light.index()), palette.selected());
             }
         }
+    }
+
+    /** Of an operation, or beside one of its operands, the operands by what they do: as the tree colours them. */
+    private void operands(EditorState state, ScenePath.BodyAt selected, Figures figures) {
+        boolean isOperation = !figures.of(selected).operands().isEmpty();
+        if (!isOperation && selected.depth() == 0) {
+            return;
+        }
+        ScenePath.BodyAt operation = isOperation ? selected : selected.parent();
+        for (int i = 0; i < figures.of(operation).operands().size(); i++) {
+            ScenePath.BodyAt operand = operation.child(i);
+            if (!state.isHidden(operand) && !state.selection().contains(operand)) {
+                List<Figure> ghosts = new ArrayList<>();
+                Color color = color(Arranging.role(state.scene(), operand).orElse(Role.BASE));
+                g.setLineWidth(isOperation ? 1.8 : 1.2);
+                g.beginPath();
+                whole(figures.of(operand), ghosts);
+                g.setStroke(color);
+                g.stroke();
+                ghosts(ghosts, color);
+            }
+        }
+    }
+
+    private Color color(Role role) {
+        return switch (role) {
+            case BASE -> palette.y();
+            case CUTTER -> palette.x();
+            case COMMON -> palette.z();
+        };
     }
 
     /** What something that is dragged would be dropped on. */

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.projection;
 
+import cz.paprsek.fx.model.edit.Rounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.ScenePath;
 import java.util.Set;
@@ -42,8 +43,8 @@ final class PaneKeys {
         if (items.isEmpty() || pane.model().gesturingProperty().get()) {
             return;
         }
-        double step = Grid.step(pane.view().scale()) * (many ? MANY : 1);
-        Vec3 by = pane.axes().vector(Snapping.toGrid(u * step, step), Snapping.toGrid(v * step, step));
+        double step = Rounds.step(pane.view().scale()) * (many ? MANY : 1);
+        Vec3 by = pane.axes().vector(Rounds.toGrid(u * step, step), Rounds.toGrid(v * step, step));
         pane.edits().translate(items, by);
     }
 }

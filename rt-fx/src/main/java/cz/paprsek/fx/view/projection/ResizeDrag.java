@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.edit.Rounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.ScenePath;
 import java.util.Locale;
@@ -66,7 +67,7 @@ final class ResizeDrag extends Drag.Changing {
         if (side == 0 || max - min <= 0 || (old - still) * side <= SMALLEST * (max - min)) {
             return 1;
         }
-        double fresh = snap ? Snapping.toGrid(old + by, Grid.step(view.scale())) : old + by;
+        double fresh = snap ? Rounds.toGrid(old + by, Rounds.step(view.scale())) : old + by;
         return Math.max(SMALLEST, (fresh - still) / (old - still));
     }
 

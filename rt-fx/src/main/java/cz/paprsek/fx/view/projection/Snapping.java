@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.projection;
 
+import cz.paprsek.fx.model.edit.Rounds;
 import java.util.Arrays;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
@@ -48,14 +49,7 @@ final class Snapping {
                 best = guide - place;
             }
         }
-        return Double.isNaN(best) ? new Move(toGrid(reference + by, Grid.step(view.scale())) - reference, Double.NaN) : new Move(best, guide);
-    }
-
-    /** The nearest multiple of the step, as the nearest decimal. */
-    static double toGrid(double value, double step) {
-        double count = Math.rint(value / step);
-        // A step below 1 is no binary fraction, but its reciprocal is a whole number; 0 is added to make −0 into 0.
-        return (step < 1 ? count / Math.rint(1 / step) : count * step) + 0.0;
+        return Double.isNaN(best) ? new Move(Rounds.toGrid(reference + by, Rounds.step(view.scale())) - reference, Double.NaN) : new Move(best, guide);
     }
 
     private static OptionalDouble nearest(double[] sorted, double value) {

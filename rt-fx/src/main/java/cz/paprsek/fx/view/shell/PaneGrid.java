@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.shell;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyObjectProperty;
@@ -19,7 +20,7 @@ public final class PaneGrid extends StackPane {
 
     /** @param views top left, top right, bottom left, bottom right */
     public PaneGrid(List<TitledView> views) {
-        this.views = List.copyOf(views);
+        this.views = new ArrayList<>(views);
         setId("pane-grid");
         whole.setOrientation(Orientation.VERTICAL);
         whole.setDividerPositions(0.5);
@@ -33,6 +34,21 @@ public final class PaneGrid extends StackPane {
             view.setOnMaximize(() -> toggle(view));
         }
         getChildren().add(whole);
+    }
+
+    /** Puts a view in the place of another, which is not seen any more. */
+    public void replace(TitledView old, TitledView fresh) {
+        if (maximized.get().isPresent()) {
+            toggle(maximized.get().get());
+        }
+        SplitPane home = home(old);
+        int place = place(old);
+        double divider = upper.getDividerPositions()[0];
+        views.set(views.indexOf(old), fresh);
+        fresh.setOnMaximize(() -> toggle(fresh));
+        home.getItems().set(place, fresh);
+        upper.setDividerPositions(divider);
+        fresh.focusContent();
     }
 
     /** The view that fills the whole; empty if all four are shown. */
