@@ -181,4 +181,16 @@ class LauncherTest {
         assertThat(Files.readString(log)).doesNotContain("training");
         assertThat(cache.toFile().list()).containsExactly("lock");
     }
+
+    /** No image is built here: that needs a program which is not everywhere. */
+    @Test
+    void whatTheContainerCopiesIsWhatTheBuildMakes() throws IOException {
+        List<String> lines = Files.readAllLines(Path.of("Dockerfile"));
+        List<String> copied = lines.stream().filter(line -> line.startsWith("COPY ")).map(line -> line.replaceAll("^COPY (--\\S+ )*(\\S+) .*$", "$2")).toList();
+        String pom = Files.readString(Path.of("pom.xml"));
+        assertThat(copied).containsExactly("paprsek", "rt-cli.jar").allSatisfy(name -> assertThat(Files.exists(Path.of("src/main/launcher", name))
+                || pom.contains("<finalName>" + name.replace(".jar", "") + "</finalName>")).as(name).isTrue());
+        assertThat(pom).contains("<directory>src/main/launcher</directory>");
+        assertThat(lines).contains("USER 65532:65532", "ENTRYPOINT [\"paprsek\"]").anyMatch(line -> line.matches("FROM \\S+:\\d+-jre"));
+    }
 }
