@@ -1,11 +1,9 @@
 package cz.paprsek.cli;
 
-import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.ChosenScene;
 import cz.paprsek.cli.input.FrameChoice;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.MistakeWishes;
-import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.input.Wishes;
@@ -83,17 +81,11 @@ final class ExplainCommand implements Callable<Integer> {
     @Parameters(index = "1", paramLabel = "COLUMN,ROW", description = "The pixel, from 0,0 at the top left.")
     private PixelPlace place;
 
-    @Option(names = "--scene", paramLabel = "NAME", description = "Which scene of a database.")
-    private Optional<String> name;
-
-    @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
-    private Optional<String> camera;
+    @Mixin
+    private ChosenScene chosen;
 
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height of the picture in pixels. Default: the scene's.")
     private Optional<Size> size;
-
-    @Mixin
-    private ParameterWishes given;
 
     @Mixin
     private FrameChoice frame;
@@ -142,7 +134,7 @@ final class ExplainCommand implements Callable<Integer> {
         }
         Wishes wishes = new Wishes(size, maxDepth, rays, light, Optional.empty(), Optional.empty());
         try {
-            Scene scene = frame.of(ChosenScene.of(file, name, camera, given));
+            Scene scene = frame.of(chosen.of(file));
             if (!mistakes.made().equals(Mistakes.NONE)) {
                 return beside(scene, wishes.applyTo(scene.settings()).settings());
             }
@@ -156,7 +148,7 @@ final class ExplainCommand implements Callable<Integer> {
             e.problems().forEach(problem -> terminal.message(problem.toString()));
             return ExitCode.BAD_SCENE;
         } catch (IOException e) {
-            terminal.message(SceneReading.sentence(file, file.toString(), given.pictures(), e));
+            terminal.message(SceneReading.sentence(file, file.toString(), chosen.pictures(), e));
             return ExitCode.BAD_SCENE;
         }
     }
@@ -205,7 +197,7 @@ final class ExplainCommand implements Callable<Integer> {
             }
         };
         try {
-            return how.apply(RenderScene.of(scene, given.pictures().read(file, scene), monitor), monitor);
+            return how.apply(RenderScene.of(scene, chosen.pictures().read(file, scene), monitor), monitor);
         } catch (UncheckedIOException unreadable) {
             throw new IOException(unreadable.getMessage(), unreadable);
         } catch (IllegalArgumentException refused) {

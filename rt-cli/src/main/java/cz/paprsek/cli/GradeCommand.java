@@ -1,10 +1,8 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.asset.Assets;
-import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.ChosenScene;
 import cz.paprsek.cli.input.GradedPictures;
-import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Interruption;
 import cz.paprsek.cli.process.Stop;
@@ -53,11 +51,8 @@ final class GradeCommand implements Callable<Integer> {
     @Parameters(index = "1..*", arity = "1..*", paramLabel = "PICTURE", description = "Pictures, or folders of them; patterns with * are expanded.")
     private List<String> words;
 
-    @Option(names = "--scene", paramLabel = "NAME", description = "Which scene of a database.")
-    private Optional<String> name;
-
-    @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
-    private Optional<String> camera;
+    @Mixin
+    private ChosenScene chosen;
 
     @Option(names = "--samples", paramLabel = "N", description = "Rays along each side of a pixel that the pictures were made with, 1-16, if that is known.")
     private Optional<Integer> samples;
@@ -73,9 +68,6 @@ final class GradeCommand implements Callable<Integer> {
     @Option(names = "--json", description = "Prints a JSON object for each picture, one a line.")
     private boolean json;
 
-    @Mixin
-    private ParameterWishes given;
-
     GradeCommand(Terminal terminal, Stop stop) {
         this.terminal = terminal;
         this.stop = stop;
@@ -89,8 +81,8 @@ final class GradeCommand implements Callable<Integer> {
         List<Path> files = GradedPictures.files(words);
         Evidence drawn = new Evidence(evidence, files);
         try {
-            Scene scene = ChosenScene.of(file, name, camera, given);
-            Assets assets = given.pictures().read(file, scene);
+            Scene scene = chosen.of(file);
+            Assets assets = chosen.pictures().read(file, scene);
             RenderSettings settings = samples.map(scene.settings()::withSamples).orElse(scene.settings());
             GradeReport report = new GradeReport(terminal, stop, csv, json, files.size() > 1, drawn);
             report.begin();

@@ -1,6 +1,7 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.cli.input.SceneSource;
+import cz.paprsek.cli.input.TellingWishes;
 import cz.paprsek.cli.output.Reel;
 import cz.paprsek.cli.output.Target;
 import cz.paprsek.cli.output.Targets;
@@ -36,6 +37,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -78,11 +80,8 @@ final class MergeCommand implements Callable<Integer> {
     @Option(names = "--wait", paramLabel = "SECONDS", defaultValue = "0", description = "Waits so long for parts that are missing, looking for them after 1, 2, 4 seconds, in the end every 30. Default: 0.")
     private double patience;
 
-    @Option(names = "--json", description = "Prints a JSON object in place of plain text.")
-    private boolean json;
-
-    @Option(names = {"-q", "--quiet"}, description = "Prints errors only, and what --json asks for.")
-    private boolean quiet;
+    @Mixin
+    private TellingWishes telling;
 
     MergeCommand(Terminal terminal, Stop stop) {
         this.terminal = terminal;
@@ -91,12 +90,7 @@ final class MergeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        if (json && output.equals(Optional.of("-"))) {
-            throw new WrongUsage("--json and the picture cannot both go to standard output");
-        }
-        if (json) {
-            stop.oweLastWords();
-        }
+        telling.prepare(output, stop);
         Target target = target(output);
         new Writing(bits, uncompressed).check(List.of(target.format()));
         try {
@@ -182,11 +176,11 @@ final class MergeCommand implements Callable<Integer> {
         ImageOptions how = card.applyTo(new Writing(bits, uncompressed).options()).withOrigin(Origins.areToldIn(target.format()) ? whole.origin() : Origin.UNTOLD);
         stop.guard(() -> target.write(view.written(target.format()), image, whole.layers(), view.written(target.format(), how), terminal));
         String line = folder + " -> " + target.shown() + "  " + image.width() + "x" + image.height() + "  " + survey.parts().size() + " parts";
-        if (json) {
+        if (telling.isJson()) {
             terminal.result(said("done").with("output", target.shown()).with("width", image.width()).with("height", image.height()).with("parts", survey.parts().size()).toString());
-        } else if (!quiet && target.file().isPresent()) {
+        } else if (!telling.isQuiet() && target.file().isPresent()) {
             terminal.result(line);
-        } else if (!quiet) {
+        } else if (!telling.isQuiet()) {
             terminal.message(line);
         }
         return ExitCode.DONE;
@@ -209,7 +203,7 @@ final class MergeCommand implements Callable<Integer> {
 
     private int refuse(Survey survey) {
         survey.obstacles().forEach(terminal::message);
-        if (json) {
+        if (telling.isJson()) {
             terminal.result(said("parts lacking").with("parts", survey.parts().size()).withTexts("problems", survey.obstacles()).toString());
         }
         return ExitCode.PARTS_LACKING;
@@ -218,7 +212,7 @@ final class MergeCommand implements Callable<Integer> {
     private int failed(String sentence) {
         boolean isStopped = stop.requested();
         terminal.message(isStopped ? folder + ": interrupted, no picture written" : sentence);
-        if (json) {
+        if (telling.isJson()) {
             terminal.result(said(isStopped ? "interrupted" : "failed").withTexts("problems", List.of(sentence)).toString());
         }
         return isStopped ? ExitCode.INTERRUPTED : ExitCode.FAILED;

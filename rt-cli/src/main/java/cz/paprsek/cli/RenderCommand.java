@@ -11,6 +11,7 @@ import cz.paprsek.cli.input.PixelWishes;
 import cz.paprsek.cli.input.RayWishes;
 import cz.paprsek.cli.input.SceneArguments;
 import cz.paprsek.cli.input.SceneSource;
+import cz.paprsek.cli.input.TellingWishes;
 import cz.paprsek.cli.input.Wishes;
 import cz.paprsek.cli.output.Progress;
 import cz.paprsek.cli.output.Reel;
@@ -179,11 +180,8 @@ final class RenderCommand implements Callable<Integer> {
                 + "those that are there already and whole are not made again. 'paprsek merge' puts them together to the same picture, to the last bit; 'paprsek plan' writes what clusters need."})
     private Optional<Shard> shard;
 
-    @Option(names = "--json", description = "Prints a JSON object for every scene, one a line, instead of plain text.")
-    private boolean json;
-
-    @Option(names = {"-q", "--quiet"}, description = "Prints errors only, and what --json asks for.")
-    private boolean quiet;
+    @Mixin
+    private TellingWishes telling;
 
     RenderCommand(Terminal terminal, Stop stop) {
         this(terminal, stop, Optional.empty());
@@ -198,16 +196,11 @@ final class RenderCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        if (json && output.equals(Optional.of("-"))) {
-            throw new WrongUsage("--json and the picture cannot both go to standard output");
-        }
         if (resume && output.equals(Optional.of("-"))) {
             throw new WrongUsage("--resume needs a file for the picture, to keep the tiles beside it");
         }
         checkWords();
-        if (json) {
-            stop.oweLastWords();
-        }
+        telling.prepare(output, stop);
         Wishes wishes = wishes();
         Reel reel = shard.isPresent() ? new Reel(film, Optional.empty()) : Reel.of(film, output, format);
         if (reel.film().isPresent() && (pixels.isTransparent() || pixels.haveLayers() || bits.isPresent() || raw || time.isPresent())) {
@@ -216,16 +209,16 @@ final class RenderCommand implements Callable<Integer> {
         Optional<ImageFormat> picture = reel.pictures(format);
         Optional<String> place = shard.isPresent() ? output : reel.output(output, new Targets(output, picture, raw));
         List<Target> targets = shard.isPresent() ? List.of(shared(sources())) : new Targets(place, picture, raw).of(sources());
-        if (!quiet && output.isPresent() && !place.equals(output)) {
+        if (!telling.isQuiet() && output.isPresent() && !place.equals(output)) {
             terminal.message("the pictures go to " + place.get());
         }
         Writing writing = new Writing(bits, uncompressed);
         writing.check(targets.stream().map(Target::format).toList());
         View view = view();
         view.check(targets);
-        Progress.Maker progress = quiet ? Progress.Maker.SILENT : Progress.maker(terminal);
+        Progress.Maker progress = telling.isQuiet() ? Progress.Maker.SILENT : Progress.maker(terminal);
         Optional<Sharing> share = shard.map(one -> sharing.orElseGet(() -> new ShardWork(one, Words.path(output.orElseThrow()), sharedWords())));
-        return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, given.pictures(), reel, progress, Report.of(terminal, json, quiet), share).run(targets);
+        return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, given.pictures(), reel, progress, Report.of(terminal, telling.isJson(), telling.isQuiet()), share).run(targets);
     }
 
     /** @throws WrongUsage if some words do not go together */

@@ -1,8 +1,6 @@
 package cz.paprsek.cli;
 
-import cz.paprsek.cli.input.Cameras;
 import cz.paprsek.cli.input.ChosenScene;
-import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Interruption;
@@ -69,17 +67,11 @@ final class WorksheetCommand implements Callable<Integer> {
     @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true, description = "The worksheet, which ends in .pdf or .html.")
     private Path output;
 
-    @Option(names = "--scene", paramLabel = "NAME", description = "Which scene of a database.")
-    private Optional<String> name;
-
-    @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
-    private Optional<String> camera;
+    @Mixin
+    private ChosenScene chosen;
 
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height of the picture in pixels. Default: the scene's.")
     private Optional<Size> size;
-
-    @Mixin
-    private ParameterWishes given;
 
     /** What the page is written in. */
     enum Language { en, cs }
@@ -96,7 +88,7 @@ final class WorksheetCommand implements Callable<Integer> {
         }
         byte[] page;
         try {
-            Scene scene = ChosenScene.of(file, name, camera, given);
+            Scene scene = chosen.of(file);
             page = page(scene);
         } catch (CancellationException interrupted) {
             return Interruption.told(terminal, false);
@@ -104,7 +96,7 @@ final class WorksheetCommand implements Callable<Integer> {
             e.problems().forEach(problem -> terminal.message(problem.toString()));
             return ExitCode.BAD_SCENE;
         } catch (IOException e) {
-            terminal.message(SceneReading.sentence(file, file.toString(), given.pictures(), e));
+            terminal.message(SceneReading.sentence(file, file.toString(), chosen.pictures(), e));
             return ExitCode.BAD_SCENE;
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(file + ": " + refused.getMessage());
@@ -134,7 +126,7 @@ final class WorksheetCommand implements Callable<Integer> {
         };
         RenderSettings settings = size.map(wanted -> scene.settings().withSize(wanted.width(), wanted.height())).orElse(scene.settings());
         try {
-            RenderScene ready = RenderScene.of(scene, given.pictures().read(file, scene), monitor);
+            RenderScene ready = RenderScene.of(scene, chosen.pictures().read(file, scene), monitor);
             Worksheet sheet = new Worksheet(scene, ready, settings, places.stream().map(place -> new int[] {place.column(), place.row()}).toList(),
                     seed.map(OptionalLong::of).orElse(OptionalLong.empty()), Words.in(Locale.forLanguageTag(language.name())));
             return isPdf() ? sheet.pdf() : sheet.html().getBytes(StandardCharsets.UTF_8);

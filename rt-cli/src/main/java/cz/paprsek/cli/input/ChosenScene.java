@@ -8,20 +8,31 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 
-/** One scene of a file, and one of its cameras. */
+/** One scene of a file, with what its parameters are to be, and one of its cameras. */
 public final class ChosenScene {
-    private ChosenScene() {}
+    @Option(names = "--scene", paramLabel = "NAME", description = "Which scene of a database.")
+    private Optional<String> name = Optional.empty();
+
+    @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
+    private Optional<String> camera = Optional.empty();
+
+    @Mixin
+    private ParameterWishes parameters;
+
+    /** Where the files come from that it names. */
+    public Pictures pictures() {
+        return parameters.pictures();
+    }
 
     /**
      * Reads it.
      *
-     * @param name which scene of a database
-     * @param parameters what its parameters are to be
-     * @param camera which camera, if not the first: its name, or its number from 1
      * @throws WrongUsage if there is no such scene or camera, or if it is not said which of several scenes is meant
      */
-    public static Scene of(Path file, Optional<String> name, Optional<String> camera, ParameterWishes parameters) throws SceneFileException, IOException {
+    public Scene of(Path file) throws SceneFileException, IOException {
         Scene scene = scene(file, Incoming.read(file, parameters).scenes(), name);
         try {
             return Cameras.through(scene, camera);
