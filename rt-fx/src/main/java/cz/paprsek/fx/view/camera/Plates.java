@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.camera;
 
+import java.util.List;
 import javafx.geometry.Bounds;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -14,17 +15,26 @@ final class Plates {
 
     private Plates() {}
 
-    /** One line at the top of a picture. */
+    /** At the top of a picture; in one line for each of its parts, if it is too narrow for one. */
     static void above(GraphicsContext g, String text) {
+        boolean fits = size(text).getWidth() + 2 * MARGIN <= g.getCanvas().getWidth();
+        double top = 4;
+        for (String line : fits ? List.of(text) : List.of(text.split("; ", -1))) {
+            Bounds size = size(line);
+            double x = Math.max(MARGIN, (g.getCanvas().getWidth() - size.getWidth()) / 2);
+            g.setFill(Color.color(0, 0, 0, 0.75));
+            g.fillRoundRect(x - MARGIN, top, size.getWidth() + 2 * MARGIN, size.getHeight() + MARGIN, 6, 6);
+            g.setFont(FONT);
+            g.setFill(Color.WHITE);
+            g.fillText(line, x, top + MARGIN / 2 - size.getMinY());
+            top += size.getHeight() + MARGIN + 1;
+        }
+    }
+
+    private static Bounds size(String text) {
         Text measured = new Text(text);
         measured.setFont(FONT);
-        Bounds size = measured.getLayoutBounds();
-        double x = Math.max(MARGIN, (g.getCanvas().getWidth() - size.getWidth()) / 2);
-        g.setFill(Color.color(0, 0, 0, 0.75));
-        g.fillRoundRect(x - MARGIN, 4, size.getWidth() + 2 * MARGIN, size.getHeight() + MARGIN, 6, 6);
-        g.setFont(FONT);
-        g.setFill(Color.WHITE);
-        g.fillText(text, x, 4 + MARGIN / 2 - size.getMinY());
+        return measured.getLayoutBounds();
     }
 
     /** A letter around a point. */

@@ -108,9 +108,18 @@ public final class Edits {
      * @param isRound whether around
      */
     void repeat(boolean isRound) {
+        Map<String, String> attributes = isRound ? Map.of("count", "6", "rotation", "0 60 0")
+                : Map.of("count", "5", "position", Numbers.text(wide(Places.outermost(model.selection()))) + " 0 0");
+        repeat(texts.of(isRound ? "object.repeat-round" : "object.repeat"), attributes);
+    }
+
+    /** Mirrors what is selected across the plane x = 0 of what it stands in: the copy follows the original. */
+    public void mirror() {
+        repeat(texts.of("object.mirror"), Map.of("count", "2", "scale", "-1 1 1"));
+    }
+
+    private void repeat(String name, Map<String, String> attributes) {
         List<BodyAt> bodies = Places.outermost(model.selection());
-        Map<String, String> attributes = isRound ? Map.of("count", "6", "rotation", "0 60 0") : Map.of("count", "5", "position", Numbers.text(wide(bodies)) + " 0 0");
-        String name = texts.of(isRound ? "object.repeat-round" : "object.repeat");
         edit(Label.of(Edit.CHANGE, name), state -> state.withScene(SceneFiles.repeated(state.scene(), bodies.stream().map(BodyAt::numbers).toList(), attributes)));
     }
 

@@ -43,6 +43,7 @@ public final class SelectionCommands {
     private final Command dissolve;
     private final Command repeat;
     private final Command repeatRound;
+    private final Command mirror;
     private final Command pivot;
     private final Command leaveOut;
     private final Command hide;
@@ -80,6 +81,7 @@ public final class SelectionCommands {
         Predicate<Set<ScenePath>> bodies = items -> !Places.bodies(items).isEmpty();
         repeat = command("object.repeat", bodies, () -> edits.repeat(false)).keys("Shortcut+Shift+R");
         repeatRound = command("object.repeat-round", bodies, () -> edits.repeat(true));
+        mirror = command("object.mirror", bodies, edits::mirror);
         pivot = either(command("object.pivot", bodies, edits::pivot), edits::hasPivot, "object.pivot-middle");
         blink = command("object.blink", bodies, () -> onBlink.run()).keys("Shortcut+B");
         leaveOut = either(command("object.leave-out", bodies, edits::leaveOut), edits::isLeftOut, "object.take-in");
@@ -131,7 +133,7 @@ public final class SelectionCommands {
 
     /** Names, operations, lights and cameras, hiding and locking. */
     public List<MenuItem> objectItems() {
-        List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve, repeat, repeatRound, pivot));
+        List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve, repeat, repeatRound, mirror, pivot));
         items.add(new ArrangeCommands(edits).menu());
         items.addAll(new ArrangeCommands(edits).operandItems());
         items.add(new SeparatorMenuItem());

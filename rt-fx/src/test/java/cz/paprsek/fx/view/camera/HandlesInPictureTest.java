@@ -6,8 +6,10 @@ import cz.paprsek.drawing.CameraView;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.model.edit.CutPlane;
+import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.texts.Texts;
@@ -183,6 +185,18 @@ class HandlesInPictureTest {
         assertThat(Gui.on(pane::isBlinking)).isFalse();
         gui.until("it is there", () -> pane.at(0.5, 0.5).flatMap(PicturePoint::place).isPresent());
         assertThat(model.scene()).isSameAs(SCENE);
+    }
+
+    @Test
+    void aMirroredCopyFollowsItsOriginal() {
+        gui.act(() -> {
+            model.select(TWO);
+            new Edits(model, Texts.in(Locale.ENGLISH)).mirror();
+        });
+        assertThat(model.scene().objects()).hasSize(3);
+        assertThat(ScenePath.body(2).toWorld(model.scene()).point(Vec3.ZERO)).isEqualTo(new Vec3(-1.9, 0, 0.3));
+        gui.act(() -> model.edit(Label.of(Label.Edit.MOVE), scene -> Moves.translated(scene, Set.of(TWO), new Vec3(1, 1, 0))));
+        assertThat(ScenePath.body(2).toWorld(model.scene()).point(Vec3.ZERO)).isEqualTo(new Vec3(-2.9, 1, 0.3));
     }
 
     private void type(String text) {

@@ -49,9 +49,18 @@ class LiveFigures {
 
     @Test
     void showcase() throws Exception {
+        showcase(380, 330, 380, 214);
+    }
+
+    @Test
+    void aLargeShowcase() throws Exception {
+        showcase(960, 560, 960, 540);
+    }
+
+    private void showcase(double paneWidth, double paneHeight, int width, int height) throws Exception {
         EditorModel model = new EditorModel(SceneFiles.read(Path.of("../scenes/showcase.xml")));
         CameraPane pane = Gui.on(() -> new CameraPane(model, fault -> {}));
-        try (Gui gui = Gui.show(() -> pane, 380, 330)) {
+        try (Gui gui = Gui.show(() -> pane, paneWidth, paneHeight)) {
             gui.until("the picture is complete", pane::isComplete);
             Watch watch = Gui.on(() -> new Watch((ImageView) pane.lookup(".live-picture").lookup("ImageView")));
             dragged(gui, model, watch);
@@ -62,10 +71,10 @@ class LiveFigures {
                 delays.add(firstPicture(gui, model, watch));
             }
             delays.sort(null);
-            System.out.printf(Locale.ROOT, "live picture of showcase.xml, 380 x 214 pixels, %d processors:%n"
+            System.out.printf(Locale.ROOT, "live picture of showcase.xml, %d x %d pixels, %d processors:%n"
                             + "  updates a second while the camera is dragged: %.1f%n"
                             + "  first picture after a change: median %.0f ms, longest of %d %.0f ms%n",
-                    Runtime.getRuntime().availableProcessors(), updates, delays.get(CHANGES / 2), CHANGES, delays.get(CHANGES - 1));
+                    width, height, Runtime.getRuntime().availableProcessors(), updates, delays.get(CHANGES / 2), CHANGES, delays.get(CHANGES - 1));
         }
         pane.close();
     }
