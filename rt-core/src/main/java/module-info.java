@@ -22,6 +22,7 @@ module cz.paprsek.core {
     exports cz.paprsek.scene;
     exports cz.paprsek.shape;
     exports cz.paprsek.shape.check;
+    exports cz.paprsek.shape.height;
     exports cz.paprsek.shape.mesh;
     exports cz.paprsek.xml;
 

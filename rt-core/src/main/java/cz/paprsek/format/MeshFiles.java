@@ -15,6 +15,7 @@ import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Text;
 import cz.paprsek.shape.font.Fonts;
+import cz.paprsek.shape.height.HeightField;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -29,7 +30,7 @@ import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
 
-/** Reads the files of a scene's meshes, and the fonts of its texts. */
+/** Reads the files of a scene's meshes and height fields, and the fonts of its texts. */
 public final class MeshFiles {
     private static final int LARGEST_FONT = 1 << 25;
     private static final Assets.Decoder<byte[]> FONT_BYTES = (name, input, size) -> {
@@ -43,10 +44,10 @@ public final class MeshFiles {
     private MeshFiles() {}
 
     /**
-     * The same scene with the triangles of its meshes and the letters of its texts, as far as they can be read; itself if there is nothing to read.
+     * The same scene with the triangles of its meshes, the heights of its fields and the letters of its texts, as far as they can be read; itself if there is nothing to read.
      *
      * @param assets where files come from; each is read once, and the files within it are among them from then on
-     * @param problems told of every mesh or font that cannot be read, or has open edges and is an operand all the same: where it is, and why in one sentence
+     * @param problems told of every file that cannot be read, or has open edges and is an operand all the same: where it is, and why in one sentence
      */
     public static Scene read(Scene scene, Assets assets, BiConsumer<BodyAt, IOException> problems) {
         Objects.requireNonNull(assets, "assets");
@@ -55,7 +56,7 @@ public final class MeshFiles {
         for (int i = 0; i < scene.objects().size(); i++) {
             SceneObject object = scene.objects().get(i);
             Shape shape = object.shape();
-            if (shape instanceof Mesh || shape instanceof Text || shape instanceof Csg) {
+            if (shape instanceof Mesh || shape instanceof Text || shape instanceof HeightField || shape instanceof Csg) {
                 Shape read = read(shape, ScenePath.body(i), assets, problems);
                 if (read != shape) {
                     objects = objects == null ? new ArrayList<>(scene.objects()) : objects;
@@ -86,6 +87,9 @@ public final class MeshFiles {
         }
         if (shape instanceof Text text) {
             return read(text, at, assets, problems);
+        }
+        if (shape instanceof HeightField field) {
+            return read(field, at, assets, problems);
         }
         return shape instanceof Csg csg ? read(csg, at, assets, problems) : shape;
     }
@@ -119,6 +123,18 @@ public final class MeshFiles {
             problems.accept(at, file.contains(".") ? e : new IOException(e.getMessage() + "; the fonts that are shipped are " + String.join(", ", Fonts.NAMES), e));
         }
         return text;
+    }
+
+    private static HeightField read(HeightField field, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
+        if (field.isRead()) {
+            return field;
+        }
+        try {
+            return field.read(heights(field.file(), assets));
+        } catch (IOException e) {
+            problems.accept(at, e);
+        }
+        return field;
     }
 
     private static Csg read(Csg csg, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
@@ -162,6 +178,15 @@ public final class MeshFiles {
         });
         companions.removeAll(model.pictures().keySet());
         return new Mesh.Whole(file, model.triangles(), materials, model.pictures(), companions);
+    }
+
+    /**
+     * The heights that a picture holds.
+     *
+     * @throws IOException with a sentence that begins with the name, if it cannot be read
+     */
+    public static HeightField.Content heights(String file, Assets assets) throws IOException {
+        return assets.decoded(file, HeightPicture.DECODER);
     }
 
     /** All that is in a file, as {@link #whole} reads it. */

@@ -7,12 +7,14 @@ import cz.paprsek.image.ImageFormat;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Pattern.Filter;
 import cz.paprsek.material.Pattern.Lay;
+import cz.paprsek.math.Require;
 import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.height.HeightField;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -59,8 +61,38 @@ final class PovPictures {
     private static String map(String file, int type, boolean isMixed, double transmit) {
         Optional<ImageFormat> format = ImageFormat.ofFile(file);
         boolean isLight = format.filter(some -> some == ImageFormat.HDR || some == ImageFormat.EXR).isPresent();
-        return "image_map { " + format.map(some -> WORDS.getOrDefault(some, "")).orElse("") + " \"" + file.replace("\\", "\\\\").replace("\"", "\\\"") + "\""
+        return "image_map { " + named(file)
                 + (isLight ? "" : " gamma srgb") + " map_type " + type + (isMixed ? " interpolate 2" : "") + (transmit > 0 ? " transmit all " + text(transmit) : "") + " }";
+    }
+
+    /** A file and its kind. */
+    private static String named(String file) {
+        return ImageFormat.ofFile(file).map(some -> WORDS.getOrDefault(some, "")).orElse("") + " \"" + file.replace("\\", "\\\\").replace("\"", "\\\"") + "\"";
+    }
+
+    /**
+     * A height field, which POV-Ray has no walls and no bottom for: those are of a box that it is intersected with, a little smaller, for it holds nothing
+     * at its rim.
+     */
+    static String heights(HeightField field) {
+        Require.that(!field.file().isEmpty(), "a scene for POV-Ray cannot hold heights that were made in code");
+        double inner = 1 - 1e-6;
+        return "intersection { height_field { " + named(field.file()) + (field.smooth() ? " smooth" : "") + " translate <-0.5, 0, -0.5> scale "
+                + vector(field.extent().x(), field.extent().y(), -field.extent().z()) + " } box { "
+                + vector(-field.extent().x() / 2 * inner, field.extent().y() * 1e-9, -field.extent().z() / 2 * inner) + ", "
+                + vector(field.extent().x() / 2 * inner, field.extent().y() * 2, field.extent().z() / 2 * inner) + " }";
+    }
+
+    /** What POV-Ray will show otherwise of a height field, in words that follow the name of the object. */
+    static List<String> lost(HeightField field) {
+        List<String> lost = new ArrayList<>();
+        if (ImageFormat.ofFile(field.file()).map(WORDS::get).isEmpty()) {
+            lost.add("POV-Ray cannot be told what kind of picture " + field.file() + " is");
+        }
+        if (field.smooth()) {
+            lost.add("POV-Ray rounds the light on heights in its own way");
+        }
+        return lost;
     }
 
     /** What POV-Ray will show otherwise, in words that follow the name of the object. */

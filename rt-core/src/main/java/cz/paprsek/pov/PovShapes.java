@@ -24,6 +24,7 @@ import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Superellipsoid;
 import cz.paprsek.shape.Text;
 import cz.paprsek.shape.Torus;
+import cz.paprsek.shape.height.HeightField;
 import cz.paprsek.text.MadeInCode;
 import java.util.List;
 
@@ -82,6 +83,9 @@ final class PovShapes {
         }
         if (shape instanceof Isosurface i) {
             return PovFormulas.isosurface(i);
+        }
+        if (shape instanceof HeightField field) {
+            return PovPictures.heights(field);
         }
         if (shape instanceof Mesh mesh) {
             return PovMesh.of(mesh, List.of());

@@ -24,6 +24,7 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.height.HeightField;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
@@ -191,17 +192,19 @@ final class PovWarnings {
         return object.shape().bounds().transformed(object.placement().toParent());
     }
 
-    /** Of meshes whose materials are those of their files. */
-    private void checkTints(String name, Shape shape, MaterialSource given) {
+    /** Of meshes whose materials are those of their files, and of relief. */
+    private void checkFiles(String name, Shape shape, MaterialSource given) {
         if (shape instanceof Csg csg) {
-            csg.operands().forEach(operand -> checkTints(name, operand.solid(), operand.material() == Inherited.INHERITED ? given : operand.material()));
+            csg.operands().forEach(operand -> checkFiles(name, operand.solid(), operand.material() == Inherited.INHERITED ? given : operand.material()));
+        } else if (shape instanceof HeightField field) {
+            PovPictures.lost(field).forEach(lost -> sentences.add(name + ": " + lost));
         } else if (given == Inherited.INHERITED && shape instanceof Mesh mesh && mesh.isRead() && !PovMesh.isTold(mesh)) {
             sentences.add(name + ": POV-Ray is told the colours of corners only over one colour, and up to white");
         }
     }
 
     private void checkMaterials(String name, SceneObject object) {
-        checkTints(name, object.shape(), object.material());
+        checkFiles(name, object.shape(), object.material());
         each(scene, object, (shape, material) -> {
             if (material.pattern() instanceof Pattern.Picture picture) {
                 PovPictures.lost(picture, shape).forEach(lost -> sentences.add(name + ": " + lost));

@@ -45,7 +45,7 @@ final class KindTables {
                     tables.add(kind(operation.name(), measures, shape -> shape instanceof Csg csg && csg.operation() == operation));
                 }
             } else {
-                tables.add(kind(type.getSimpleName(), measures, type::isInstance));
+                tables.add(kind(ElementTable.name(type), measures, type::isInstance));
             }
         });
         return tables;

@@ -39,6 +39,16 @@ public final class Hit {
     public double green;
     public double blue;
 
+    private double[] room = {};
+
+    /** Scratch of at least so many numbers, for a surface while it describes the hit. */
+    public double[] room(int numbers) {
+        if (room.length < numbers) {
+            room = new double[numbers];
+        }
+        return room;
+    }
+
     /** Sets the colour, linear light, 0–1. */
     public void color(double r, double g, double b) {
         red = r;

@@ -8,6 +8,7 @@ import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Text;
+import cz.paprsek.shape.height.HeightField;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
@@ -99,6 +100,9 @@ final class Bodies {
         }
         if (shape instanceof Mesh mesh && !mesh.file().isEmpty()) {
             names.add(mesh.file());
+        }
+        if (shape instanceof HeightField field && !field.file().isEmpty()) {
+            names.add(field.file());
         }
         if (shape instanceof Text text) {
             names.addAll(text.file().stream().toList());

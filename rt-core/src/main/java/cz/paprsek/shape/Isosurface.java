@@ -51,15 +51,7 @@ public record Isosurface(
 
     @Override
     public Face face(int number) {
-        return switch (number) {
-            case 1 -> Face.MINUS_X;
-            case 2 -> Face.PLUS_X;
-            case 3 -> Face.MINUS_Y;
-            case 4 -> Face.PLUS_Y;
-            case 5 -> Face.MINUS_Z;
-            case 6 -> Face.PLUS_Z;
-            default -> Face.ONLY;
-        };
+        return Face.ofBox(number);
     }
 
     @Override

@@ -35,6 +35,19 @@ public sealed interface Shape permits Solid, Rectangle, Disc, CustomShape {
             return text;
         }
 
+        /** The face of a body that its box closes: 1 to 6 are those of the box, −x, +x, −y and so on; all others are the body's own surface. */
+        public static Face ofBox(int number) {
+            return switch (number) {
+                case 1 -> MINUS_X;
+                case 2 -> PLUS_X;
+                case 3 -> MINUS_Y;
+                case 4 -> PLUS_Y;
+                case 5 -> MINUS_Z;
+                case 6 -> PLUS_Z;
+                default -> ONLY;
+            };
+        }
+
         /** The direction a face of a block looks in, such as {@code −x}. */
         public String axis() {
             return text.substring(0, 2);

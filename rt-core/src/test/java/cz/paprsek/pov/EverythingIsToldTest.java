@@ -78,6 +78,7 @@ class EverythingIsToldTest {
             Map.entry("lathe", "points='0 0 1 0 0 1'"),
             Map.entry("text", "value='Ab'"),
             Map.entry("isosurface", "expression='x^2 + y^2 + z^2 - 0.25'"),
+            Map.entry("height-field", "file='hill.pgm'"),
             Map.entry("torus", "major-radius='1' minor-radius='0.25'"),
             Map.entry("mesh", "file='two.obj'"),
             Map.entry("mesh@weld", "file='loose.obj'"),
@@ -99,6 +100,7 @@ class EverythingIsToldTest {
     private static final Map<String, List<String>> VALUES = Map.ofEntries(
             Map.entry("@material", List.of("other")),
             Map.entry("camera@projection", List.of("spherical", "fisheye")),
+            Map.entry("height-field@file", List.of("dale.pgm")),
             Map.entry("mesh@file", List.of("one.obj")),
             Map.entry("mesh@part", List.of("one")),
             Map.entry("mesh@smooth-angle", List.of("150")),
@@ -149,7 +151,8 @@ class EverythingIsToldTest {
     /** Closed only if two corners that nearly meet are welded. */
     private static final String LOOSE = "v 0 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 0\nv 1.0000001 0 0\nf 1 3 2\nf 1 4 3\nf 1 2 4\nf 2 3 5\n";
 
-    private static final Assets FILES = Assets.of(Map.of("two.obj", tetrahedra("one", "two"), "one.obj", tetrahedra("one"), "loose.obj", LOOSE.getBytes(StandardCharsets.US_ASCII)));
+    private static final Assets FILES = Assets.of(Map.of("two.obj", tetrahedra("one", "two"), "one.obj", tetrahedra("one"), "loose.obj", LOOSE.getBytes(StandardCharsets.US_ASCII),
+            "hill.pgm", "P5 2 2 255\n0zz0".getBytes(StandardCharsets.US_ASCII), "dale.pgm", "P5 2 2 255\nz00z".getBytes(StandardCharsets.US_ASCII)));
 
     /** What a file of so many parts holds, each beside the last. */
     private static byte[] tetrahedra(String... names) {

@@ -128,7 +128,7 @@ class FilterTest {
         }
         assertThat(cells).isGreaterThan(300);
         assertThat(SceneTables.all().stream().map(relation -> relation.table().name())).contains("scene", "camera", "light", "material", "object",
-                "sphere", "block", "ellipsoid", "rectangle", "disc", "plane", "cylinder", "cone", "torus", "capsule", "prism", "superellipsoid", "extrude", "lathe", "text", "isosurface", "union", "difference", "intersection");
+                "sphere", "block", "ellipsoid", "rectangle", "disc", "plane", "cylinder", "cone", "torus", "capsule", "prism", "superellipsoid", "extrude", "lathe", "text", "isosurface", "height-field", "union", "difference", "intersection");
     }
 
     private static <R> int cells(Relation<Scene, R> relation, SceneDatabase database) {

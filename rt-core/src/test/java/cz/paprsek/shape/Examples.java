@@ -1,6 +1,7 @@
 package cz.paprsek.shape;
 
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.height.HeightField;
 import cz.paprsek.shape.mesh.Meshes;
 import java.util.Arrays;
 import java.util.Collections;
@@ -35,6 +36,7 @@ public final class Examples {
             Map.entry(Lathe.class, new Lathe("", VASE, 360)),
             Map.entry(Text.class, Text.of("LT", 1.6, 1.4)),
             Map.entry(Isosurface.class, new Isosurface("hypot(hypot(x, y), z) - 1.2", new Vec3(-1.3, -1, -1.3), new Vec3(1.3, 1.3, 0.9))),
+            Map.entry(HeightField.class, HeightField.of("peak.png", new Vec3(2.4, 1, 2)).read(HeightField.Content.of(3, 3, new float[] {0, 0, 0, 0, 1, 0, 0, 0, 0}, 1.3))),
             Map.entry(Mesh.class, Mesh.of("cube.stl").read(new Mesh.Whole("cube.stl", Meshes.cube(0.9), Map.of()))),
             Map.entry(Rectangle.class, new Rectangle(-1, -0.5, 1.2, 0.9)),
             Map.entry(Disc.class, new Disc(1.1)),
@@ -108,6 +110,11 @@ public final class Examples {
             return largest(unit * Math.min(beyond(LETTER_L, p.x() / unit, p.y() / unit), beyond(LETTER_T, p.x() / unit - 859, p.y() / unit)), -p.z(), p.z() - t.depth());
         } else if (solid instanceof Isosurface i) {
             return largest(p.length() - 1.2, i.min().y() - p.y(), p.z() - i.max().z());
+        } else if (solid instanceof HeightField h) {
+            double u = 2 * p.x() / h.extent().x();
+            double v = 2 * p.z() / h.extent().z();
+            double height = 1.3 * Math.max(0, 1 - largest(Math.abs(u), Math.abs(v), Math.abs(u - v)));
+            return largest(p.y() - height, -p.y());
         } else if (solid instanceof Mesh) {
             return largest(Math.abs(p.x()), Math.abs(p.y()), Math.abs(p.z())) - 0.9;
         }

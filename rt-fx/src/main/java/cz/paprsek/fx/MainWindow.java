@@ -83,7 +83,7 @@ final class MainWindow {
         ObjectTree tree = new ObjectTree(model, texts, commands);
         PropertySheet sheet = new PropertySheet(model, texts, editor.proportional(), editor.fileFinder());
         SceneMeshes meshes = editor.meshes(edits);
-        AddPalette palette = new AddPalette(model, texts, views::sight, edits, meshes::choose);
+        AddPalette palette = new AddPalette(model, texts, views::sight, edits, meshes::choose, meshes::chooseHeights);
         FinderPane finder = new FinderPane(() -> findable(edits), texts.of("find.prompt"), texts.of("find.nothing"));
         HelpPane help = new HelpPane(texts, () -> MenuItems.of(menuBar().getMenus()));
         Menus menus = new Menus(editor, views, palette, commands, finder::open, help::open);

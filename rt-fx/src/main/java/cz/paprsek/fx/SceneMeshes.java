@@ -3,6 +3,7 @@ package cz.paprsek.fx;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.format.ForeignFormat;
 import cz.paprsek.format.ForeignScene;
+import cz.paprsek.format.MeshFiles;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.file.Document;
 import cz.paprsek.fx.model.file.SceneSource;
@@ -15,6 +16,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Mesh;
+import cz.paprsek.shape.height.HeightField;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -22,7 +24,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 
-/** Brings meshes into the scene: from its folder or below, or from elsewhere, copied there. They stand upright, and in a size that is seen. */
+/** Brings meshes and relief into the scene: from its folder or below, or from elsewhere, copied there. They stand upright, and in a size that is seen. */
 record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts texts, Edits edits) {
     /** Pieces of a circle, more than those with which a mesh is drawn roughly. */
     private static final int DRAWN = 72;
@@ -31,6 +33,28 @@ record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts te
     void choose(Sight sight) {
         Optional<Path> folder = document.sourceProperty().get().flatMap(source -> Optional.ofNullable(source.file().toAbsolutePath().getParent()));
         dialogs.meshToOpen(folder).ifPresent(file -> bring(List.of(file), sight));
+    }
+
+    /** Asks for a picture and brings it in as relief, four times as wide as white is high. */
+    void chooseHeights(Sight sight) {
+        Optional<Path> folder = document.sourceProperty().get().flatMap(source -> Optional.ofNullable(source.file().toAbsolutePath().getParent()));
+        dialogs.pictureToOpen(folder.orElseGet(() -> Path.of(System.getProperty("user.home")))).ifPresent(picture -> bringHeights(picture, sight));
+    }
+
+    private void bringHeights(Path picture, Sight sight) {
+        try {
+            Optional<String> known = name(picture);
+            if (known.isEmpty()) {
+                notices.say(texts.of("mesh.unsaved"));
+                return;
+            }
+            Vec3 size = new Vec3(sight.size(), sight.size() / 4, sight.size());
+            Assets assets = document.model().assets();
+            Background.run("paprsek-heights", () -> HeightField.of(known.get(), size).read(MeshFiles.heights(known.get(), assets)), field -> edits.add(field, sight),
+                    fault -> notices.say(fault instanceof Exception unreadable ? Failures.sentence(unreadable) : String.valueOf(fault)));
+        } catch (IOException unreadable) {
+            notices.say(Failures.sentence(unreadable));
+        }
     }
 
     /** Whether a file is one of triangles, which can be part of a scene. */

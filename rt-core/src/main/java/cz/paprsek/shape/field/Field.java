@@ -154,6 +154,14 @@ public final class Field {
         return work(room);
     }
 
+    /** The same at a point. */
+    int at(double x, double y, double z, int axis, double[] room) {
+        Enclosed.set(room, 0, x, x, axis == 0 ? 1 : 0, axis == 0 ? 1 : 0);
+        Enclosed.set(room, Enclosed.SIZE, y, y, axis == 1 ? 1 : 0, axis == 1 ? 1 : 0);
+        Enclosed.set(room, 2 * Enclosed.SIZE, z, z, axis == 2 ? 1 : 0, axis == 2 ? 1 : 0);
+        return work(room);
+    }
+
     private int work(double[] room) {
         for (int i = 0; i < constants.length; i++) {
             Enclosed.set(room, (3 + i) * Enclosed.SIZE, constants[i], constants[i], 0, 0);

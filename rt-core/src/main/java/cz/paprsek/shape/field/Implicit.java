@@ -4,48 +4,35 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
-import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.InBox;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
-import cz.paprsek.shape.placed.Volume;
 
 /**
  * Where a formula is below 0, within a box.
  *
  * <p>A stretch of a ray is left out if the formula cannot be 0 on it, by bounds of its values, or by its value in the middle and bounds of its slope.
  * Where the slope cannot be 0, it is 0 once if the ends differ, and that place is found by halves and secants. All other stretches are cut in the middle, the
- * nearer half first, down to a 2⁻⁴⁰th of what lies in the box. So no crossing is missed, but a pair of them that is nearer to each other than that; and a
- * ray that lies in the surface, where nothing ever decides, is given up after {@value #MOST_STRETCHES} stretches.
+ * nearer half first, down to a 2⁻⁴⁰th of what lies in the box. So no crossing is missed, but a pair of them that is nearer to each other than that. A
+ * ray that lies in the surface, where nothing ever decides, is cut more coarsely after a thousand stretches, so that there are never many thousand and what comes behind is still found.
  *
  * @source Mitchell, Robust Ray Intersection with Interval Arithmetic, Graphics Interface 1990
  */
-public final class Implicit extends Volume implements Part {
-    /** The number of the surface; the faces of the box have the next ones, −x, +x, −y and so on. */
+public final class Implicit extends InBox {
+    /** The number of the surface. */
     public static final int SURFACE = 0;
     private static final int DEEPEST = 40;
-    private static final int MOST_STRETCHES = 20_000;
+    /** After so many stretches they are no more cut so finely, and after as many more coarsely: what is undecided that long is so all along. */
+    private static final int MANY_STRETCHES = 1000;
+    private static final int FINE = 20;
+    private static final int COARSE = 10;
     private static final int MOST_STEPS = 100;
-    /** From where rays start on it, it is looked for behind them so far, as a share of what lies in the box. */
-    private static final double BEHIND = 1e-3;
-
-    private final int part;
-    private final Affine toLocal;
-    private final Bounds worldBounds;
-    private final double[] box;
     private final Field field;
 
     /** Places it. */
     public Implicit(int part, Affine toWorld, Bounds box, Field field) {
-        this.part = part;
-        this.box = new double[] {box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()};
+        super(part, toWorld, box);
         this.field = field;
-        toLocal = toWorld.inverse();
-        worldBounds = box.transformed(toWorld);
-    }
-
-    @Override
-    public Bounds bounds() {
-        return worldBounds;
     }
 
     @Override
@@ -54,88 +41,10 @@ public final class Implicit extends Volume implements Part {
     }
 
     @Override
-    public void spans(Ray ray, Spans out) {
-        int mark = out.size();
-        look(ray, out, Double.POSITIVE_INFINITY);
-        if (part == ray.left) {
-            out.leaveFrom(mark, ray.inwards);
-        }
-    }
-
-    @Override
-    public void nearest(Ray ray) {
-        if (part == ray.left) {
-            super.nearest(ray);
-            return;
-        }
-        Spans spans = ray.spans;
-        int mark = spans.size();
-        look(ray, spans, ray.min);
-        int last = spans.size() - 1;
-        for (int i = mark; i <= last; i++) {
-            if (spans.t(i) > ray.min && spans.t(i) < ray.reach) {
-                ray.accept(spans.t(i), spans.part(i), spans.face(i));
-                break;
-            }
-        }
-        spans.release(mark);
-    }
-
-    @Override
-    public boolean occludes(Ray ray) {
-        if (part == ray.left) {
-            return super.occludes(ray);
-        }
-        Spans spans = ray.spans;
-        int mark = spans.size();
-        look(ray, spans, ray.contact);
-        boolean found = false;
-        for (int i = mark; i < spans.size(); i++) {
-            found |= spans.t(i) > ray.contact && spans.t(i) < ray.max;
-        }
-        spans.release(mark);
-        return found;
-    }
-
-    /**
-     * Pushes the boundaries.
-     *
-     * @param enough no more are wanted than the first one beyond this
-     */
-    private void look(Ray ray, Spans out, double enough) {
-        Line line = ray.in(toLocal);
-        double low = Double.NEGATIVE_INFINITY;
-        double high = Double.POSITIVE_INFINITY;
-        int enterFace = 1;
-        int leaveFace = 1;
-        for (int axis = 0; axis < 3; axis++) {
-            double o = axis == 0 ? line.ox : axis == 1 ? line.oy : line.oz;
-            double d = axis == 0 ? line.dx : axis == 1 ? line.dy : line.dz;
-            if (d == 0) {
-                if (!(o >= box[axis] && o <= box[3 + axis])) {
-                    return;
-                }
-                continue;
-            }
-            double first = ((d > 0 ? box[axis] : box[3 + axis]) - o) / d;
-            double last = ((d > 0 ? box[3 + axis] : box[axis]) - o) / d;
-            if (first > low) {
-                low = first;
-                enterFace = 1 + 2 * axis + (d > 0 ? 0 : 1);
-            }
-            if (last < high) {
-                high = last;
-                leaveFace = 1 + 2 * axis + (d > 0 ? 1 : 0);
-            }
-        }
-        if (!(low < high)) {
-            return;
-        }
-        double from = Math.max(low, part == ray.left ? -BEHIND * (high - low) : Math.min(0, ray.min));
-        // To the end, wherever the ray stops: the last digits of a crossing must not hang on what else has been met.
-        if (!(from < high)) {
-            return;
-        }
+    protected void look(Line line, Ray ray, double from, double enough, Spans out) {
+        double low = ray.enter;
+        double high = ray.leave;
+        int leaveFace = ray.leaveFace;
         // From the middle of what lies in the box: the distance to it would take digits from the numbers there.
         double middle = (low + high) / 2;
         line.ox += middle * line.dx;
@@ -145,12 +54,12 @@ public final class Implicit extends Volume implements Part {
         boolean isInside = value(line, from - middle, room) < 0;
         boolean isInsideAtEnd = value(line, high - middle, room) < 0;
         if (isInside) {
-            out.add(low, part, enterFace);
+            out.add(low, part, ray.enterFace);
             if (low > enough) {
                 return;
             }
         }
-        room[field.room()] = MOST_STRETCHES;
+        room[field.room()] = 0;
         boolean isEnough = search(line, from - middle, high - middle, isInside, isInsideAtEnd, 0, middle, enough, room, out);
         if (isInsideAtEnd && !isEnough) {
             out.add(high, part, leaveFace);
@@ -169,7 +78,8 @@ public final class Implicit extends Volume implements Part {
     private boolean search(Line line, double from, double to, boolean isInside, boolean isInsideAtEnd, int depth, double middle, double enough, double[] room, Spans out) {
         double half = (to - from) / 2;
         double centre = from + half;
-        boolean isCut = depth < DEEPEST && --room[field.room()] > 0;
+        double passed = room[field.room()]++;
+        boolean isCut = depth < (passed < MANY_STRETCHES ? DEEPEST : passed < 2 * MANY_STRETCHES ? FINE : COARSE);
         if (isCut) {
             int bounds = field.along(line, from, to, room);
             double least = room[bounds];
@@ -238,31 +148,29 @@ public final class Implicit extends Volume implements Part {
     /** The slopes along the axes, by lines through the point; where the surface is bent, in the middle between both sides. */
     @Override
     public void describe(int face, Hit hit) {
-        if (face != SURFACE) {
-            int axis = (face - 1) / 2;
-            double sign = face % 2 == 0 ? 1 : -1;
-            hit.normal(toLocal, axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0);
+        if (describesSide(face, hit)) {
             return;
         }
-        double[] at = {toLocal.pointX(hit.px, hit.py, hit.pz), toLocal.pointY(hit.px, hit.py, hit.pz), toLocal.pointZ(hit.px, hit.py, hit.pz), 0, 0, 0};
-        System.arraycopy(at, 0, at, 3, 3);
-        double[] room = field.newRoom();
-        double x = slope(at, 0, room);
-        double y = slope(at, 1, room);
-        double z = slope(at, 2, room);
+        double px = toLocal.pointX(hit.px, hit.py, hit.pz);
+        double py = toLocal.pointY(hit.px, hit.py, hit.pz);
+        double pz = toLocal.pointZ(hit.px, hit.py, hit.pz);
+        double[] room = hit.room(field.room());
+        double x = slope(px, py, pz, 0, room);
+        double y = slope(px, py, pz, 1, room);
+        double z = slope(px, py, pz, 2, room);
         boolean isDirection = x * x + y * y + z * z > 0;
         hit.normal(toLocal, isDirection ? x : 0, isDirection ? y : 1, isDirection ? z : 0);
     }
 
-    private double slope(double[] at, int axis, double[] room) {
-        int bounds = field.within(at, axis, room);
+    private double slope(double x, double y, double z, int axis, double[] room) {
+        int bounds = field.at(x, y, z, axis, room);
         double slope = (room[bounds + 2] + room[bounds + 3]) / 2;
         if (Math.abs(slope) <= Double.MAX_VALUE) {
             return slope;
         }
         double step = 1e-6 * (box[3 + axis] - box[axis]);
-        double above = field.value(at[0] + (axis == 0 ? step : 0), at[1] + (axis == 1 ? step : 0), at[2] + (axis == 2 ? step : 0), room);
-        double below = field.value(at[0] - (axis == 0 ? step : 0), at[1] - (axis == 1 ? step : 0), at[2] - (axis == 2 ? step : 0), room);
+        double above = field.value(x + (axis == 0 ? step : 0), y + (axis == 1 ? step : 0), z + (axis == 2 ? step : 0), room);
+        double below = field.value(x - (axis == 0 ? step : 0), y - (axis == 1 ? step : 0), z - (axis == 2 ? step : 0), room);
         return (above - below) / (2 * step);
     }
 
@@ -272,17 +180,10 @@ public final class Implicit extends Volume implements Part {
         double x = toLocal.pointX(hit.px, hit.py, hit.pz);
         double y = toLocal.pointY(hit.px, hit.py, hit.pz);
         double z = toLocal.pointZ(hit.px, hit.py, hit.pz);
-        double u = (x - box[0]) / (box[3] - box[0]);
-        double v = (y - box[1]) / (box[4] - box[1]);
-        double w = (z - box[2]) / (box[5] - box[2]);
-        switch (face) {
-            case SURFACE -> globe(x - (box[0] + box[3]) / 2, y - (box[1] + box[4]) / 2, z - (box[2] + box[5]) / 2, hit);
-            case 1 -> hit.map(w, v, 0, 0, 1);
-            case 2 -> hit.map(1 - w, v, 0, 0, -1);
-            case 3 -> hit.map(u, w, 1, 0, 0);
-            case 4 -> hit.map(u, 1 - w, 1, 0, 0);
-            case 5 -> hit.map(1 - u, v, -1, 0, 0);
-            default -> hit.map(u, v, 1, 0, 0);
+        if (face == SURFACE) {
+            globe(x - (box[0] + box[3]) / 2, y - (box[1] + box[4]) / 2, z - (box[2] + box[5]) / 2, hit);
+        } else {
+            mapSide(face, x, y, z, hit);
         }
         hit.tangentFrom(toLocal);
     }

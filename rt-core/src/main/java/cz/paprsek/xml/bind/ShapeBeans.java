@@ -19,6 +19,7 @@ import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Superellipsoid;
 import cz.paprsek.shape.Text;
 import cz.paprsek.shape.Torus;
+import cz.paprsek.shape.height.HeightField;
 import cz.paprsek.xml.mistake.Problems;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
@@ -220,6 +221,19 @@ final class ShapeBeans {
         @Override
         Shape toShape(Problems problems) {
             return new Isosurface(expression, min, max);
+        }
+    }
+
+    @XmlRootElement(name = "height-field")
+    @XmlAccessorType(XmlAccessType.FIELD)
+    static final class HeightFieldBean extends ShapeBean {
+        @XmlAttribute(required = true) String file = "";
+        @XmlAttribute @XmlJavaTypeAdapter(Adapters.Vector.class) Vec3 extent = Vec3.ONE;
+        @XmlAttribute boolean smooth;
+
+        @Override
+        Shape toShape(Problems problems) {
+            return new HeightField(file, extent, smooth, HeightField.Content.UNREAD);
         }
     }
 

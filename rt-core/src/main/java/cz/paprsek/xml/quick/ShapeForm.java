@@ -9,6 +9,7 @@ import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Text;
+import cz.paprsek.shape.height.HeightField;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
@@ -43,7 +44,7 @@ record ShapeForm(Name name, TagForm tag, boolean isSolid, boolean isOperation, M
                     of(Described.word(operation), List.of(), true, true, (values, operands) -> new Csg(operation, operands)));
         }
         RecordForm<? extends Record> shape = new RecordForm<>(type);
-        Object unread = type == Text.class ? Text.Content.UNREAD : Mesh.Content.UNREAD;
+        Object unread = type == Text.class ? Text.Content.UNREAD : type == HeightField.class ? HeightField.Content.UNREAD : Mesh.Content.UNREAD;
         return Stream.of(of(ElementTable.name(type), shape.slots(), Solid.class.isAssignableFrom(type), false,
                 (values, operands) -> (Shape) shape.make(values, MEASURES_AT, unread)));
     }

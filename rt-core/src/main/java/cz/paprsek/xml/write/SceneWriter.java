@@ -29,6 +29,7 @@ import cz.paprsek.shape.CustomShape;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.height.HeightField;
 import cz.paprsek.text.MadeInCode;
 import cz.paprsek.xml.format.SceneFormat;
 import java.util.List;
@@ -257,7 +258,7 @@ public final class SceneWriter {
     private void body(Body body) {
         Shape shape = body.shape();
         MaterialSource material = body.material();
-        if (shape instanceof CustomShape || (shape instanceof Mesh mesh && mesh.file().isEmpty())) {
+        if (shape instanceof CustomShape || (shape instanceof Mesh mesh && mesh.file().isEmpty()) || (shape instanceof HeightField field && field.file().isEmpty())) {
             throw MadeInCode.refusedBy(HERE, shape.kind(), "shape");
         }
         String element = shape.kind();

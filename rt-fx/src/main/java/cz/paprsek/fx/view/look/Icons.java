@@ -29,6 +29,7 @@ public final class Icons {
             Map.entry("isosurface", "mdi2f-function-variant"),
             Map.entry("lathe", "mdi2c-chess-pawn"),
             Map.entry("torus", "mdi2c-circle-double"),
+            Map.entry("height-field", "mdi2i-image-filter-hdr"),
             Map.entry("mesh", "mdi2v-vector-triangle"),
             Map.entry("rectangle", "mdi2r-rectangle-outline"),
             Map.entry("disc", "mdi2c-circle-outline"),

@@ -5,6 +5,9 @@ import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.command.FileFinder.Kind;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.height.HeightField;
 import java.util.Set;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -18,18 +21,20 @@ final class FileEditor implements PropertyEditor {
     /** What an object and an operand call their shape. */
     private static final Set<String> SHAPES = Set.of("shape", "solid");
 
+    private final Property property;
+    private final Texts texts;
     private final TextEditor name;
+    private final Button choose = new Button("", new FontIcon("mdi2f-folder-open-outline"));
     private final HBox box;
+    private Kind kind = Kind.PICTURE;
 
     FileEditor(Property property, PropertyEdit edit, Texts texts, FileFinder finder) {
         String id = String.join("-", property.path());
         name = new TextEditor(id, edit, scene -> property.read(scene).map(Object::toString).orElse(""), property::write);
-        Button choose = new Button("", new FontIcon("mdi2f-folder-open-outline"));
         choose.setId(id + "-choose");
-        Kind kind = SHAPES.contains(property.path().get(0)) ? Kind.MESH : Kind.PICTURE;
-        String text = texts.of(kind == Kind.MESH ? "sheet.choose-mesh" : "sheet.choose-picture");
-        choose.setAccessibleText(text);
-        choose.setTooltip(new Tooltip(text));
+        this.property = property;
+        this.texts = texts;
+        say();
         choose.setOnAction(event -> {
             try {
                 finder.find(kind, choose.getScene().getWindow()).ifPresent(found -> edit.change(scene -> property.write(scene, found)));
@@ -46,8 +51,25 @@ final class FileEditor implements PropertyEditor {
         return box;
     }
 
+    private void say() {
+        String text = texts.of(kind == Kind.MESH ? "sheet.choose-mesh" : "sheet.choose-picture");
+        choose.setAccessibleText(text);
+        choose.setTooltip(new Tooltip(text));
+    }
+
+    /** Relief is of pictures, other shapes are of triangles. */
+    private boolean isOfTriangles(Scene scene) {
+        return SHAPES.contains(property.path().get(0)) && property.target().read(scene).stream().noneMatch(record ->
+                (record instanceof SceneObject object && object.shape() instanceof HeightField) || (record instanceof Operand operand && operand.solid() instanceof HeightField));
+    }
+
     @Override
     public void show(Scene scene) {
         name.show(scene);
+        Kind now = isOfTriangles(scene) ? Kind.MESH : Kind.PICTURE;
+        if (now != kind) {
+            kind = now;
+            say();
+        }
     }
 }

@@ -8,11 +8,13 @@ import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.height.HeightField;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -48,8 +50,9 @@ public final class AddPalette extends FlowPane {
     /**
      * @param sight where new things are put, and how large: where the user looks
      * @param mesh asks for a file of triangles, and adds it
+     * @param heights asks for a picture, and adds it as relief
      */
-    public AddPalette(EditorModel model, Texts texts, Supplier<Sight> sight, Edits edits, Consumer<Sight> mesh) {
+    public AddPalette(EditorModel model, Texts texts, Supplier<Sight> sight, Edits edits, Consumer<Sight> mesh, Consumer<Sight> heights) {
         setId("add-palette");
         getStyleClass().add("add-palette");
         getStylesheets().add(Objects.requireNonNull(AddPalette.class.getResource("palette.css")).toExternalForm());
@@ -63,6 +66,8 @@ public final class AddPalette extends FlowPane {
         }
         Mesh unread = Mesh.of("mesh");
         adding.add(new Entry("add-mesh", texts.of("palette.mesh", texts.kind(unread)), Icons.of(unread), always, () -> mesh.accept(sight.get())));
+        HeightField relief = HeightField.of("picture", Vec3.ONE);
+        adding.add(new Entry("add-height-field", texts.of("palette.height-field", texts.kind(relief)), Icons.of(relief), always, () -> heights.accept(sight.get())));
         for (Light kind : Adding.LIGHTS) {
             adding.add(new Entry("add-" + kind.kind(), texts.kind(kind), Icons.of(kind), always, () -> edits.add(kind, sight.get())));
         }

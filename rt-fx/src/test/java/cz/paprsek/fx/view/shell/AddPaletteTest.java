@@ -27,7 +27,7 @@ class AddPaletteTest {
     private final AtomicReference<AddPalette> palette = new AtomicReference<>();
     private final Edits edits = new Edits(model, Texts.in(Locale.ENGLISH));
     private final Gui gui = Gui.show(() -> {
-        palette.set(new AddPalette(model, Texts.in(Locale.ENGLISH), () -> Sight.of(model.state()), edits, sight -> {}));
+        palette.set(new AddPalette(model, Texts.in(Locale.ENGLISH), () -> Sight.of(model.state()), edits, sight -> {}, sight -> {}));
         return palette.get();
     }, 300, 120);
 
