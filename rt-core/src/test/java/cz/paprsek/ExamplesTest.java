@@ -48,6 +48,20 @@ class ExamplesTest {
         assertThat(Files.readString(example.resolve("pom.xml"))).contains("<artifactId>rt-core</artifactId>\n      " + version.group(), "<artifactId>" + example.getFileName() + "</artifactId>");
     }
 
+    /** Maven 3.8 compiles for Java 5 where a project says nothing that its old plugin knows. */
+    @ParameterizedTest
+    @MethodSource("examples")
+    void everyExampleIsCompiledByOldMavenToo(Path example) throws IOException {
+        assertThat(Files.readString(example.resolve("pom.xml"))).contains("<maven.compiler.source>17</", "<maven.compiler.target>17</");
+    }
+
+    @Test
+    void theVersionsToImportAreThoseOfTheBuild() throws IOException {
+        Matcher version = Pattern.compile("<version>(.*?)</version>").matcher(Files.readString(Path.of("../pom.xml")));
+        assertThat(version.find()).isTrue();
+        assertThat(Files.readString(Path.of("bom/pom.xml"))).contains(version.group(), ">rt-core<", ">rt-cli<", ">rt-fx<");
+    }
+
     @Test
     void theManualNamesAll() throws IOException {
         assertThat(Files.readString(Path.of("../docs/library.md"))).contains(examples().stream().map(example -> "(examples/" + example.getFileName() + "/src/main/java/").toList());

@@ -23,6 +23,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
+import org.jspecify.annotations.NullMarked;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -146,6 +147,13 @@ class ModuleTest {
             }
         }
         assertThat(hidden).isEmpty();
+    }
+
+    /** Checkers and other languages then know that what a signature does not call nullable is not: also from the class path, where the module's word does not count. */
+    @Test
+    void whatIsOnOfferIsSaidToBeWithoutNulls() {
+        assertThat(ModuleFinder.of(core).find("cz.paprsek.core").orElseThrow().descriptor().exports().stream().filter(exports -> !exports.isQualified()).map(Exports::source))
+                .isNotEmpty().allSatisfy(room -> assertThat(Class.forName(room + ".package-info").isAnnotationPresent(NullMarked.class)).as(room).isTrue());
     }
 
     @Test

@@ -1,2 +1,5 @@
 /** Pictures that follow a scene that changes. */
+@NullMarked
 package cz.paprsek.render.live;
+
+import org.jspecify.annotations.NullMarked;

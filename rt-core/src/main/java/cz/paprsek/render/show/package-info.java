@@ -1,2 +1,5 @@
 /** How pictures are made that show something else than light. */
+@NullMarked
 package cz.paprsek.render.show;
+
+import org.jspecify.annotations.NullMarked;
