@@ -119,6 +119,26 @@ class ReadmeTest {
         assertThat(SceneFiles.parse(xml).objects()).isNotEmpty();
     }
 
+    /** What the page of elements shows stands in the scene that it begins with, as the site renders it. */
+    @Test
+    void everyElementShownIsValid() throws Exception {
+        String page = Files.readString(Path.of("../docs/elements.md"));
+        List<String> shown = Pattern.compile("```xml\n(.*?)```", Pattern.DOTALL).matcher(page).results().map(result -> result.group(1)).toList();
+        assertThat(shown).hasSizeGreaterThan(20);
+        for (String element : shown.subList(1, shown.size())) {
+            assertThat(SceneFiles.parse(shown.get(0).replace("<!-- here -->", element)).objects()).as(element).hasSize(2);
+        }
+    }
+
+    @Test
+    void theGalleryShowsThirtyScenesThatAreThere() throws IOException {
+        List<String> names = Pattern.compile("\\]\\(gallery/([\\w-]+)\\.jpg\\)").matcher(Files.readString(Path.of("../docs/gallery.md"))).results().map(result -> result.group(1)).toList();
+        assertThat(names).hasSize(30).doesNotHaveDuplicates().allSatisfy(name -> {
+            assertThat(Path.of("../scenes", name + ".xml")).exists();
+            assertThat(Files.size(Path.of("../docs/gallery", name + ".jpg"))).isLessThan(40_000);
+        });
+    }
+
     /** What a newcomer sees first: smooth edges, a soft shadow and a blurred background, in four lines. */
     @Test
     void theFirstSceneTakesFourLines() throws Exception {

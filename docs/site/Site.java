@@ -1,0 +1,80 @@
+import cz.paprsek.image.ImageFiles;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * What the site has beyond the pages as they are: a picture below each scene that a page shows, rendered from just that, and an index to search. Run by the profile {@code site}:
+ * <pre>java -cp rt-cli/target/rt-cli.jar docs/site/Site.java target/pages</pre>
+ */
+class Site {
+    private static final Pattern EXAMPLE = Pattern.compile("```xml\n(<.*?)```\n", Pattern.DOTALL);
+    private static final String PLACE = "<!-- here -->";
+    private static final int WIDTH = 360;
+
+    public static void main(String[] words) throws Exception {
+        Path root = Path.of(words[0], "markdown");
+        StringBuilder index = new StringBuilder("window.PAPRSEK_PAGES = [\n");
+        int pictures = 0;
+        List<Path> pages;
+        try (Stream<Path> all = Files.walk(root)) {
+            pages = all.filter(file -> file.toString().endsWith(".md")).sorted().toList();
+        }
+        for (Path page : pages) {
+            String text = Files.readString(page);
+            String link = root.relativize(page).toString().replace('\\', '/').replaceFirst("md$", "html");
+            index(link, text, index);
+            StringBuilder with = new StringBuilder();
+            String stage = "";
+            Matcher example = EXAMPLE.matcher(text);
+            while (example.find()) {
+                String xml = example.group(1);
+                String shown = "";
+                if (xml.contains(PLACE)) {
+                    stage = xml;
+                } else if (!text.startsWith("\n![", example.end()) && (xml.startsWith("<scene") || !stage.isEmpty())) {
+                    Scene scene = SceneFiles.parse(xml.startsWith("<scene") ? xml : stage.replace(PLACE, xml));
+                    int height = WIDTH * scene.settings().height() / scene.settings().width();
+                    String name = link.replaceAll("\\.html$", "").replace('/', '-') + "-" + ++pictures + ".png";
+                    Path picture = Path.of(words[0], "resources", "docs", "shown", name);
+                    Files.createDirectories(picture.getParent());
+                    ImageFiles.write(Renderer.render(scene.withSettings(scene.settings().withSize(WIDTH, height))), picture);
+                    shown = "\n![" + (xml.startsWith("<scene") ? "This scene" : xml.replaceAll("(?s)^<([\\w-]+).*", "$1")) + "](" + "../".repeat(link.split("/").length - 1) + "docs/shown/" + name + ")\n";
+                }
+                example.appendReplacement(with, Matcher.quoteReplacement(example.group() + shown));
+            }
+            Files.writeString(page, example.appendTail(with));
+        }
+        Files.writeString(Path.of(words[0], "resources", "search-index.js"), index.append("];\n"));
+        System.out.println(pages.size() + " pages, " + pictures + " pictures");
+    }
+
+    /** An entry for each section: page, heading, and its words. */
+    private static void index(String link, String text, StringBuilder into) {
+        String title = "";
+        for (String section : text.split("(?m)^(?=#+ )")) {
+            Matcher heading = Pattern.compile("^#+ (.*)\n").matcher(section);
+            String name = heading.find() ? heading.group(1) : "";
+            title = title.isEmpty() ? name : title;
+            String words = section.replaceAll("!?\\[([^\\]]*)\\]\\([^)]*\\)", "$1").replaceAll("[#`*|]", " ").replaceAll("\\s+", " ").strip();
+            if (!words.isEmpty()) {
+                into.append("[").append(quoted(link)).append(",").append(quoted(title)).append(",").append(quoted(name)).append(",").append(quoted(words)).append("],\n");
+            }
+        }
+    }
+
+    private static String quoted(String text) {
+        StringBuilder out = new StringBuilder("\"");
+        for (char letter : text.toCharArray()) {
+            out.append(letter == '"' || letter == '\\' ? "\\" + letter : letter < ' ' || letter == '<' || letter > '\u2027' && letter < '\u202a' ? String.format(Locale.ROOT, "\\u%04x", (int) letter) : String.valueOf(letter));
+        }
+        return out.append('"').toString();
+    }
+}
