@@ -1,10 +1,9 @@
-// Searches the pages: sections that have all words, those first whose heading has them. Works without a server, and fetches nothing.
+// Searches the pages: sections that have all words, those first whose heading has them, and that are in the page's language. Works without a server, and fetches nothing.
 (function () {
   const root = document.currentScript.dataset.root;
   const plain = text => text.toLowerCase().normalize('NFD').replace(/[\u0300-\u036f]/g, '');
   const cs = location.pathname.includes('/cs/');
   function begin() {
-    const column = document.querySelector('#leftColumn .well, #leftColumn, body');
     const box = document.createElement('form');
     box.id = 'search';
     box.setAttribute('role', 'search');
@@ -14,7 +13,7 @@
     field.setAttribute('aria-label', field.placeholder);
     const list = document.createElement('ul');
     box.append(field, list);
-    column.prepend(box);
+    document.body.prepend(box);
     box.addEventListener('submit', event => {
       event.preventDefault();
       const first = list.querySelector('a');
@@ -28,7 +27,7 @@
       for (const [link, title, heading, text] of window.PAPRSEK_PAGES) {
         const all = plain(text), head = plain(heading + ' ' + title);
         if (words.every(word => all.includes(word) || head.includes(word))) {
-          found.push({link, title, heading, text, rank: words.filter(word => head.includes(word)).length});
+          found.push({link, title, heading, text, rank: (link.includes('/cs/') === cs ? 100 : 0) + words.reduce((sum, word) => sum + (head.includes(word) ? 10 : 0) + Math.min(9, all.split(word).length - 1), 0)});
         }
       }
       found.sort((a, b) => b.rank - a.rank);
