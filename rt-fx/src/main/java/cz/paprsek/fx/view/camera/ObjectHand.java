@@ -284,6 +284,7 @@ final class ObjectHand {
     /** Handles, lines that something has come to, and figures. */
     void draw(GraphicsContext g) {
         band.draw(g);
+        handles().ifPresent(known -> known.draw(g, held.isPresent() ? held : hovered));
         Manipulation now = doing;
         if (now != null && now.gesture().isOpen()) {
             Outlines outlines = new Outlines(g, model.state(), view.camera());
@@ -291,7 +292,6 @@ final class ObjectHand {
             String figures = now.figures(edits.texts().locale());
             Plates.above(g, now.typed().isNone() && held.isEmpty() ? edits.texts().of("handles.prompt") : figures);
         }
-        handles().ifPresent(known -> known.draw(g, held.isPresent() ? held : hovered));
     }
 
     private static void guide(Outlines outlines, Line line, Vec3 middle) {

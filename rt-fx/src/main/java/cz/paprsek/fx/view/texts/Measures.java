@@ -15,8 +15,9 @@ import cz.paprsek.text.Numbers;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
+import java.util.Set;
 
-/** What is selected, in words and numbers: how large the only body is along its own axes; of two things, how far they are apart. */
+/** What is selected, in words and numbers: how large the only body is along its own axes; of two things, how far they are apart; of three, the angle at the one that was selected second. */
 public final class Measures {
     private static final MathContext DIGITS = new MathContext(4);
 
@@ -29,6 +30,13 @@ public final class Measures {
         if (items.size() == 2) {
             double apart = place(scene, items.get(0)).minus(place(scene, items.get(1))).length();
             return texts.of("measure.apart", name, number(apart, texts));
+        }
+        if (items.size() == 3) {
+            Vec3 corner = place(scene, items.get(1));
+            Vec3 one = place(scene, items.get(0)).minus(corner);
+            Vec3 other = place(scene, items.get(2)).minus(corner);
+            double degrees = Math.toDegrees(Math.atan2(one.cross(other).length(), one.dot(other)));
+            return texts.of("measure.angle", name, number(degrees, texts), PathNames.of(scene, Set.of(items.get(1)), texts));
         }
         return items.size() == 1 && items.get(0) instanceof BodyAt at && at.isIn(scene) ? name + size(scene, at, texts) : name;
     }
