@@ -9,8 +9,10 @@ import cz.paprsek.scene.motion.Quaternion;
 import cz.paprsek.text.Numbers;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.StringTokenizer;
+import java.util.function.DoubleFunction;
 import java.util.stream.Collectors;
 
 /**
@@ -128,6 +130,15 @@ public record Animation(
                 "value must have as many numbers as that of the key before, " + count + ", but has " + next.numbers().length);
     }
 
+    /**
+     * What can be animated of what stands at a place, in the order of files: the names of its attributes and their values as keys have them.
+     *
+     * @throws IllegalArgumentException if the scene has nothing there
+     */
+    public static Map<String, String> values(Scene scene, ScenePath place) {
+        return Animations.values(scene, place);
+    }
+
     /** Whether it is of a parameter. */
     public boolean isOfParameter() {
         return target.startsWith(PARAMETER);
@@ -145,53 +156,61 @@ public record Animation(
      * @return one to three numbers
      */
     public double[] at(double t) {
+        return moments().apply(t);
+    }
+
+    /** As {@link #at}, for many times: what the keys say is read once. */
+    DoubleFunction<double[]> moments() {
+        double[][] values = keys.stream().map(Key::numbers).toArray(double[][]::new);
+        return t -> at(values, t);
+    }
+
+    private double[] at(double[][] values, double t) {
         int next = 0;
         while (next < keys.size() && keys.get(next).t() <= t) {
             next++;
         }
         if (next == 0 || next == keys.size()) {
-            return keys.get(Math.max(0, next - 1)).numbers();
+            return values[Math.max(0, next - 1)].clone();
         }
         Key from = keys.get(next - 1);
-        Key to = keys.get(next);
-        double u = (t - from.t()) / (to.t() - from.t());
+        double u = (t - from.t()) / (keys.get(next).t() - from.t());
         return switch (from.ease()) {
-            case LINEAR -> between(from, to, u);
-            case SMOOTH -> between(from, to, u * u * (3 - 2 * u));
-            case CATMULL_ROM -> curve(next - 1, u);
-            case HOLD -> from.numbers();
+            case LINEAR -> between(values[next - 1], values[next], u);
+            case SMOOTH -> between(values[next - 1], values[next], u * u * (3 - 2 * u));
+            case CATMULL_ROM -> curve(values, next - 1, u);
+            case HOLD -> values[next - 1].clone();
         };
     }
 
-    private double[] between(Key from, Key to, double share) {
-        double[] a = from.numbers();
-        double[] b = to.numbers();
+    private double[] between(double[] a, double[] b, double share) {
         if (turn == Turning.SHORTEST) {
             Vec3 angles = Quaternion.ofDegrees(new Vec3(a[0], a[1], a[2])).towards(Quaternion.ofDegrees(new Vec3(b[0], b[1], b[2])), share).degrees();
             return new double[] {angles.x(), angles.y(), angles.z()};
         }
-        for (int i = 0; i < a.length; i++) {
-            a[i] += share * (b[i] - a[i]);
-        }
-        return a;
-    }
-
-    /** Cubic Hermite from a key to the next. */
-    private double[] curve(int from, double u) {
-        double span = keys.get(from + 1).t() - keys.get(from).t();
-        double[] a = keys.get(from).numbers();
-        double[] b = keys.get(from + 1).numbers();
-        double[] value = new double[a.length];
+        double[] value = a.clone();
         for (int i = 0; i < value.length; i++) {
-            double rise = u * u * (3 - 2 * u);
-            value[i] = a[i] + rise * (b[i] - a[i]) + u * (1 - u) * span * ((1 - u) * slope(from, i) - u * slope(from + 1, i));
+            value[i] += share * (b[i] - a[i]);
         }
         return value;
     }
 
-    private double slope(int key, int number) {
-        Key before = keys.get(Math.max(0, key - 1));
-        Key behind = keys.get(Math.min(keys.size() - 1, key + 1));
-        return (behind.numbers()[number] - before.numbers()[number]) / (behind.t() - before.t());
+    /** Cubic Hermite from a key to the next. */
+    private double[] curve(double[][] values, int from, double u) {
+        double span = keys.get(from + 1).t() - keys.get(from).t();
+        double[] a = values[from];
+        double[] b = values[from + 1];
+        double[] value = new double[a.length];
+        for (int i = 0; i < value.length; i++) {
+            double rise = u * u * (3 - 2 * u);
+            value[i] = a[i] + rise * (b[i] - a[i]) + u * (1 - u) * span * ((1 - u) * slope(values, from, i) - u * slope(values, from + 1, i));
+        }
+        return value;
+    }
+
+    private double slope(double[][] values, int key, int number) {
+        int before = Math.max(0, key - 1);
+        int behind = Math.min(keys.size() - 1, key + 1);
+        return (values[behind][number] - values[before][number]) / (keys.get(behind).t() - keys.get(before).t());
     }
 }

@@ -40,6 +40,16 @@ final class Animations {
         return List.of(place instanceof CameraAt at ? scene.cameras().get(at.index()) : ((MaterialAt) place).in(scene));
     }
 
+    /** As {@link Animation#values}. */
+    static Map<String, String> values(Scene scene, ScenePath place) {
+        Map<String, String> values = new LinkedHashMap<>();
+        for (Record record : records(scene, place)) {
+            Described.inline(record.getClass()).stream().filter(each -> each.isOf(record) && isNumbers(each))
+                    .forEach(each -> RecordValues.text(each.value(record)).ifPresent(text -> values.putIfAbsent(each.name(), text)));
+        }
+        return values;
+    }
+
     /**
      * Checks animations of a scene.
      *
@@ -134,10 +144,10 @@ final class Animations {
     }
 
     /** What is animated, looked up in its scene. */
-    private record Moving(ScenePath place, Part part, Animation by) {
+    private record Moving(ScenePath place, Part part, DoubleFunction<double[]> values) {
         static Moving of(Scene scene, Animation one) {
             ScenePath place = ScenePath.parse(scene, one.target());
-            return new Moving(place, Animations.part(scene, place, one), one);
+            return new Moving(place, Animations.part(scene, place, one), one.moments());
         }
     }
 
@@ -150,7 +160,7 @@ final class Animations {
     private static Scene at(Scene scene, List<Moving> moving, double t) {
         Map<ScenePath, Map<Integer, Map<Described, double[]>>> all = new LinkedHashMap<>();
         moving.forEach(one -> all.computeIfAbsent(one.place, at -> new LinkedHashMap<>()).computeIfAbsent(one.part.number, number -> new LinkedHashMap<>())
-                .put(one.part.attribute, one.by.at(t)));
+                .put(one.part.attribute, one.values.apply(t)));
         Scene still = scene.withAnimations(List.of());
         List<Camera> cameras = new ArrayList<>(still.cameras());
         List<Light> lights = new ArrayList<>(still.lights());

@@ -24,9 +24,17 @@ final class Frames implements DoubleFunction<Scene> {
     private final boolean isMadeAnew;
     private final DoubleFunction<Scene> moments;
 
+    /** Whether one time shows something else than another. */
+    static boolean differ(Scene scene) {
+        return !scene.animations().isEmpty() || knowTime(scene);
+    }
+
+    private static boolean knowTime(Scene scene) {
+        return Stream.concat(Stream.of(scene.recipe().text()), scene.recipe().included().values().stream()).anyMatch(text -> TIME.matcher(text).find());
+    }
+
     Frames(Scene given) {
-        boolean knowsTime = Stream.concat(Stream.of(given.recipe().text()), given.recipe().included().values().stream()).anyMatch(text -> TIME.matcher(text).find());
-        isMadeAnew = knowsTime || given.animations().stream().anyMatch(Animation::isOfParameter);
+        isMadeAnew = knowTime(given) || given.animations().stream().anyMatch(Animation::isOfParameter);
         scene = isMadeAnew ? Settled.of(given) : given;
         moments = scene.moments();
     }

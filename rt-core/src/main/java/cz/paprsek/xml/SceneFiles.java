@@ -207,6 +207,11 @@ public final class SceneFiles {
         return new Frames(Objects.requireNonNull(scene, "scene"));
     }
 
+    /** Whether anything in a scene is animated, or made by formulas with the time. */
+    public static boolean moves(Scene scene) {
+        return Frames.differ(Objects.requireNonNull(scene, "scene"));
+    }
+
     /**
      * A changed scene in which all copies of what is repeated are as the first of them, which has been changed; else as {@link #settled}.
      *

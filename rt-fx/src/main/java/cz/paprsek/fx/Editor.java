@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.file.Document;
 import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.fx.model.file.Settings;
+import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.explain.TreeChooser;
@@ -42,6 +43,7 @@ final class Editor implements Notices {
 
     private final Stage stage;
     private final EditorModel model = new EditorModel(Scene.EMPTY);
+    private final Clock clock = new Clock(model);
     private final Document document = new Document(model);
     private final Settings settings;
     private final FileActions files;
@@ -106,6 +108,11 @@ final class Editor implements Notices {
 
     EditorModel model() {
         return model;
+    }
+
+    /** Which time of the scene is looked at. */
+    Clock clock() {
+        return clock;
     }
 
     Document document() {

@@ -111,7 +111,7 @@ final class MainWindow {
         status.followRender(editor.renders().statusProperty());
         UndoKeys.reach(model, root);
         sheet.setOnFieldGone(views::takeKeys);
-        new FocusOrder(List.of(views::root, () -> tree, () -> palette, columns::last, columns::lesson, () -> problems, () -> warningList), views::takeKeys).reach(root);
+        new FocusOrder(List.of(views::grid, views::timeline, () -> tree, () -> palette, columns::last, columns::lesson, () -> problems, () -> warningList), views::takeKeys).reach(root);
         views.setOnPointed(status::showCursor, texts);
         model.stateProperty().addListener(new WeakChangeListener<>(showSelection));
         showSelection();

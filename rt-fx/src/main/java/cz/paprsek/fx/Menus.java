@@ -169,12 +169,16 @@ final class Menus {
                 command("cut.z", () -> views.cut(Axis.Z)).keys("Shortcut+Shift+C").menuItem(), new SeparatorMenuItem(),
                 command("cut.more", () -> views.moveCut(-0.05)).keys("Shortcut+Page_Down").menuItem(), command("cut.less", () -> views.moveCut(0.05)).keys("Shortcut+Page_Up").menuItem(),
                 command("cut.whole", views::whole).keys("Shortcut+Shift+W").menuItem());
+        CheckMenuItem timeline = new CheckMenuItem(texts.of("view-menu.timeline"));
+        timeline.setId("view-menu-timeline");
+        timeline.setAccelerator(KeyCombination.valueOf("Shortcut+Alt+T"));
+        timeline.selectedProperty().bindBidirectional(editor.clock().openProperty());
         return menu("menu.view",
                 maximize("view-menu.top", 0, "Shortcut+1"), maximize("view-menu.camera", 1, "Shortcut+2"),
                 maximize("view-menu.front", 2, "Shortcut+3"), maximize("view-menu.right", 3, "Shortcut+4"), free, look, cut, new SeparatorMenuItem(),
                 command("view-menu.zoom-in", () -> views.zoom(pane -> pane.zoom(1.25))).keys("Shortcut+Plus").menuItem(),
                 command("view-menu.zoom-out", () -> views.zoom(pane -> pane.zoom(0.8))).keys("Shortcut+Minus").menuItem(), fitAll.menuItem(),
-                command("view-menu.fit-selection", views::fitSelection).keys("Shortcut+Shift+0").menuItem(), new SeparatorMenuItem(), explain,
+                command("view-menu.fit-selection", views::fitSelection).keys("Shortcut+Shift+0").menuItem(), new SeparatorMenuItem(), timeline, explain,
                 command("view-menu.present", views::present).keys("Shortcut+Shift+E").menuItem(),
                 views.cameras().menu(), new SeparatorMenuItem(), theme, language);
     }

@@ -14,6 +14,7 @@ import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.explain.ExplainMode;
 import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.motion.TimelinePane;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.fx.view.shell.PaneGrid;
@@ -35,7 +36,9 @@ import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
+import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 
@@ -47,6 +50,8 @@ final class Views {
     private final CameraPane camera;
     private final List<TitledView> titled;
     private final PaneGrid grid;
+    private final TimelinePane timeline;
+    private final VBox root;
     private final ExplainMode explaining;
     private final CameraCommands cameras;
     private final CameraPane free;
@@ -65,6 +70,7 @@ final class Views {
         this.theme = editor.followTheme();
         Texts texts = editor.texts();
         camera = new CameraPane(model, editor::fault);
+        camera.follow(editor.clock());
         camera.setOnLocked(() -> editor.say(texts.of("view.camera-locked")));
         ProjectionPane top = projection(editor, commands.edits(), Axes.TOP);
         ProjectionPane front = projection(editor, commands.edits(), Axes.FRONT);
@@ -74,6 +80,11 @@ final class Views {
                 titled("top", texts.of("view.top"), texts, top), titled("camera", texts.of("view.camera"), texts, camera),
                 titled("front", texts.of("view.front"), texts, front), titled("right", texts.of("view.right"), texts, right));
         grid = new PaneGrid(titled);
+        projections.forEach(pane -> pane.follow(editor.clock()));
+        timeline = new TimelinePane(commands.edits(), editor.clock(), theme);
+        VBox.setVgrow(grid, Priority.ALWAYS);
+        root = new VBox(grid, timeline);
+        root.setMinWidth(0);
         explaining = new ExplainMode(model, camera, projections, new ExplainPane(texts, theme, editor.treeChooser()));
         present = () -> editor.presenter().show(explaining.pane().explained());
         explaining.pane().addTool(presentButton(texts));
@@ -86,6 +97,7 @@ final class Views {
         camera.setContextMenu(commands.contextMenu());
         projections.forEach(pane -> pane.setContextMenu(commands.contextMenu()));
         free = CameraPane.free(model, editor::fault);
+        free.follow(editor.clock());
         free.acceptMaterials(commands.edits());
         camera.cutBy(cut);
         free.cutBy(cut);
@@ -208,7 +220,17 @@ final class Views {
     }
 
     Node root() {
+        return root;
+    }
+
+    /** The four views without the timeline. */
+    Node grid() {
         return grid;
+    }
+
+    /** Times and keys of what is animated. */
+    TimelinePane timeline() {
+        return timeline;
     }
 
     /** The views in the order of the window: top, camera, front, right. */

@@ -3,12 +3,15 @@ package cz.paprsek.scene.motion;
 import cz.paprsek.attribute.Described;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.text.Numbers;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 
 /** Records with other numbers at some of their attributes. */
 public final class RecordValues {
@@ -44,6 +47,14 @@ public final class RecordValues {
         } catch (ReflectiveOperationException e) {
             throw new IllegalStateException("a record is not to be made as its components say", e);
         }
+    }
+
+    /** A value as it is in a key; empty for none, and for one without end. */
+    public static Optional<String> text(Object value) {
+        double[] numbers = value instanceof Vec3 v ? new double[] {v.x(), v.y(), v.z()} : value instanceof Rgb c ? new double[] {c.red(), c.green(), c.blue()}
+                : value instanceof OptionalDouble one ? one.stream().toArray() : value instanceof double[] pair ? pair : new double[] {((Number) value).doubleValue()};
+        return numbers.length == 0 || !Arrays.stream(numbers).allMatch(Double::isFinite) ? Optional.empty()
+                : Optional.of(Arrays.stream(numbers).mapToObj(Numbers::text).collect(Collectors.joining(" ")));
     }
 
     private static Object get(RecordComponent component, Record record) {

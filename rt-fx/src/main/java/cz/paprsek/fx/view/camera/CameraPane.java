@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.CutPlane;
 import cz.paprsek.fx.model.edit.Visible;
+import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.picture.PicturePoint;
@@ -24,6 +25,7 @@ import javafx.animation.Animation;
 import javafx.animation.KeyFrame;
 import javafx.animation.Timeline;
 import javafx.beans.InvalidationListener;
+import javafx.beans.WeakInvalidationListener;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
@@ -60,6 +62,8 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     /** Held here, because the model, which may outlive the pane, holds it weakly. */
     private final ChangeListener<EditorState> onState;
     private final Viewpoint view;
+    private final InvalidationListener onTime = time -> show();
+    private Optional<Clock> clock = Optional.empty();
     private Visible visible;
     private Optional<ObjectHand> objects = Optional.empty();
     private Optional<BodyAt> hovered = Optional.empty();
@@ -222,10 +226,21 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         }
     }
 
+    /** Shows the scene at the time that is looked at. */
+    public void follow(Clock followed) {
+        clock = Optional.of(followed);
+        followed.secondsProperty().addListener(new WeakInvalidationListener(onTime));
+        show();
+    }
+
+    private EditorState now() {
+        return clock.map(Clock::shown).orElseGet(model::state);
+    }
+
     private void show() {
         Set<ScenePath> hidden = new LinkedHashSet<>(model.state().hidden());
         hidden.addAll(without);
-        Visible whole = Visible.of(view.seen(model.state().withHidden(hidden)));
+        Visible whole = Visible.of(view.seen(now().withHidden(hidden)));
         visible = cut.getValue().map(plane -> plane.of(whole)).orElse(whole);
         picture.show(visible.scene(), model.assets());
         picture.overlay().repaint();
@@ -243,7 +258,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     }
 
     private void draw(GraphicsContext g) {
-        Outlines outlines = new Outlines(g, model.state(), view.camera());
+        Outlines outlines = new Outlines(g, now(), view.seen(now()).camera());
         hovered.filter(body -> body.isIn(model.scene()) && !model.selection().contains(body)).ifPresent(body -> outlines.draw(body, Look.FAINT));
         if (objects.isPresent()) {
             outlines.selected();

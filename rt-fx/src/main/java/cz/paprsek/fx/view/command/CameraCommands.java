@@ -40,6 +40,7 @@ public final class CameraCommands {
         commands = List.of(
                 Command.of("view-menu.next-camera", texts, () -> model.look((model.state().eye() + 1) % model.scene().cameras().size())).keys("Shortcut+Alt+K").disabledIf(isOnly),
                 Command.of("view-menu.new-camera", texts, edits::addCamera).keys("Shortcut+Shift+K"),
+                Command.of("view-menu.turntable", texts, edits::turnCamera),
                 Command.of("view-menu.first-camera", texts, () -> edits.makeFirst(model.state().eye())).disabledIf(isFirst),
                 Command.of("view-menu.remove-camera", texts, () -> edits.removeCamera(model.state().eye())).disabledIf(isOnly));
         this.focus = Command.of("view-menu.focus", texts, focus).keys("Shortcut+Shift+F").icon(MaterialDesignI.IMAGE_FILTER_CENTER_FOCUS);

@@ -14,6 +14,7 @@ import cz.paprsek.fx.model.edit.Pivots;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.model.edit.Softness;
 import cz.paprsek.fx.model.edit.Structure;
+import cz.paprsek.fx.model.motion.Turntable;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
@@ -146,6 +147,17 @@ public final class Edits {
     public void addCamera() {
         String kind = texts.of("kind.camera");
         edit(Label.of(Edit.ADD, kind), state -> Cameras.add(state, kind));
+    }
+
+    /** Turns what is selected once around. */
+    void turntable() {
+        List<BodyAt> bodies = Places.outermost(model.selection());
+        edit(Label.of(Edit.CHANGE, texts.of("object.turntable")), state -> state.withScene(Turntable.bodies(state.scene(), bodies)));
+    }
+
+    /** Takes the camera that is looked through once around what it looks at. */
+    void turnCamera() {
+        edit(Label.of(Edit.CHANGE, texts.of("view-menu.turntable")), Turntable::camera);
     }
 
     /** Makes a camera the first. */

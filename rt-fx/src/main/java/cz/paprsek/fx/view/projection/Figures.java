@@ -74,6 +74,11 @@ final class Figures {
         return Figure.of(Body.of(object), axes, scene.objects().size() > MANY ? Figure.Fineness.COARSE : isMoved ? Figure.Fineness.MOVING : Figure.Fineness.FINE);
     }
 
+    /** Of an object at another time, which is not kept. */
+    Figure passing(SceneObject object) {
+        return Figure.of(Body.of(object), axes, Figure.Fineness.MOVING);
+    }
+
     Figure of(BodyAt at) {
         return of(scene.objects().get(at.numbers().get(0))).at(at.numbers().subList(1, at.numbers().size()));
     }

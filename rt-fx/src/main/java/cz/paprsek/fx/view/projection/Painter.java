@@ -160,6 +160,19 @@ final class Painter {
         Plate.draw(g, view, NAME_FONT, text, beside, palette.selected(), palette.background());
     }
 
+    /** Where something that moves is at another time. */
+    void moment(Figure figure, boolean isSelected) {
+        g.setGlobalAlpha(0.7);
+        g.setLineWidth(1);
+        g.setLineDashes(2, 3);
+        g.setStroke(isSelected ? palette.selected() : palette.outline());
+        g.beginPath();
+        whole(figure, new ArrayList<>());
+        g.stroke();
+        g.setLineDashes();
+        g.setGlobalAlpha(1);
+    }
+
     private boolean isInSight(Figure figure) {
         return figure.box().isEmpty() || view.shows(figure.box());
     }

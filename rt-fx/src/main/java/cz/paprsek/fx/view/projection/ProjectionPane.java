@@ -5,9 +5,11 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Sight;
+import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.motion.OnionSkin;
 import cz.paprsek.fx.view.projection.Grips.Grip;
 import cz.paprsek.fx.view.rays.DrawnRays;
 import cz.paprsek.fx.view.rays.RayPainter;
@@ -77,6 +79,7 @@ public final class ProjectionPane extends Region {
     private Point2D mouse = Point2D.ZERO;
     private Optional<ContextMenu> menu = Optional.empty();
     private Optional<BodyAt> highlighted = Optional.empty();
+    private Optional<OnionSkin> onion = Optional.empty();
 
     /**
      * @param snapping whether drags keep to the grid and to other objects
@@ -159,6 +162,14 @@ public final class ProjectionPane extends Region {
     /** Draws the rays of an explained pixel above everything. */
     public void setRays(Optional<DrawnRays> drawn) {
         rays = drawn;
+        requestLayout();
+    }
+
+    /** Draws the ways of what is animated, and where it is at the time that is looked at. */
+    public void follow(Clock clock) {
+        onion = Optional.of(new OnionSkin(model, clock));
+        clock.secondsProperty().addListener(new WeakInvalidationListener(onChange));
+        clock.openProperty().addListener(new WeakInvalidationListener(onChange));
         requestLayout();
     }
 
@@ -331,6 +342,10 @@ public final class ProjectionPane extends Region {
         GraphicsContext g = upper.getGraphicsContext2D();
         g.clearRect(0, 0, upper.getWidth(), upper.getHeight());
         Painter painter = new Painter(g, view, axes, theme().palette());
+        onion.ifPresent(skin -> {
+            skin.passing((object, isSelected) -> painter.moment(figures.passing(object), isSelected));
+            skin.ways(g, theme().palette(), this::toPane);
+        });
         drawCameras(state, painter);
         highlighted.filter(body -> body.isIn(state.scene())).ifPresent(body -> painter.highlighted(figures.of(body)));
         if (!state.selection().isEmpty()) {

@@ -20,7 +20,7 @@ import java.util.ResourceBundle;
  */
 public final class Texts {
     /** The files, in the folder {@code texts}. */
-    static final List<String> PARTS = List.of("common", "window", "sheet", "picture", "explain", "lesson", "library", "find");
+    static final List<String> PARTS = List.of("common", "window", "sheet", "picture", "explain", "lesson", "library", "find", "motion");
     /** The languages, the first being that of the files without a language in their name. */
     public static final List<Locale> LANGUAGES = List.of(Locale.ENGLISH, Locale.forLanguageTag("cs"));
 
@@ -90,6 +90,15 @@ public final class Texts {
     public String kind(Light light) {
         String key = "kind." + light.kind();
         return words.has(key) ? of(key) : of("kind.light");
+    }
+
+    /** What an attribute is called, by its name in files: "Position". */
+    public String attribute(String name) {
+        StringBuilder key = new StringBuilder("field.");
+        for (String part : (name.equals("target") ? "point" : name).split("-", -1)) {
+            key.append(key.length() == 6 ? part : part.substring(0, 1).toUpperCase(Locale.ROOT) + part.substring(1));
+        }
+        return words.has(key.toString()) ? of(key.toString()) : name;
     }
 
     /** What an edit is called: "Move sphere". */
