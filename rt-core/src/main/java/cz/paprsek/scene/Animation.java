@@ -6,6 +6,7 @@ import cz.paprsek.attribute.Kind;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.motion.Quaternion;
+import cz.paprsek.shape.outline.Way;
 import cz.paprsek.text.Numbers;
 import java.util.Arrays;
 import java.util.List;
@@ -21,6 +22,8 @@ import java.util.stream.Collectors;
  * @param target what has it: a {@link ScenePath} as text, or {@code param:} and the name of a parameter
  * @param attribute its name in files; {@code value} of a parameter
  * @param turn how three angles come from one key to the next
+ * @param path a curve that it goes along, as path data of SVG, seen from above: its x is x, its y is z. Keys then say how far, as a share of its length, and may say how high: of a rotation and a
+ *     direction, which lead where the curve does, only how far. Empty for none
  * @param keys at least one, in the order of their times
  */
 @Element(name = "animate", value = "What a number, vector or colour is at which time; in between by the ease of the key before, outside of the keys as at the nearest.")
@@ -29,6 +32,7 @@ public record Animation(
         String target,
         @Attribute(value = Kind.NAME, means = "Which attribute of that; value of a parameter") String attribute,
         @Attribute(value = Kind.WORD, means = "How a rotation comes from key to key: each angle by itself, or by the shortest turn", otherwise = "angles") Turning turn,
+        @Attribute(value = Kind.PATH, means = "A curve it goes along, as path data of SVG seen from above, x and z; keys then say how far, 0 to 1, and how high", otherwise = Attribute.NOTHING) String path,
         List<Key> keys) {
     /** What targets begin with that are parameters. */
     public static final String PARAMETER = "param:";
@@ -108,6 +112,7 @@ public record Animation(
         Require.that(!target.isBlank(), "the target of an animation must not be blank");
         SceneRules.checkName("attribute", attribute);
         Objects.requireNonNull(turn, "turn");
+        Objects.requireNonNull(path, "path");
         keys = List.copyOf(keys);
         Require.that(!keys.isEmpty(), "an animation needs a key inside, such as <key t=\"0\" value=\"0 1 0\"/>");
         for (int i = 1; i < keys.size(); i++) {
@@ -116,6 +121,27 @@ public record Animation(
         Require.that(turn == Turning.ANGLES || keys.get(0).numbers().length == ANGLES, "turn is for rotations, which have three numbers");
         Require.that(turn == Turning.ANGLES || keys.stream().noneMatch(key -> key.ease() == Ease.CATMULL_ROM),
                 "the shortest turn goes from key to key linear, smooth or hold, not catmull-rom");
+        if (!path.isBlank()) {
+            Way.of("animate", path);
+            Require.that(!target.startsWith(PARAMETER), "a parameter goes along no path; animate what is made of it");
+            int count = keys.get(0).numbers().length;
+            Require.that(count <= 2, "along a path, value must be one number, the share of its length, or two, that and the height, but has " + count);
+        }
+    }
+
+    /** What does not go along a path. */
+    public Animation(String target, String attribute, Turning turn, List<Key> keys) {
+        this(target, attribute, turn, "", keys);
+    }
+
+    /** Of something else. */
+    public Animation of(String other) {
+        return new Animation(other, attribute, turn, path, keys);
+    }
+
+    /** With other keys. */
+    public Animation withKeys(List<Key> value) {
+        return new Animation(target, attribute, turn, path, value);
     }
 
     /**
@@ -150,7 +176,7 @@ public record Animation(
     }
 
     /**
-     * The value at a time.
+     * The value at a time; along a path, how far and how high.
      *
      * @param t seconds
      * @return one to three numbers

@@ -11,6 +11,7 @@ import cz.paprsek.scene.ScenePath.MaterialAt;
 import cz.paprsek.scene.motion.RecordValues;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.outline.Way;
 import cz.paprsek.text.Similar;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -93,7 +94,7 @@ final class Animations {
     private static void checkValues(Scene scene, ScenePath place, Animation one) {
         Part part = part(scene, place, one);
         for (Animation.Key key : one.keys()) {
-            with(part.record, Map.of(part.attribute, key.numbers()));
+            with(part.record, Map.of(part.attribute, along(part, one).apply(key.numbers())));
         }
     }
 
@@ -133,6 +134,11 @@ final class Animations {
         Kind kind = attribute.says().value();
         Require.that(isNumbers(attribute), one.attribute() + " is no number, vector or colour, so that it cannot be animated");
         int count = one.keys().get(0).numbers().length;
+        if (!one.path().isBlank()) {
+            Require.that(kind.form() == Kind.Form.VECTOR, "only what has three numbers goes along a path, not " + one.attribute());
+            Require.that(count == 1 || !leads(attribute), "of " + one.attribute() + ", keys along a path say only how far, one number, but have " + count);
+            return;
+        }
         boolean isRight = switch (kind.form()) {
             case NUMBER, WHOLE -> count == 1;
             case PAIR -> count == 2;
@@ -143,11 +149,34 @@ final class Animations {
         Require.that(one.turn() == Animation.Turning.ANGLES || kind == Kind.ROTATION, "turn is for rotations, not for " + one.attribute());
     }
 
+    /** Whether it is a way to look rather than a place. */
+    private static boolean leads(Described attribute) {
+        return attribute.says().value() == Kind.ROTATION || attribute.name().equals("direction");
+    }
+
+    /** From what keys say to values: along a path, places on it, the direction it has there, or the turn that takes +z there. */
+    private static UnaryOperator<double[]> along(Part part, Animation one) {
+        if (one.path().isBlank()) {
+            return numbers -> numbers;
+        }
+        Way way = Way.of("animate", one.path());
+        boolean isRotation = part.attribute.says().value() == Kind.ROTATION;
+        boolean leads = leads(part.attribute);
+        return numbers -> {
+            double[] at = way.at(numbers[0]);
+            return isRotation ? new double[] {0, StrictMath.toDegrees(StrictMath.atan2(at[2], at[3])), 0}
+                    : leads ? new double[] {at[2], 0, at[3]} : new double[] {at[0], numbers.length > 1 ? numbers[1] : 0, at[1]};
+        };
+    }
+
     /** What is animated, looked up in its scene. */
     private record Moving(ScenePath place, Part part, DoubleFunction<double[]> values) {
         static Moving of(Scene scene, Animation one) {
             ScenePath place = ScenePath.parse(scene, one.target());
-            return new Moving(place, Animations.part(scene, place, one), one.moments());
+            Part part = Animations.part(scene, place, one);
+            UnaryOperator<double[]> along = along(part, one);
+            DoubleFunction<double[]> keys = one.moments();
+            return new Moving(place, part, t -> along.apply(keys.apply(t)));
         }
     }
 
@@ -212,7 +241,7 @@ final class Animations {
 
     /** With the target as it is written, as long as that leads there. */
     private static Animation of(Scene scene, ScenePath place, Animation one) {
-        return leadsTo(scene, place, one.target()) ? one : new Animation(place.text(scene), one.attribute(), one.turn(), one.keys());
+        return leadsTo(scene, place, one.target()) ? one : one.of(place.text(scene));
     }
 
     private static boolean leadsTo(Scene scene, ScenePath place, String target) {

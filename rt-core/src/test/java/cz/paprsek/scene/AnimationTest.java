@@ -6,12 +6,16 @@ import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.Kind;
+import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Animation.Ease;
 import cz.paprsek.scene.Animation.Turning;
+import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.outline.Way;
+import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.util.Arrays;
 import java.util.List;
@@ -51,6 +55,50 @@ class AnimationTest {
     @CsvSource({"0, 1", "1.99, 1", "2, 5", "5.99, 2", "6, 9"})
     void holdStaysUntilTheNextKey(double t, double value) {
         assertThat(at(Ease.HOLD, t)).containsExactly(value);
+    }
+
+    @Test
+    void alongAnArcTheSpeedIsTheSameEverywhereAndTheNoseIsAhead() throws SceneFileException {
+        Scene scene = SceneFiles.parse("""
+                <scene xmlns="urn:paprsek:scene:1"><camera position="0 5 9" target="0 0 0"/><sphere name="ship" radius="1"/>
+                <animate target="ship" attribute="position" path="M 3 0 A 3 3 0 1 1 -3 0 A 3 3 0 0 1 3 0"><key t="0" value="0 1"/><key t="8" value="1 5"/></animate>
+                <animate target="ship" attribute="rotation" path="M 3 0 A 3 3 0 1 1 -3 0 A 3 3 0 0 1 3 0"><key t="0" value="0"/><key t="8" value="1"/></animate></scene>
+                """);
+        for (double t = 0; t <= 8; t += 0.25) {
+            double angle = Math.PI * t / 4;
+            Affine ship = scene.at(t).objects().get(0).placement().toParent();
+            assertThat(ship.point(Vec3.ZERO).minus(new Vec3(3 * Math.cos(angle), 1 + t / 2, 3 * Math.sin(angle))).length()).as("at %s", t).isLessThan(1e-9);
+            assertThat(ship.direction(new Vec3(0, 0, 1)).minus(new Vec3(-Math.sin(angle), 0, Math.cos(angle))).length()).as("at %s", t).isLessThan(1e-9);
+        }
+        assertThat(SceneFiles.parse(SceneFiles.format(scene))).isEqualTo(scene);
+    }
+
+    @Test
+    void alongCurvesSharesAreLengths() {
+        Way curve = Way.of("animate", "M 0 0 C 0 4 1 0 5 0 L 9 0 A 2 2 0 0 0 11 -2");
+        double step = curve.length() / 400;
+        double[] before = curve.at(0);
+        for (int i = 1; i <= 400; i++) {
+            double[] next = curve.at(i / 400.0);
+            assertThat(Math.hypot(next[0] - before[0], next[1] - before[1])).as("step %s", i).isBetween(step * 0.99, step * (1 + 1e-9));
+            assertThat(Math.hypot(next[2], next[3])).isEqualTo(1, within(1e-12));
+            before = next;
+        }
+        assertThat(before[0]).isEqualTo(11, within(1e-9));
+        assertThat(Way.of("animate", "M 0 0 H 4 V 3").length()).isEqualTo(7, within(ROUNDING));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+            "position | M 0 0 L 1 1 M 3 3 L 4 4 | 0 | animate path must be one curve, but has 2",
+            "position | X | 0 | animate path must have one of the commands M L H V C S Q T A Z at character 1, but has 'X'",
+            "radius | M 0 0 L 1 1 | 0 | only what has three numbers goes along a path, not radius",
+            "rotation | M 0 0 L 1 1 | 0 1 | of rotation, keys along a path say only how far, one number, but have 2",
+            "position | M 0 0 L 1 1 | 0 1 2 | along a path, value must be one number, the share of its length, or two, that and the height, but has 3"})
+    void whatGoesAlongNoPathIsToldInASentence(String attribute, String path, String value, String sentence) {
+        Scene scene = Scene.EMPTY.withObjects(List.of(new SceneObject("ball", new Sphere(1), Placement.NONE, Material.DEFAULT)));
+        assertThatIllegalArgumentException().isThrownBy(() ->
+                scene.withAnimations(List.of(new Animation("ball", attribute, Turning.ANGLES, path, List.of(new Animation.Key(0, value, Ease.LINEAR)))))).withMessage(sentence);
     }
 
     @Test

@@ -55,7 +55,11 @@ public final class SummaryAsJson {
     }
 
     private static Json of(Animation one) {
-        return new Json().with("target", one.target()).with("attribute", one.attribute()).with("turn", Described.word(one.turn())).with("keys", one.keys().stream()
+        Json json = new Json().with("target", one.target()).with("attribute", one.attribute()).with("turn", Described.word(one.turn()));
+        if (!one.path().isBlank()) {
+            json.with("path", one.path());
+        }
+        return json.with("keys", one.keys().stream()
                 .map(key -> new Json().with("t", key.t()).with("value", key.value()).with("ease", Described.word(key.ease()))).toList());
     }
 

@@ -46,7 +46,18 @@ final class PathReader {
         return contours;
     }
 
+    /** The contours of path data, all closed. */
     List<List<Piece>> path() {
+        return path(true);
+    }
+
+    /** As they are: what is left open stays so. */
+    List<List<Piece>> open() {
+        return path(false);
+    }
+
+    private List<List<Piece>> path(boolean closes) {
+        closesAll = closes;
         char command = 0;
         skip();
         while (at < text.length()) {
@@ -68,11 +79,22 @@ final class PathReader {
             command = command == 'M' ? 'L' : command == 'm' ? 'l' : command;
             skip();
         }
-        close();
+        end();
         return contours;
     }
 
     private boolean isStarted;
+    private boolean closesAll = true;
+
+    /** Ends a contour that is not said to be closed. */
+    private void end() {
+        if (closesAll) {
+            close();
+        } else if (!current.isEmpty()) {
+            contours.add(current);
+            current = new ArrayList<>();
+        }
+    }
 
     private void step(char command) {
         boolean isRelative = Character.isLowerCase(command);
@@ -80,7 +102,7 @@ final class PathReader {
         double oy = isRelative ? y : 0;
         switch (Character.toUpperCase(command)) {
             case 'M' -> {
-                close();
+                end();
                 move(ox + number("path"), oy + number("path"));
             }
             case 'L' -> straight(ox + number("path"), oy + number("path"));

@@ -23,6 +23,7 @@ final class AnimationBean extends Located {
     @XmlAttribute(required = true) String target = "";
     @XmlAttribute(required = true) String attribute = "";
     @XmlAttribute @XmlJavaTypeAdapter(CollapsedStringAdapter.class) String turn = Described.word(Turning.ANGLES);
+    @XmlAttribute String path = "";
     @XmlElement(name = "key") List<KeyBean> keys = new ArrayList<>();
 
     /** {@code <key>}. */
@@ -57,6 +58,6 @@ final class AnimationBean extends Located {
             }
             made.add(key);
         }
-        return new Animation(target, attribute, Turning.valueOf(turn.toUpperCase(Locale.ROOT)), made);
+        return new Animation(target, attribute, Turning.valueOf(turn.toUpperCase(Locale.ROOT)), path, made);
     }
 }

@@ -96,9 +96,9 @@ public final class Structure {
      * @param index before which of the parent's children as they are now, 0 to their number
      */
     public static EditorState move(EditorState state, Collection<? extends ScenePath> items, Optional<BodyAt> parent, int index) {
-        SceneTree tree = new SceneTree(state);
-        Node target = parent.map(tree::node).orElse(null);
         Affine toTarget = parent.map(at -> at.toWorld(state.scene())).orElse(Affine.IDENTITY);
+        SceneTree tree = new SceneTree(carried(state, Places.outermost(items), toTarget));
+        Node target = parent.map(tree::node).orElse(null);
         int place = index;
         List<Node> moving = new ArrayList<>();
         for (BodyAt at : Places.outermost(items)) {
@@ -131,14 +131,14 @@ public final class Structure {
      * each keeps its place in the world.
      */
     public static EditorState combine(EditorState state, Collection<? extends ScenePath> items, Csg.Operation operation, String name) {
-        SceneTree tree = new SceneTree(state);
         List<BodyAt> places = Places.outermost(items);
         if (places.size() < 2) {
             throw new IllegalArgumentException("select at least two solids to combine");
         }
+        Affine toParent = places.get(0).parentToWorld(state.scene());
+        SceneTree tree = new SceneTree(carried(state, places, toParent));
         Node first = tree.node(places.get(0));
         Node parent = first.parent();
-        Affine toParent = places.get(0).parentToWorld(state.scene());
         List<Body> operands = new ArrayList<>();
         Set<String> names = new LinkedHashSet<>();
         for (BodyAt at : places) {
@@ -166,7 +166,16 @@ public final class Structure {
 
     /** Puts the operands of operations in the place of these, where they are in the world and of what they are made of; selects them. */
     public static EditorState dissolve(EditorState state, Collection<? extends ScenePath> items) {
-        SceneTree tree = new SceneTree(state);
+        EditorState freeing = state;
+        for (BodyAt at : Places.outermost(items)) {
+            if (at.in(state.scene()).shape() instanceof Csg csg) {
+                CarriedKeys.checkAtRest(state.scene(), at);
+                for (int i = 0; i < csg.operands().size(); i++) {
+                    freeing = freeing.withScene(CarriedKeys.into(freeing.scene(), at.child(i), at.in(state.scene()).placement().toParent()));
+                }
+            }
+        }
+        SceneTree tree = new SceneTree(freeing);
         List<Node> freed = new ArrayList<>();
         for (Node node : tree.nodes(items)) {
             if (node.isOperation()) {
@@ -233,6 +242,16 @@ public final class Structure {
 
     private static Body named(Body body, Set<String> taken) {
         return body.named(Names.free(body.name(), taken));
+    }
+
+    /** With keys of what is taken into another space. */
+    private static EditorState carried(EditorState state, List<BodyAt> places, Affine toSpace) {
+        Scene scene = state.scene();
+        for (BodyAt at : places) {
+            Affine fromSpace = at.parentToWorld(state.scene());
+            scene = fromSpace.equals(toSpace) ? scene : CarriedKeys.into(scene, at, toSpace.inverse().after(fromSpace));
+        }
+        return state.withScene(scene);
     }
 
     /** The body placed in another space so that it stays where it is. */

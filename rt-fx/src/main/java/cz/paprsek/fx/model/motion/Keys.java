@@ -142,7 +142,7 @@ public final class Keys {
         if (keys.isEmpty()) {
             all.remove(animation);
         } else {
-            all.set(animation, new Animation(old.target(), old.attribute(), old.turn(), keys));
+            all.set(animation, old.withKeys(keys));
         }
         return scene.withAnimations(all);
     }

@@ -21,6 +21,8 @@ import java.util.function.DoubleFunction;
 public final class Ways {
     /** Points from key to key. */
     private static final int PIECES = 12;
+    /** Points of a way with few keys, which may go along a curve. */
+    private static final int LEAST = 128;
     /** Points of all keys of a way; more keys share them. */
     private static final int MOST = 600;
 
@@ -59,7 +61,7 @@ public final class Ways {
     }
 
     private static Way way(DoubleFunction<Scene> moments, ScenePath place, List<Double> times) {
-        int pieces = Math.max(1, Math.min(PIECES, MOST / times.size()));
+        int pieces = Math.max(LEAST / times.size(), Math.max(1, Math.min(PIECES, MOST / times.size())));
         List<Vec3> line = new ArrayList<>();
         List<Vec3> keys = new ArrayList<>();
         for (int i = 0; i < times.size(); i++) {

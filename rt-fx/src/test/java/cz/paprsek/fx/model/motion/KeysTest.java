@@ -1,11 +1,13 @@
 package cz.paprsek.fx.model.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.edit.Structure;
 import cz.paprsek.fx.model.motion.Keys.KeyAt;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
@@ -16,6 +18,7 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
@@ -114,5 +117,21 @@ class KeysTest {
             assertThat(corner.minus(new Vec3(Math.cos(Math.PI * t / 2), 0, -Math.sin(Math.PI * t / 2))).length()).as("at %s", t).isLessThan(1e-3);
         }
         assertThat(turned.animations()).filteredOn(one -> one.target().equals("s")).as("no more than it needs").hasSize(1);
+    }
+
+    @Test
+    void whatIsTakenIntoATurnedGroupGoesTheSameWay() {
+        Scene turned = scene("<union name=\"u\" position=\"1 0 0\" rotation=\"0 90 0\" scale=\"2\"><sphere name=\"a\" radius=\"1\"/></union><sphere name=\"b\" radius=\"1\"/>"
+                + "<animate target=\"b\" attribute=\"position\"><key t=\"0\" value=\"0 0 0\" ease=\"catmull-rom\"/><key t=\"1\" value=\"3 1 2\" ease=\"smooth\"/><key t=\"2\" value=\"0 5 0\"/></animate>");
+        Scene inside = Structure.move(EditorState.of(turned), Set.of(ScenePath.body(1)), Optional.of(ScenePath.body(0)), 1).scene();
+        Scene outside = Structure.dissolve(EditorState.of(inside), Set.of(ScenePath.body(0))).scene();
+        for (double t = 0; t <= 2; t += 0.25) {
+            Vec3 place = Ways.at(turned.at(t), ScenePath.body(1)).orElseThrow();
+            assertThat(Ways.at(inside.at(t), ScenePath.body(0, 1)).orElseThrow().minus(place).length()).as("inside at %s", t).isLessThan(1e-9);
+            assertThat(Ways.at(outside.at(t), ScenePath.body(1)).orElseThrow().minus(place).length()).as("freed at %s", t).isLessThan(1e-9);
+        }
+        Scene turning = Keys.added(turned, ScenePath.body(1), "rotation", 0, "0 0 0");
+        assertThatIllegalArgumentException().isThrownBy(() -> Structure.move(EditorState.of(turning), Set.of(ScenePath.body(1)), Optional.of(ScenePath.body(0)), 1))
+                .withMessageContaining("moves by keys");
     }
 }
