@@ -2,7 +2,6 @@ package cz.paprsek.fx.view.texts;
 
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.scene.Light;
-import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.CustomShape;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.words.Words;
@@ -83,7 +82,7 @@ public final class Texts {
 
     /** What a kind of shape is called: "sphere". */
     public String kind(Shape shape) {
-        return shape instanceof CustomShape ? shape.kind() : of("kind." + (shape instanceof Csg csg ? csg.operation().name() : shape.getClass().getSimpleName()).toLowerCase(Locale.ROOT));
+        return shape instanceof CustomShape ? shape.kind() : of("kind." + shape.kind());
     }
 
     /** What a kind of light is called: "sun". */

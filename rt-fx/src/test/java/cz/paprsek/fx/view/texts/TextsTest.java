@@ -74,7 +74,7 @@ class TextsTest {
         Texts texts = Texts.in(language);
         assertThat(texts.locale()).isEqualTo(language);
         ElementTable.of(Shape.class).filter(kind -> kind != Csg.class)
-                .forEach(kind -> assertThat(texts.of("kind." + kind.getSimpleName().toLowerCase(Locale.ROOT))).isNotBlank());
+                .forEach(kind -> assertThat(texts.of("kind." + ElementTable.name(kind))).isNotBlank());
         for (Csg.Operation operation : Csg.Operation.values()) {
             assertThat(texts.of("kind." + operation.name().toLowerCase(Locale.ROOT))).isNotBlank();
         }
