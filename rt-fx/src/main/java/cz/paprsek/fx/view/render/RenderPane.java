@@ -159,7 +159,8 @@ public final class RenderPane extends BorderPane {
             message.setText(texts.of("render.too-large", options.settings().width(), options.settings().height()));
             return;
         }
-        add(new RenderTab(++count + ": " + options.settings().width() + " × " + options.settings().height() + form.remark(), task, texts));
+        String name = model.scene().name().isBlank() ? "" : model.scene().name() + " · ";
+        add(new RenderTab(++count + ": " + name + options.settings().width() + " × " + options.settings().height() + form.remark(), task, texts));
         start(task, "paprsek-render");
     }
 

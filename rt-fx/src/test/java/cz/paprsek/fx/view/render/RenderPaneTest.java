@@ -221,7 +221,7 @@ class RenderPaneTest {
         gui.act(() -> lights.getSelectionModel().select(2));
         gui.click("#render-start");
         untilDone();
-        assertThat(shown().getText()).isEqualTo("2: 120 × 80 · Rays per pixel (heat map) · 2: left");
+        assertThat(shown().getText()).isEqualTo("2: ball/1 · 120 × 80 · Rays per pixel (heat map) · 2: left");
         assertThat(gui.node("#render-scale")).isNotNull();
         Scene onlyLeft = model.scene().withLights(model.scene().lights().subList(1, 2));
         Image expected = Renderer.render(RenderScene.of(onlyLeft), RenderOptions.of(onlyLeft).withMode(RenderMode.RAYS), RenderMonitor.NONE).image();
@@ -240,7 +240,7 @@ class RenderPaneTest {
         assertThat(Gui.on(() -> camera.getValue().toString())).as("the one looked through").isEqualTo("2: side");
         gui.click("#render-start");
         untilDone();
-        assertThat(shown().getText()).isEqualTo("1: 120 × 80 · side");
+        assertThat(shown().getText()).isEqualTo("1: ball/1 · 120 × 80 · side");
         Image expected = Renderer.render(model.scene().through("side"));
         assertThat(shown().task().image().orElseThrow().red(60, 40)).isEqualTo(expected.red(60, 40));
         assertThat(shown().task().buffer().image().getPixelReader().getArgb(50, 40)).isEqualTo(expected.argb(50, 40));
@@ -393,10 +393,11 @@ class RenderPaneTest {
     void earlierRendersAreKeptAndComparedWithAWipe() {
         gui.act(pane::renderAsTheSceneAsks);
         untilDone();
-        gui.act(() -> model.edit(CHANGE, scene -> scene.withBackground(Rgb.WHITE)));
+        gui.act(() -> model.edit(CHANGE, scene -> scene.withBackground(Rgb.WHITE).withName("White")));
         gui.act(pane::renderAsTheSceneAsks);
         untilDone();
         assertThat(tabs().getTabs()).hasSize(2);
+        assertThat(shown().getText()).startsWith("2: White · ");
         gui.act(() -> gui.stage().getScene().lookup("#render-compare").requestFocus());
         gui.keys(KeyCode.DOWN);
         Node wipe = gui.node(".wipe");
