@@ -6,6 +6,7 @@ import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
 import java.nio.file.FileStore;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -46,7 +47,15 @@ final class Room {
     /** @throws IOException if the disk has no room for a picture whose size is known beforehand */
     static void checkDisk(Path file, long bytes) throws IOException {
         Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent());
-        FileStore disk = Files.getFileStore(folder);
+        FileStore disk;
+        try {
+            disk = Files.getFileStore(folder);
+        } catch (FileSystemException e) {
+            throw e;
+        } catch (IOException unknown) {
+            // Below another root, as installers and containers have it, the system's list of disks may lack the one at hand: writing tells.
+            return;
+        }
         if (!Files.exists(file) || Files.isRegularFile(file)) {
             long free = disk.getUsableSpace();
             // Some systems know no number.
