@@ -80,7 +80,7 @@ public class BreakFormulas {
             // Textures and sky.
             new Break("colours of a ramp mixed from the wrong end", "render/surface/MixedColors.java", "channels[lower] + share * (channels[upper] - channels[lower])", "channels[upper] + share * (channels[lower] - channels[upper])"),
             new Break("sky by angle, not by height", "render/surface/Backdrop.java", "double share = Math.min(1, Math.abs(y));", "double share = Math.min(1, Math.abs(StrictMath.asin(Math.max(-1, Math.min(1, y)))) * 2 / Math.PI);"),
-            new Break("sky picture mirrored", "render/light/SkyPicture.java", "StrictMath.atan2(dz, dx)", "StrictMath.atan2(-dz, dx)"),
+            new Break("sky picture mirrored", "render/glow/SkyPicture.java", "StrictMath.atan2(dz, dx)", "StrictMath.atan2(-dz, dx)"),
             // Bumps, and shares by pattern.
             new Break("bumps for dents", "render/surface/Bending.java", "hit.bend(k * hit.sx - strength * gx, k * hit.sy - strength * gy, k * hit.sz - strength * gz);",
                     "hit.bend(k * hit.sx + strength * gx, k * hit.sy + strength * gy, k * hit.sz + strength * gz);"),

@@ -119,7 +119,7 @@ class EveryWayInTest {
     @MethodSource("words")
     void blanksAroundWordsMeanNothing(String element, String attribute, String word) throws IOException {
         String others = Map.of("area-light", "position='0 0 0' radius='1' ", "sphere-light", "position='0 0 0' radius='1' ", "sun-light", "direction='0 -1 0' angle='1' ",
-                "camera", "position='0 0 5' direction='0 0 -1' ", "material", "name='m' ").getOrDefault(element, "") + (word.equals("orthographic") ? "height='2' " : "");
+                "camera", "position='0 0 5' direction='0 0 -1' ", "material", "name='m' ", "height-field", "file='h.png' ").getOrDefault(element, "") + (word.equals("orthographic") ? "height='2' " : "");
         String scene = "<scene xmlns='urn:paprsek:scene:1'><" + element + " " + others + attribute + "='%s'/>"
                 + (element.equals("camera") ? "" : "<camera position='0 0 5' direction='0 0 -1'/>") + "</scene>";
         Scene plain = WayIn.all(scene.formatted(word)).scene();

@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Relief by a picture, as a solid that stands on y = 0 with its middle over the origin: black is 0, white as high as it can be, numbers as they stand in
  * the file. Between the points there are flat triangles, two in each square of four neighbours; the upper rim of the picture lies at −z. The heights of a
- * file are not there before somebody has {@linkplain #read read} it, as with a {@link Mesh}.
+ * file are not there before somebody has {@linkplain #read read} it, as with a {@link cz.paprsek.shape.Mesh}.
  *
  * @param file of the picture, relative to the scene's folder; empty if heights were made in code
  * @param extent along x, from black to white, and along z, scene units
