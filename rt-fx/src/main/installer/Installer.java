@@ -87,7 +87,7 @@ class Installer {
         }
         Path runtime = OUT.resolve("runtime");
         boolean hasLevels = Runtime.version().feature() >= 21;
-        run(JAVA.resolve("jlink").toString(), "--add-modules", MODULES, "--include-locales=en,cs", "--strip-debug", "--no-header-files", "--no-man-pages",
+        run(JAVA.resolve("jlink").toString(), "--add-modules", MODULES, "--include-locales=en,cs", "--strip-java-debug-attributes", "--no-header-files", "--no-man-pages",
                 "--compress=" + (hasLevels ? "zip-6" : "2"), "--output", runtime.toString());
         List<String> command = new ArrayList<>(List.of(JAVA.resolve("jpackage").toString(), "--type", "app-image", "--dest", OUT.toString(), "--name", MAC ? "Paprsek" : "paprsek-editor",
                 "--app-version", MAC ? version.replaceFirst("^0", "1") : version, "--vendor", "The Paprsek project", "--description", "A ray tracer: scene editor and command line",
@@ -97,7 +97,7 @@ class Installer {
             command.addAll(List.of("--java-options", "--enable-native-access=ALL-UNNAMED"));
         }
         if (both || WINDOWS || MAC) {
-            Path line = Files.writeString(OUT.resolve("paprsek.properties"), "main-jar=rt-cli.jar\nmain-class=cz.paprsek.cli.Main\nwin-console=true\njava-options=-XX:MaxGCPauseMillis=50\n");
+            Path line = Files.writeString(OUT.resolve("paprsek.properties"), "main-jar=rt-cli.jar\nmain-class=cz.paprsek.cli.Main\nwin-console=true\njava-options=-XX:MaxGCPauseMillis=50 --add-modules=jdk.incubator.vector\n");
             command.addAll(List.of("--add-launcher", "paprsek=" + line));
         }
         run(command.toArray(String[]::new));
@@ -151,9 +151,19 @@ class Installer {
         Files.createDirectories(root.resolve("DEBIAN"));
         Files.writeString(root.resolve("DEBIAN/control"), Files.readString(HERE.resolve("control")).replace("{version}", version).replace("{machine}", machine)
                 .replace("{size}", String.valueOf(size / 1024)));
+        open(root);
         Path file = OUT.resolve("paprsek_" + version + "_" + machine + ".deb");
         run("dpkg-deb", "--root-owner-group", "--build", root.toString(), file.toString());
         tell(file);
+    }
+
+    /** For everybody to read, whatever files of who builds are like. */
+    private static void open(Path root) throws IOException {
+        try (Stream<Path> all = Files.walk(root)) {
+            for (Path file : all.filter(file -> !Files.isSymbolicLink(file)).toList()) {
+                Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(Files.isDirectory(file) || Files.isExecutable(file) ? "rwxr-xr-x" : "rw-r--r--"));
+            }
+        }
     }
 
     private static void completion(Path into, String shell) throws Exception {

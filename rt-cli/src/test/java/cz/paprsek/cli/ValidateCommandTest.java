@@ -131,6 +131,14 @@ class ValidateCommandTest {
     }
 
     @Test
+    void aBodyWithOthersInItIsARoom() throws Exception {
+        String room = LIGHT + "<sphere radius=\"50\"/>";
+        assertThat(warnings(room)).anyMatch(warning -> warning.startsWith("the camera is inside sphere #1"));
+        assertThat(warnings(room + "<sphere radius=\"1\"/>")).noneMatch(warning -> warning.startsWith("the camera is inside"));
+        assertThat(warnings(room + "<sphere radius=\"1\" position=\"99 0 0\"/>")).anyMatch(warning -> warning.startsWith("the camera is inside sphere #1"));
+    }
+
+    @Test
     void aCameraWithinABallOfLightSeesNothing() throws IOException {
         String ball = "<sphere-light position=\"0 0 0\" radius=\"90\"/><sphere radius=\"0.5\"/>";
         assertThat(Run.cli("validate", Scenes.scene(folder.resolve("ball.xml"), ball)).out()).contains("the camera is inside light #1, which is black from within");

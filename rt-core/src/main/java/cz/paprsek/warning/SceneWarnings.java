@@ -246,6 +246,12 @@ public final class SceneWarnings {
         return operand.solid().place(operand.placement().toParent(), Parts.UNTOLD).bounds();
     }
 
+    /** Whether there is more to be seen inside of a body than the body. */
+    private boolean isRoom(BodyAt body, Surface placed) {
+        return placed.bounds().isFinite() && IntStream.range(0, scene.objects().size()).filter(i -> i != body.index())
+                .mapToObj(i -> ScenePath.body(i).placed(scene).bounds()).anyMatch(bounds -> bounds.isFinite() && placed.contains(bounds.middle()));
+    }
+
     private void object(BodyAt object) {
         String label = label(object);
         List<Material> made = object.withOperands(scene).filter(this::isSeen).filter(part -> !(part.in(scene).shape() instanceof Csg))
@@ -264,7 +270,7 @@ public final class SceneWarnings {
             double index = made.stream().filter(material -> material.transparency() > 0).findFirst().orElseThrow().refractiveIndex();
             transparent.add(new GlassContacts.Body(object, label, volume, index));
         }
-        if (placed.contains(scene.camera().position())) {
+        if (placed.contains(scene.camera().position()) && !(isOpaque && isRoom(object, placed))) {
             add("camera-inside", label, object, "the camera is inside " + label + (isOpaque ? ", which is opaque; it will see nothing else" : ""));
         }
         for (int i = 0; i < scene.lights().size(); i++) {

@@ -142,6 +142,9 @@ final class PageView extends VBox {
     }
 
     private Node words(Span span) {
+        if (span.style() == Style.PICTURE) {
+            return page.picture(span.link()).<Node>map(url -> new ImageView(new Image(url.toExternalForm(), true))).orElseGet(() -> new Text(span.text()));
+        }
         String style = "manual-" + span.style().name().toLowerCase(java.util.Locale.ROOT);
         if (!span.link().isEmpty() && isKnown.test(span.link())) {
             Hyperlink link = new Hyperlink(span.text());

@@ -9,12 +9,12 @@ import java.util.stream.Collectors;
 /**
  * Words of one kind within a line.
  *
- * @param link where they lead; empty if nowhere
+ * @param link where they lead, or a picture's file; empty if nowhere
  */
 record Span(String text, Style style, String link) {
-    enum Style { PLAIN, BOLD, ITALIC, CODE }
+    enum Style { PLAIN, BOLD, ITALIC, CODE, PICTURE }
 
-    private static final Pattern MARK = Pattern.compile("`([^`]+)`|\\*\\*(.+?)\\*\\*|\\*([^*\\s](?:[^*]*[^*\\s])?)\\*|\\[((?:[^\\[\\]]|`[^`]*`)+)]\\(([^)\\s]+)\\)|<(https?://[^>\\s]+)>");
+    private static final Pattern MARK = Pattern.compile("`([^`]+)`|\\*\\*(.+?)\\*\\*|\\*([^*\\s](?:[^*]*[^*\\s])?)\\*|\\[((?:[^\\[\\]]|`[^`]*`)+)]\\(([^)\\s]+)\\)|<(https?://[^>\\s]+)>|!\\[([^]]*)]\\(([^)\\s]+)\\)");
 
     /** Takes a line apart. */
     static List<Span> of(String line) {
@@ -35,6 +35,8 @@ record Span(String text, Style style, String link) {
                 spans.addAll(of(mark.group(3), Style.ITALIC, link));
             } else if (mark.group(6) != null) {
                 spans.add(new Span(mark.group(6), style, mark.group(6)));
+            } else if (mark.group(8) != null) {
+                spans.add(new Span(mark.group(7), Style.PICTURE, mark.group(8)));
             } else {
                 spans.addAll(of(mark.group(4), style, mark.group(5)));
             }
@@ -46,7 +48,7 @@ record Span(String text, Style style, String link) {
 
     private static void add(List<Span> spans, String text, Style style, String link) {
         if (!text.isEmpty()) {
-            spans.add(new Span(text.replaceAll("\\\\([\\\\`*_{}\\[\\]()#+.!|<>-])", "$1").replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&"), style, link));
+            spans.add(new Span(text.replaceAll("\\\\([\\\\`*_{}\\[\\]()#+.!|<>-])", "$1").replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&").replace("<br/>", "\n"), style, link));
         }
     }
 

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 class MarkdownTest {
     @Test
     void allThatTheManualIsWrittenInIsUnderstood() {
-        List<Block> blocks = Markdown.blocks("# A *b*\n\nOne\ntwo `x | y` **bold** [here](c.md#d).\n\n- item\n  goes on\n1. first\n\n    code\n      more\n\n| a | b |\n|---|---|\n| `p|q` | r |\n\n```java\nint i;\n```\n![says](p.png)\n");
+        List<Block> blocks = Markdown.blocks("# A *b*\n\nOne\ntwo `x | y` **bold** [here](c.md#d).\n\n- item\n  goes on\n1. first\n\n    code\n      more\n\n| a | b |\n|---|---|\n| `p|q` | ![r](r.jpg)<br/>s |\n\n```java\nint i;\n```\n![says](p.png)\n");
         assertThat(blocks).containsExactly(
                 new Block.Heading(1, List.of(new Span("A ", Style.PLAIN, ""), new Span("b", Style.ITALIC, ""))),
                 new Block.Paragraph("", List.of(new Span("One two ", Style.PLAIN, ""), new Span("x | y", Style.CODE, ""), new Span(" ", Style.PLAIN, ""), new Span("bold", Style.BOLD, ""),
@@ -26,7 +26,7 @@ class MarkdownTest {
                 new Block.Paragraph("1.", List.of(new Span("first", Style.PLAIN, ""))),
                 new Block.Code("code\n  more"),
                 new Block.Table(List.of(List.of(List.of(new Span("a", Style.PLAIN, "")), List.of(new Span("b", Style.PLAIN, ""))),
-                        List.of(List.of(new Span("p|q", Style.CODE, "")), List.of(new Span("r", Style.PLAIN, ""))))),
+                        List.of(List.of(new Span("p|q", Style.CODE, "")), List.of(new Span("r", Style.PICTURE, "r.jpg"), new Span("\ns", Style.PLAIN, ""))))),
                 new Block.Code("int i;"), new Block.Picture("p.png", "says"));
     }
 
@@ -45,6 +45,10 @@ class MarkdownTest {
             for (Block block : page.blocks()) {
                 if (block instanceof Block.Picture picture) {
                     assertThat(page.picture(picture.file())).as("%s in %s", picture.file(), page.path()).isPresent();
+                }
+                if (block instanceof Block.Table table) {
+                    table.rows().stream().flatMap(List::stream).flatMap(List::stream).filter(span -> span.style() == Style.PICTURE)
+                            .forEach(span -> assertThat(page.picture(span.link())).as("%s in %s", span.link(), page.path()).isPresent());
                 }
                 // A mark that was not understood would be read as it is written.
                 if (!(block instanceof Block.Code)) {
