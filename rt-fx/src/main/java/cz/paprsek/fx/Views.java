@@ -14,6 +14,7 @@ import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.explain.ExplainMode;
 import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.motion.OnionSkin;
 import cz.paprsek.fx.view.motion.TimelinePane;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
@@ -80,7 +81,8 @@ final class Views {
                 titled("top", texts.of("view.top"), texts, top), titled("camera", texts.of("view.camera"), texts, camera),
                 titled("front", texts.of("view.front"), texts, front), titled("right", texts.of("view.right"), texts, right));
         grid = new PaneGrid(titled);
-        projections.forEach(pane -> pane.follow(editor.clock()));
+        OnionSkin skin = new OnionSkin(model, editor.clock());
+        projections.forEach(pane -> pane.follow(editor.clock(), skin));
         timeline = new TimelinePane(commands.edits(), editor.clock(), theme);
         VBox.setVgrow(grid, Priority.ALWAYS);
         root = new VBox(grid, timeline);
@@ -283,5 +285,6 @@ final class Views {
     void close() {
         camera.close();
         free.close();
+        timeline.close();
     }
 }

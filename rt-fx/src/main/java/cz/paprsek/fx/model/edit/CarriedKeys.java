@@ -25,6 +25,9 @@ final class CarriedKeys {
      * @throws IllegalArgumentException if it turns or is stretched by keys, which would say something else there
      */
     static Scene into(Scene scene, BodyAt at, Affine map) {
+        if (map.equals(Affine.IDENTITY)) {
+            return scene;
+        }
         List<Animation> all = new ArrayList<>(scene.animations());
         for (int i = 0; i < all.size(); i++) {
             Animation one = all.get(i);

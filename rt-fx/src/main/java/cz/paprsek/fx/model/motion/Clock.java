@@ -43,16 +43,22 @@ public final class Clock {
      * Frames of a film.
      *
      * @param from the first, from 1
-     * @param to the last, not before that
+     * @param to the last, not before that, and at most {@link #LAST}
      */
     public record Span(int from, int to) {
+        /** The last frame there can be. */
+        public static final int LAST = 10_000_000;
+
         /** @throws IllegalArgumentException if there is no such film */
         public Span {
-            if (from < 1 || to < from) {
-                throw new IllegalArgumentException("a range must be two frames, the first 1 or above, such as 1-100");
+            if (from < 1 || to < from || to > LAST) {
+                throw new IllegalArgumentException("a range must be two frames from 1 to " + LAST + ", such as 1-100");
             }
         }
     }
+
+    /** What there is to be seen at a time, and why it is not what was asked for, or nothing. */
+    private record Look(EditorState state, String refusal) {}
 
     public Clock(EditorModel model) {
         this.model = model;
@@ -103,7 +109,7 @@ public final class Clock {
 
     /** Which frames are played: those chosen, or from the first to that of the last key. */
     public Span span() {
-        return chosen.orElseGet(() -> new Span(1, Math.max(2, frame(end(model.scene())))));
+        return chosen.orElseGet(() -> new Span(1, Math.max(2, Math.min(Span.LAST, frame(end(model.scene()))))));
     }
 
     /** Has other frames played; those that there are for none. */
@@ -128,28 +134,28 @@ public final class Clock {
         if (known != null && shownOf == state && shownAt.equals(seconds.get())) {
             return known;
         }
-        EditorState fresh = at(state, seconds.get());
-        shown = fresh;
+        Look fresh = at(state, seconds.get());
+        shown = fresh.state();
+        refusal = fresh.refusal();
         shownOf = state;
         shownAt = seconds.get();
-        return fresh;
+        return fresh.state();
     }
 
-    /** Why the time that was asked for last cannot be shown; empty if it can. */
+    /** Why {@link #shown} is not what is there at the time that is looked at; empty if it is. */
     public String refusal() {
+        shown();
         return refusal;
     }
 
-    private EditorState at(EditorState state, OptionalDouble time) {
-        refusal = "";
+    private Look at(EditorState state, OptionalDouble time) {
         if (time.isEmpty() || !SceneFiles.moves(state.scene())) {
-            return state;
+            return new Look(state, "");
         }
         try {
-            return state.withScene(moment(state.scene(), time.getAsDouble()));
+            return new Look(state.withScene(moment(state.scene(), time.getAsDouble())), "");
         } catch (IllegalArgumentException none) {
-            refusal = String.valueOf(none.getMessage());
-            return state;
+            return new Look(state, String.valueOf(none.getMessage()));
         }
     }
 
@@ -185,7 +191,7 @@ public final class Clock {
             open.set(true);
         }
         if (seconds.get().isPresent() && isOther && old.scene().animations().equals(now.scene().animations())) {
-            EditorState before = shownOf == old && shown != null ? shown : at(old, seconds.get());
+            EditorState before = shownOf == old && shown != null ? shown : at(old, seconds.get()).state();
             // Formulas and all else that is not seen may differ: what counts is what is.
             if (before.scene().equals(shown().scene())) {
                 rest();

@@ -10,10 +10,14 @@ import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
 import cz.paprsek.scene.ScenePath.LightAt;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.DoubleFunction;
 
@@ -25,6 +29,10 @@ public final class Ways {
     private static final int LEAST = 128;
     /** Points of all keys of a way; more keys share them. */
     private static final int MOST = 600;
+    /** Points of all ways together, as long as each has some. */
+    private static final int ALL = 4000;
+    /** Points of a way among however many. */
+    private static final int FEWEST = 8;
 
     private Ways() {}
 
@@ -54,32 +62,38 @@ public final class Ways {
         if (times.isEmpty()) {
             return List.of();
         }
+        // The scene of a time is made once, for all that are anywhere then, and not kept.
+        Map<Double, List<ScenePath>> going = new TreeMap<>();
+        int share = Math.max(FEWEST, ALL / times.size());
+        times.forEach((place, at) -> line(List.copyOf(at), share).forEach(t -> going.computeIfAbsent(t, none -> new ArrayList<>()).add(place)));
+        Map<ScenePath, TreeMap<Double, Vec3>> points = new HashMap<>();
         DoubleFunction<Scene> moments = scene.moments();
-        List<Way> ways = new ArrayList<>();
-        times.forEach((place, at) -> ways.add(way(moments, place, List.copyOf(at))));
-        return ways;
+        going.forEach((t, places) -> moment(moments, t).ifPresent(moment ->
+                places.forEach(place -> at(moment, place).ifPresent(point -> points.computeIfAbsent(place, none -> new TreeMap<>()).put(t, point)))));
+        return times.entrySet().stream().map(one -> way(one.getKey(), points.getOrDefault(one.getKey(), new TreeMap<>()), one.getValue())).toList();
     }
 
-    private static Way way(DoubleFunction<Scene> moments, ScenePath place, List<Double> times) {
-        int pieces = Math.max(LEAST / times.size(), Math.max(1, Math.min(PIECES, MOST / times.size())));
-        List<Vec3> line = new ArrayList<>();
-        List<Vec3> keys = new ArrayList<>();
-        for (int i = 0; i < times.size(); i++) {
-            for (int j = 0; j < (i + 1 < times.size() ? pieces : 1); j++) {
-                double t = i + 1 < times.size() ? times.get(i) + (times.get(i + 1) - times.get(i)) * j / pieces : times.get(i);
-                Optional<Vec3> point = at(moments, place, t);
-                point.ifPresent(line::add);
-                if (j == 0) {
-                    point.ifPresent(keys::add);
-                }
+    private static Way way(ScenePath place, SortedMap<Double, Vec3> points, Set<Double> keys) {
+        return new Way(place, List.copyOf(points.values()), points.entrySet().stream().filter(point -> keys.contains(point.getKey())).map(Map.Entry::getValue).toList());
+    }
+
+    /** The times of the points of a way, those of its keys among them. */
+    private static List<Double> line(List<Double> keys, int share) {
+        int pieces = Math.max(Math.min(LEAST, share) / keys.size(), Math.max(1, Math.min(PIECES, Math.min(MOST, share) / keys.size())));
+        List<Double> line = new ArrayList<>();
+        for (int i = 0; i + 1 < keys.size(); i++) {
+            line.add(keys.get(i));
+            for (int j = 1; j < pieces; j++) {
+                line.add(keys.get(i) + (keys.get(i + 1) - keys.get(i)) * j / pieces);
             }
         }
-        return new Way(place, line, keys);
+        line.add(keys.get(keys.size() - 1));
+        return line;
     }
 
-    private static Optional<Vec3> at(DoubleFunction<Scene> moments, ScenePath place, double t) {
+    private static Optional<Scene> moment(DoubleFunction<Scene> moments, double t) {
         try {
-            return at(moments.apply(t), place);
+            return Optional.of(moments.apply(t));
         } catch (IllegalArgumentException noScene) {
             return Optional.empty();
         }

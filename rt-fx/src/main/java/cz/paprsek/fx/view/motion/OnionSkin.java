@@ -18,7 +18,10 @@ import java.util.function.Function;
 import javafx.geometry.Point2D;
 import javafx.scene.canvas.GraphicsContext;
 
-/** What is animated, at other times: its way as a line with dots at the keys; and, while a time is looked at, where it is then. */
+/**
+ * What is animated, at other times: its way as a line with dots at the keys; and, while a time is looked at, where it is then. One for all that draw it; while the hand is moving, ways stay as
+ * they were.
+ */
 public final class OnionSkin {
     /** Of so many objects at most that move, outlines are drawn. */
     private static final int MOST = 200;
@@ -54,7 +57,7 @@ public final class OnionSkin {
             return;
         }
         EditorState state = model.state();
-        if (known != state.scene()) {
+        if (known != state.scene() && !model.gesturingProperty().get()) {
             known = state.scene();
             ways = Ways.of(known);
         }

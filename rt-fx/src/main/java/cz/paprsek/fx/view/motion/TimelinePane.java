@@ -13,9 +13,9 @@ import cz.paprsek.scene.Animation.Ease;
 import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.Optional;
-import javafx.animation.AnimationTimer;
 import javafx.beans.InvalidationListener;
 import javafx.beans.WeakInvalidationListener;
+import javafx.beans.value.ChangeListener;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.geometry.VPos;
@@ -58,9 +58,11 @@ public final class TimelinePane extends VBox {
     private final TextField value = field("timeline-value", 9);
     private final ComboBox<Ease> ease = new ComboBox<>();
     private final HBox keyRow;
-    private final Player player = new Player();
+    private final Label refusal = new Label();
+    private final Player player;
     /** Held here, for what outlives the window's content holds it weakly. */
     private final InvalidationListener onChange = changed -> show();
+    private final ChangeListener<Boolean> onOpen = (property, was, is) -> show(is);
     private boolean shows;
 
     public TimelinePane(Edits edits, Clock clock, ObservableValue<Theme> theme) {
@@ -70,6 +72,7 @@ public final class TimelinePane extends VBox {
         this.clock = clock;
         tracks = new TrackCanvas(edits, clock, theme);
         add = new KeyMenu(edits, clock).button();
+        player = new Player(model, clock, runs -> play.setGraphic(new FontIcon(runs ? MaterialDesignP.PAUSE : MaterialDesignP.PLAY)));
         setId("timeline");
         getStyleClass().add("timeline");
         describe(seconds, "timeline.seconds-hint");
@@ -107,7 +110,13 @@ public final class TimelinePane extends VBox {
         onEnter(value, text -> changeKey((scene, key) -> Keys.valued(scene, key, text.replace(',', '.'))));
         HBox time = row(play, rest, seconds, label("timeline.seconds-unit"), label("timeline.frame"), frame, label("timeline.of"), range);
         keyRow = row(label("timeline.key"), value, ease, delete);
-        FlowPane head = new FlowPane(10, 2, time, row(add), keyRow);
+        FlowPane head = new FlowPane(10, 2, time, row(add), keyRow, refusal);
+        refusal.setId("timeline-refusal");
+        refusal.maxWidthProperty().bind(head.widthProperty());
+        refusal.setTooltip(new Tooltip());
+        refusal.getTooltip().textProperty().bind(refusal.textProperty());
+        refusal.visibleProperty().bind(refusal.textProperty().isNotEmpty());
+        refusal.managedProperty().bind(refusal.visibleProperty());
         head.setRowValignment(VPos.CENTER);
         HBox.setHgrow(head, Priority.ALWAYS);
         HBox line = new HBox(head, close);
@@ -120,7 +129,7 @@ public final class TimelinePane extends VBox {
         model.stateProperty().addListener(weak);
         clock.secondsProperty().addListener(weak);
         theme.addListener(weak);
-        clock.openProperty().addListener((property, was, is) -> show(is));
+        clock.openProperty().addListener(onOpen);
         tracks.chosenProperty().addListener((property, old, now) -> showKey());
         addEventHandler(KeyEvent.KEY_PRESSED, this::pressed);
         show(clock.openProperty().get());
@@ -135,6 +144,12 @@ public final class TimelinePane extends VBox {
             player.stop();
             clock.rest();
         }
+    }
+
+    /** Ends playing, and lets go of the clock, which outlives the window's content. */
+    public void close() {
+        player.stop();
+        clock.openProperty().removeListener(onOpen);
     }
 
     /** Gives the keyboard to the tracks. */
@@ -158,6 +173,7 @@ public final class TimelinePane extends VBox {
             range.setText(clock.span().from() + "-" + clock.span().to());
         }
         shows = false;
+        refusal.setText(texts.sentence(clock.refusal()));
         showKey();
         tracks.requestLayout();
         requestLayout();
@@ -175,9 +191,16 @@ public final class TimelinePane extends VBox {
     }
 
     private void choose(String text) {
-        String[] ends = text.strip().split("\\s*[-–]\\s*", -1);
-        clock.choose(text.isBlank() ? Optional.empty() : Optional.of(new Clock.Span(Integer.parseInt(ends[0]), Integer.parseInt(ends[ends.length - 1]))));
+        clock.choose(text.isBlank() ? Optional.empty() : Optional.of(span(text.strip().split("\\s*[-–]\\s*", -1))));
         show();
+    }
+
+    private Clock.Span span(String[] ends) {
+        try {
+            return new Clock.Span(Integer.parseInt(ends[0]), Integer.parseInt(ends[ends.length - 1]));
+        } catch (IllegalArgumentException none) {
+            throw new IllegalArgumentException(texts.of("timeline.no-range", String.format(texts.locale(), "%,d", Clock.Span.LAST)), none);
+        }
     }
 
     private interface KeyChange {
@@ -200,7 +223,7 @@ public final class TimelinePane extends VBox {
     }
 
     private void playOrStop() {
-        if (player.runs) {
+        if (player.runs()) {
             player.stop();
         } else {
             player.start();
@@ -354,42 +377,5 @@ public final class TimelinePane extends VBox {
         HBox row = new HBox(5, nodes);
         row.setAlignment(Pos.CENTER_LEFT);
         return row;
-    }
-
-    /** Looks at one frame after the other, as fast as the film is; what cannot be shown in time is left out. */
-    private final class Player extends AnimationTimer {
-        private boolean runs;
-        private long begun;
-        private int first;
-
-        @Override
-        public void start() {
-            begun = 0;
-            runs = true;
-            play.setGraphic(new FontIcon(MaterialDesignP.PAUSE));
-            super.start();
-        }
-
-        @Override
-        public void stop() {
-            runs = false;
-            play.setGraphic(new FontIcon(MaterialDesignP.PLAY));
-            super.stop();
-        }
-
-        @Override
-        public void handle(long now) {
-            Clock.Span span = clock.span();
-            if (begun == 0) {
-                begun = now;
-                boolean isWithin = clock.frame() >= span.from() && clock.frame() < span.to();
-                first = isWithin ? clock.frame() - span.from() : 0;
-            }
-            long passed = (long) ((now - begun) * 1e-9 * model.scene().settings().fps());
-            int frame = span.from() + (int) ((first + passed) % (span.to() - span.from() + 1));
-            if (frame != clock.frame() || clock.secondsProperty().get().isEmpty()) {
-                clock.lookAtFrame(frame);
-            }
-        }
     }
 }

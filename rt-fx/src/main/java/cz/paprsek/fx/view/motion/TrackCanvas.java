@@ -179,13 +179,13 @@ final class TrackCanvas extends Region {
         int small = step(7 / pixels);
         g.setLineWidth(1);
         g.setTextAlign(TextAlignment.CENTER);
-        for (int frame = span.from() + small - 1 - (span.from() - 1 + small - 1) % small; frame <= span.to(); frame += small) {
-            double x = Math.floor(x(frame)) + 0.5;
+        for (long frame = span.from() + small - 1L - (span.from() - 1 + small - 1) % small; frame <= span.to(); frame += small) {
+            double x = Math.floor(x((int) frame)) + 0.5;
             g.setStroke(palette.minor());
             g.strokeLine(x, RULER, x, getHeight());
         }
-        for (int frame = Math.floorDiv(span.from() + step - 1, step) * step; frame <= span.to(); frame += step) {
-            mark(g, palette, frame);
+        for (long frame = Math.floorDiv(span.from() + step - 1L, step) * step; frame <= span.to(); frame += step) {
+            mark(g, palette, (int) frame);
         }
         if (span.from() < step * 0.6) {
             mark(g, palette, span.from());

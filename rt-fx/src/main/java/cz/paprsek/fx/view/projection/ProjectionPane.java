@@ -165,9 +165,13 @@ public final class ProjectionPane extends Region {
         requestLayout();
     }
 
-    /** Draws the ways of what is animated, and where it is at the time that is looked at. */
-    public void follow(Clock clock) {
-        onion = Optional.of(new OnionSkin(model, clock));
+    /**
+     * Draws the ways of what is animated, and where it is at the time that is looked at.
+     *
+     * @param skin of this clock and the same model; other projections may draw it too
+     */
+    public void follow(Clock clock, OnionSkin skin) {
+        onion = Optional.of(skin);
         clock.secondsProperty().addListener(new WeakInvalidationListener(onChange));
         clock.openProperty().addListener(new WeakInvalidationListener(onChange));
         requestLayout();

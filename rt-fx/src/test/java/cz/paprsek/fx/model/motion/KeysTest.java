@@ -95,6 +95,30 @@ class KeysTest {
     }
 
     @Test
+    void whatIsInAnOperationThatWasNeverMovedIsFreedWithItsPath() {
+        Scene along = scene("<union name=\"u\"><sphere name=\"a\" radius=\"1\"/><sphere radius=\"1\" position=\"3 0 0\"/></union>"
+                + "<animate target=\"u/a\" attribute=\"position\" path=\"M 0 0 L 1 0 L 1 1\"><key t=\"0\" value=\"0\"/><key t=\"1\" value=\"1\"/></animate>");
+        Scene freed = Structure.dissolve(EditorState.of(along), Set.of(ScenePath.body(0))).scene();
+        assertThat(Ways.at(freed.at(0.7), ScenePath.body(0))).isEqualTo(Ways.at(along.at(0.7), ScenePath.body(0, 0)));
+    }
+
+    @Test
+    void manyWaysShareTheirPoints() {
+        StringBuilder bodies = new StringBuilder();
+        for (int i = 0; i < 100; i++) {
+            bodies.append("<sphere name=\"s").append(i).append("\" radius=\"1\"/>");
+        }
+        for (int i = 0; i < 100; i++) {
+            bodies.append("<animate target=\"s").append(i).append("\" attribute=\"position\"><key t=\"0\" value=\"0 0 0\"/><key t=\"").append(1 + i).append("\" value=\"0 0 2\"/></animate>");
+        }
+        List<Ways.Way> ways = Ways.of(scene(bodies.toString()));
+        assertThat(ways).hasSize(100).allSatisfy(way -> {
+            assertThat(way.keys()).containsExactly(Vec3.ZERO, new Vec3(0, 0, 2));
+            assertThat(way.line()).hasSizeBetween(8, 41).startsWith(Vec3.ZERO).endsWith(new Vec3(0, 0, 2));
+        });
+    }
+
+    @Test
     void aCameraGoesRoundInACircleWithoutAnEnd() {
         EditorState round = Turntable.camera(EditorState.of(scene));
         for (int frame = 0; frame <= Turntable.FRAMES; frame++) {

@@ -17,19 +17,23 @@ import java.util.List;
 import java.util.Locale;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.event.ActionEvent;
+import javafx.scene.control.Button;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
 
 /** The timeline by mouse and keys. */
 class TimelinePaneTest {
     private final EditorModel model = new EditorModel(Scene.EMPTY);
     private final Clock clock = Gui.on(() -> new Clock(model));
+    private final Edits edits = new Edits(model, Texts.in(Locale.ENGLISH));
     private final Gui gui = Gui.show(() -> {
         model.open(scene());
-        return new TimelinePane(new Edits(model, Texts.in(Locale.ENGLISH)), clock, new SimpleObjectProperty<>(Theme.LIGHT));
+        return new TimelinePane(edits, clock, new SimpleObjectProperty<>(Theme.LIGHT));
     }, 620, 150);
     private final TrackCanvas tracks = (TrackCanvas) gui.node("#timeline-tracks");
 
@@ -87,6 +91,43 @@ class TimelinePaneTest {
         gui.until("it plays", () -> clock.frame() != 51);
         gui.keys(KeyCode.ESCAPE);
         assertThat(clock.secondsProperty().get()).as("at rest").isEmpty();
+    }
+
+    @Test
+    void playingEndsWhereAnEditLeadsToRest() {
+        gui.click(tracks, x(1), 8);
+        gui.keys(KeyCode.SPACE);
+        gui.until("it plays", () -> clock.frame() > 1);
+        gui.act(clock::rest);
+        gui.until("it plays no more", () -> gui.node("#timeline-play") instanceof Button play && play.getGraphic() instanceof FontIcon icon && icon.getIconCode() == MaterialDesignP.PLAY);
+        assertThat(clock.secondsProperty().get()).isEmpty();
+    }
+
+    @Test
+    void aPaneThatIsClosedLeavesTheClockAlone() {
+        TimelinePane pane = (TimelinePane) gui.node("#timeline");
+        gui.act(() -> clock.look(1));
+        gui.act(pane::close);
+        gui.act(() -> clock.openProperty().set(false));
+        assertThat(clock.secondsProperty().get()).as("it rests no clock any more").isPresent();
+    }
+
+    @Test
+    void aRangeHasALastFrameAndWhatIsNoRangeIsRefusedInOneSentence() {
+        TextField range = (TextField) gui.node("#timeline-range");
+        for (String wrong : List.of("1-2147483647", "1-99999999999", "5-2", "x")) {
+            gui.act(() -> {
+                range.setText(wrong);
+                range.fireEvent(new ActionEvent());
+            });
+            assertThat(edits.refusalProperty().get()).as(wrong).isEqualTo("a range must be two frames from 1 to 10,000,000, such as 1-100");
+        }
+        gui.act(() -> {
+            range.setText("1-10000000");
+            range.fireEvent(new ActionEvent());
+        });
+        assertThat(clock.span()).isEqualTo(new Clock.Span(1, 10_000_000));
+        assertThat(edits.refusalProperty().get()).isEmpty();
     }
 
     @Test
