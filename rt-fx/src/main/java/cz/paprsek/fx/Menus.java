@@ -171,7 +171,7 @@ final class Menus {
                 command("cut.whole", views::whole).keys("Shortcut+Shift+W").menuItem());
         CheckMenuItem timeline = new CheckMenuItem(texts.of("view-menu.timeline"));
         timeline.setId("view-menu-timeline");
-        timeline.setAccelerator(KeyCombination.valueOf("Shortcut+Alt+T"));
+        timeline.setAccelerator(KeyCombination.valueOf("Shortcut+Shift+T"));
         timeline.selectedProperty().bindBidirectional(editor.clock().openProperty());
         return menu("menu.view",
                 maximize("view-menu.top", 0, "Shortcut+1"), maximize("view-menu.camera", 1, "Shortcut+2"),

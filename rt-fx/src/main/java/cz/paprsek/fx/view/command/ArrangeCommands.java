@@ -55,7 +55,7 @@ final class ArrangeCommands {
     /** What is done with lights. */
     List<MenuItem> lightItems() {
         Predicate<Set<ScenePath>> some = items -> !Places.lights(items).isEmpty() && Places.lights(items).size() < edits.model().scene().lights().size();
-        return List.of(command("arrange.lights-alone", some, Edit.HIDE, Arranging::lightsAlone).keys("Shortcut+Alt+L").menuItem());
+        return List.of(command("arrange.lights-alone", some, Edit.HIDE, Arranging::lightsAlone).keys("Shortcut+Shift+J").menuItem());
     }
 
     private Command aligned(String key, Predicate<Set<ScenePath>> possible, Axis axis, Side side) {
