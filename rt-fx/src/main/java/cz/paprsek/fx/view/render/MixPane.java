@@ -1,13 +1,15 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.view.render.Mixer.Setting;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.io.Failures;
 import cz.paprsek.material.Rgb;
-import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import java.util.ArrayList;
 import java.util.List;
+import javafx.application.Platform;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -19,6 +21,7 @@ import javafx.scene.control.Slider;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.scene.paint.Color;
 
@@ -55,7 +58,17 @@ final class MixPane extends VBox {
         ScrollPane scroll = new ScrollPane(all);
         scroll.setFitToWidth(true);
         VBox.setVgrow(scroll, Priority.ALWAYS);
-        getChildren().addAll(new Label(texts.of("render.mix.title")), scroll, reset);
+        Label failed = new Label();
+        failed.setId("render-mix-failed");
+        failed.setWrapText(true);
+        failed.setMinHeight(Region.USE_PREF_SIZE);
+        failed.visibleProperty().bind(failed.textProperty().isNotEmpty());
+        failed.managedProperty().bind(failed.visibleProperty());
+        mixer.setOnMixed(failure -> {
+            String text = failure.map(what -> texts.of("render.mix.failed", texts.sentence(Failures.sentence(what)))).orElse("");
+            Platform.runLater(() -> failed.setText(text));
+        });
+        getChildren().addAll(new Label(texts.of("render.mix.title")), scroll, failed, reset);
     }
 
     private void reset() {
@@ -93,33 +106,30 @@ final class MixPane extends VBox {
             row.setAlignment(Pos.CENTER_LEFT);
             row.disableProperty().bind(shines.selectedProperty().not());
             box = new VBox(2, shines, row);
-            show(mixer.share(word));
+            show(mixer.setting(word));
             shines.setOnAction(event -> changed());
             color.setOnAction(event -> changed());
             stops.valueProperty().addListener((property, old, now) -> changed());
         }
 
-        /** Of a share the colour is that of which the greatest channel is white's. */
-        private void show(Vec3 share) {
+        private void show(Setting setting) {
             isShowing = true;
-            double most = Math.max(share.x(), Math.max(share.y(), share.z()));
-            shines.setSelected(most > 0);
-            double gain = most > 0 ? most : 1;
-            stops.setValue(Math.log(gain) / Math.log(2));
-            Rgb rgb = most > 0 ? Rgb.ofLinear(share.x() / gain, share.y() / gain, share.z() / gain) : Rgb.WHITE;
+            shines.setSelected(setting.shines());
+            stops.setValue(setting.stops());
+            Rgb rgb = setting.through();
             color.setValue(Color.rgb((int) Math.round(rgb.red()), (int) Math.round(rgb.green()), (int) Math.round(rgb.blue())));
             tell();
             isShowing = false;
         }
 
         private void reset() {
-            show(Mixer.WHOLE);
+            show(Setting.WHOLE);
         }
 
         private void changed() {
             if (!isShowing) {
                 tell();
-                mixer.set(word, share());
+                mixer.set(word, setting());
             }
         }
 
@@ -127,13 +137,9 @@ final class MixPane extends VBox {
             value.setText(String.format(texts.locale(), "%+.2f", stops.getValue()));
         }
 
-        private Vec3 share() {
-            if (!shines.isSelected()) {
-                return new Vec3(0, 0, 0);
-            }
-            double gain = Math.pow(2, stops.getValue());
+        private Setting setting() {
             Rgb through = new Rgb(Math.rint(255 * color.getValue().getRed()), Math.rint(255 * color.getValue().getGreen()), Math.rint(255 * color.getValue().getBlue()));
-            return new Vec3(gain * through.linearRed(), gain * through.linearGreen(), gain * through.linearBlue());
+            return new Setting(shines.isSelected(), stops.getValue(), through);
         }
     }
 }

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.render;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageOptions;
+import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.Tile;
@@ -11,6 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /**
@@ -19,13 +21,32 @@ import java.util.stream.Collectors;
  */
 final class Mixer {
     /** A light as it is: its shares of red, green and blue. */
-    static final Vec3 WHOLE = new Vec3(1, 1, 1);
+    private static final Vec3 WHOLE = new Vec3(1, 1, 1);
+
+    /**
+     * How a light is set.
+     *
+     * @param shines whether there is any of it
+     * @param stops how much brighter, as a power of two
+     * @param through the colour of a filter before it
+     */
+    record Setting(boolean shines, double stops, Rgb through) {
+        /** A light as it is. */
+        static final Setting WHOLE = new Setting(true, 0, Rgb.WHITE);
+
+        /** Of red, green and blue. */
+        Vec3 share() {
+            double gain = shines ? Math.pow(2, stops) : 0;
+            return new Vec3(gain * through.linearRed(), gain * through.linearGreen(), gain * through.linearBlue());
+        }
+    }
 
     private final RenderResult result;
     private final PictureBuffer buffer;
     private final ImageOptions how;
-    private Map<String, Vec3> shares = Map.of();
-    private Optional<Map<String, Vec3>> wanted = Optional.empty();
+    private Map<String, Setting> settings = Map.of();
+    private Optional<Map<String, Setting>> wanted = Optional.empty();
+    private Consumer<Optional<Throwable>> onMixed = failure -> {};
     private boolean isRunning;
     private Image image;
 
@@ -46,9 +67,14 @@ final class Mixer {
         return result.layers().lights();
     }
 
-    /** How much of a light there is, or will soon be. */
-    synchronized Vec3 share(String light) {
-        return shares.getOrDefault(light, WHOLE);
+    /** How a light is set, also while it does not shine. */
+    synchronized Setting setting(String light) {
+        return settings.getOrDefault(light, Setting.WHOLE);
+    }
+
+    /** Who hears, on any thread, after each mixing what made it fail, such as too little memory; empty if nothing did. */
+    synchronized void setOnMixed(Consumer<Optional<Throwable>> listener) {
+        onMixed = listener;
     }
 
     /** The picture as it was mixed last. */
@@ -58,7 +84,7 @@ final class Mixer {
 
     /** What was changed, in words for a file; empty if nothing was. */
     synchronized String told() {
-        return shares.entrySet().stream().filter(entry -> !entry.getValue().equals(WHOLE))
+        return shares(settings).entrySet().stream().filter(entry -> !entry.getValue().equals(WHOLE))
                 .map(entry -> entry.getKey() + " × " + rounded(entry.getValue().x()) + " " + rounded(entry.getValue().y()) + " " + rounded(entry.getValue().z()))
                 .collect(Collectors.joining(", "));
     }
@@ -67,10 +93,16 @@ final class Mixer {
         return Numbers.text(Math.rint(share * 1000) / 1000);
     }
 
-    /** Has another share of one light. */
-    synchronized void set(String light, Vec3 share) {
-        Map<String, Vec3> next = new LinkedHashMap<>(shares);
-        next.put(light, share);
+    private static Map<String, Vec3> shares(Map<String, Setting> settings) {
+        Map<String, Vec3> shares = new LinkedHashMap<>();
+        settings.forEach((light, setting) -> shares.put(light, setting.share()));
+        return shares;
+    }
+
+    /** Sets one light otherwise. */
+    synchronized void set(String light, Setting setting) {
+        Map<String, Setting> next = new LinkedHashMap<>(settings);
+        next.put(light, setting);
         mix(next);
     }
 
@@ -79,31 +111,41 @@ final class Mixer {
         mix(Map.of());
     }
 
-    private synchronized void mix(Map<String, Vec3> next) {
-        shares = next;
+    private synchronized void mix(Map<String, Setting> next) {
+        settings = next;
         wanted = Optional.of(next);
         if (!isRunning) {
-            isRunning = true;
             Thread thread = new Thread(this::work, "paprsek-mix");
             thread.setDaemon(true);
             thread.start();
+            isRunning = true;
         }
     }
 
     private void work() {
-        for (Optional<Map<String, Vec3>> next = take(); next.isPresent(); next = take()) {
-            Image mixed = result.layers().mixed(result.image(), next.get());
-            show(mixed);
-            buffer.paint(mixed, new Tile(0, 0, mixed.width(), mixed.height()), 1, how);
+        for (Optional<Map<String, Setting>> next = take(); next.isPresent(); next = take()) {
+            Optional<Throwable> failure = Optional.empty();
+            try {
+                Image mixed = result.layers().mixed(result.image(), shares(next.get()));
+                show(mixed);
+                buffer.paint(mixed, new Tile(0, 0, mixed.width(), mixed.height()), 1, how);
+            } catch (RuntimeException | OutOfMemoryError failed) {
+                failure = Optional.of(failed);
+            }
+            listener().accept(failure);
         }
+    }
+
+    private synchronized Consumer<Optional<Throwable>> listener() {
+        return onMixed;
     }
 
     private synchronized void show(Image mixed) {
         image = mixed;
     }
 
-    private synchronized Optional<Map<String, Vec3>> take() {
-        Optional<Map<String, Vec3>> next = wanted;
+    private synchronized Optional<Map<String, Setting>> take() {
+        Optional<Map<String, Setting>> next = wanted;
         wanted = Optional.empty();
         isRunning = next.isPresent();
         return next;
