@@ -68,6 +68,9 @@ final class MainWindow {
     /** Held here, because the model, which outlives the window, holds it weakly. */
     private final ChangeListener<Object> showSelection = (property, old, now) -> showSelection();
 
+    /** Held here likewise: what is opened by keys or dropped takes the welcome's place. */
+    private final ChangeListener<Object> closeWelcome = (property, old, now) -> closeWelcome();
+
     MainWindow(Editor editor) {
         this.editor = editor;
         EditorModel model = editor.model();
@@ -89,6 +92,7 @@ final class MainWindow {
         Menus menus = new Menus(editor, views, palette, commands, finder::open, help::open);
         menuBar = menus.menuBar();
         welcome = new WelcomePane(texts);
+        model.openingsProperty().addListener(new WeakChangeListener<>(closeWelcome));
         whole = new StackPane(root, welcome, finder, help);
         commands.setOnRename(tree::rename);
         VBox.setVgrow(tree, Priority.ALWAYS);
@@ -155,6 +159,10 @@ final class MainWindow {
 
     void welcome() {
         Welcome.open(welcome, editor);
+    }
+
+    private void closeWelcome() {
+        welcome.close();
     }
 
     boolean isPictureComplete() {

@@ -78,8 +78,7 @@ public final class ManualPane extends BorderPane {
         split.setDividerPositions(0.26);
         SplitPane.setResizableWithParent(left, false);
         setCenter(split);
-        view = page(pages.get(0));
-        list.getSelectionModel().select(pages.get(0));
+        begin(pages.get(0));
         list.getSelectionModel().selectedItemProperty().addListener((property, old, now) -> {
             if (now != null && !now.path().equals(path())) {
                 remember();
@@ -98,6 +97,22 @@ public final class ManualPane extends BorderPane {
     /** Shows a page of the manual, by its path; nothing happens if there is none. */
     public void show(String path) {
         pages.stream().filter(page -> page.path().equals(path)).findFirst().ifPresent(page -> go(page, ""));
+    }
+
+    /** In another language at the same page: in that language if it is there in it. */
+    public ManualPane translated(Texts other) {
+        ManualPane fresh = new ManualPane(other);
+        if (!path().equals(pages.get(0).path())) {
+            String file = path().substring(path().lastIndexOf('/'));
+            fresh.pages.stream().filter(page -> page.isIn(other.locale()) && page.path().endsWith(file)).findFirst()
+                    .or(() -> fresh.pages.stream().filter(page -> page.path().equals(path())).findFirst()).ifPresent(fresh::begin);
+        }
+        return fresh;
+    }
+
+    private void begin(ManualPage page) {
+        view = page(page);
+        list.getSelectionModel().select(page);
     }
 
     private PageView page(ManualPage page) {

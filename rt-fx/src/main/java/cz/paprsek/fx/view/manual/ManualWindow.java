@@ -57,9 +57,8 @@ public final class ManualWindow {
     /** Speaks the editor's language from now on. */
     public void translate() {
         stage.ifPresent(open -> {
-            ManualPane content = new ManualPane(texts.get());
-            open.getScene().setRoot(content);
-                dress();
+            open.getScene().setRoot(open.getScene().getRoot() instanceof ManualPane old ? old.translated(texts.get()) : new ManualPane(texts.get()));
+            dress();
         });
     }
 

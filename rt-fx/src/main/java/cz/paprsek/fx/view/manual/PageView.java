@@ -1,9 +1,7 @@
 package cz.paprsek.fx.view.manual;
 
 import cz.paprsek.fx.view.manual.Span.Style;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -29,10 +27,13 @@ final class PageView extends VBox {
     /** Of a table's width, in percent. */
     private static final double NARROWEST = 12;
 
+    /** A block, of which there may be equal ones, and what it is read in. */
+    private record Shown(Block block, Node node) {}
+
     private final ManualPage page;
     private final Predicate<String> isKnown;
     private final Consumer<String> onLink;
-    private final Map<Block, Node> shown = new LinkedHashMap<>();
+    private final List<Shown> shown;
 
     /**
      * @param isKnown whether a link leads to a page there is
@@ -45,18 +46,18 @@ final class PageView extends VBox {
         getStyleClass().add("manual-page");
         setMinWidth(0);
         setMaxWidth(WIDEST);
-        page.blocks().forEach(block -> shown.put(block, node(block)));
-        getChildren().addAll(shown.values());
+        shown = page.blocks().stream().map(block -> new Shown(block, node(block))).toList();
+        shown.forEach(one -> getChildren().add(one.node()));
     }
 
     /** Where a link within the page leads. */
     Optional<Node> anchored(String anchor) {
-        return shown.entrySet().stream().filter(entry -> entry.getKey() instanceof Block.Heading heading && heading.anchor().equals(anchor)).map(Map.Entry::getValue).findFirst();
+        return shown.stream().filter(one -> one.block() instanceof Block.Heading heading && heading.anchor().equals(anchor)).map(Shown::node).findFirst();
     }
 
     /** The blocks in which one of some words stands, in small letters, from top to bottom. */
     List<Node> having(List<String> words) {
-        return shown.entrySet().stream().filter(entry -> words.stream().anyMatch(entry.getKey().plain().toLowerCase(java.util.Locale.ROOT)::contains)).map(Map.Entry::getValue).toList();
+        return shown.stream().filter(one -> words.stream().anyMatch(one.block().plain().toLowerCase(java.util.Locale.ROOT)::contains)).map(Shown::node).toList();
     }
 
     private Node node(Block block) {
