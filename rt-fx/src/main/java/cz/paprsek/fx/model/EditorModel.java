@@ -278,7 +278,8 @@ public final class EditorModel {
         if (isStep) {
             history.did(ended.label(), ended.start(), now);
         }
-        show(isStep ? now : ended.start().withSelection(now.selection()));
+        // What a preview has selected, such as copies, means something else where they are not.
+        show(isStep ? now : keep ? ended.start().withSelection(now.selection()) : ended.start());
     }
 
     /** Sets all properties, the state first, from which the methods above answer: whoever hears of any change finds all of it. */

@@ -111,6 +111,16 @@ class EditorModelTest {
     }
 
     @Test
+    void cancelledGestureThatSelectsOthersLeavesTheSelectionAsItWas() {
+        model.select(ScenePath.body(0));
+        Gesture drag = model.begin(Label.of(Edit.MOVE, "ball"));
+        drag.previewState(state -> Structure.duplicate(state, state.selection(), Vec3.X));
+        assertThat(model.selection()).isNotEqualTo(Set.of(ScenePath.body(0)));
+        drag.cancel();
+        assertThat(model.selection()).containsExactly(ScenePath.body(0));
+    }
+
+    @Test
     void cancelledGestureLeavesNoTrace() {
         Gesture drag = model.begin(Label.of(Edit.MOVE, "ball"));
         drag.preview(scene -> Moves.translated(scene, Set.of(ScenePath.body(0)), Vec3.X));
