@@ -29,21 +29,18 @@ public record CutPlane(Axis axis, double share) {
         share = Math.max(0, Math.min(1, share));
     }
 
-    /** The solids that are cut, with a box around them; empty if there are none. */
-    private static Bounds around(Scene scene) {
-        return IntStream.range(0, scene.objects().size()).filter(i -> isCut(scene, i)).mapToObj(i -> ScenePath.body(i).placed(scene).bounds()).reduce(Bounds.EMPTY, Bounds::union);
-    }
-
-    private static boolean isCut(Scene scene, int i) {
+    /** The box around an object that is cut; empty if it is not. */
+    private static Bounds box(Scene scene, int i) {
         SceneObject object = scene.objects().get(i);
         Bounds box = object.shape() instanceof Solid && !object.hidden() ? ScenePath.body(i).placed(scene).bounds() : Bounds.EMPTY;
-        return !box.isEmpty() && box.isFinite();
+        return box.isFinite() ? box : Bounds.EMPTY;
     }
 
     /** What is seen of a scene. */
     public Visible of(Visible whole) {
         Scene scene = whole.scene();
-        Bounds all = around(scene);
+        List<Bounds> boxes = IntStream.range(0, scene.objects().size()).mapToObj(i -> box(scene, i)).toList();
+        Bounds all = boxes.stream().reduce(Bounds.EMPTY, Bounds::union);
         if (all.isEmpty()) {
             return whole;
         }
@@ -56,14 +53,13 @@ public record CutPlane(Axis axis, double share) {
         Map<ScenePath, ScenePath> places = new HashMap<>(whole.places());
         for (int i = 0; i < scene.objects().size(); i++) {
             SceneObject object = scene.objects().get(i);
-            if (!isCut(scene, i)) {
+            if (boxes.get(i).isEmpty()) {
                 objects.add(object);
                 continue;
             }
-            int index = i;
             Operand own = Body.of(object).toOperand();
             objects.add(new SceneObject(object.name(), Csg.difference(own.named(""), Operand.of(away).madeOf(object.material())), Placement.NONE, object.material()));
-            ScenePath.bodies(scene).filter(at -> at.numbers().get(0) == index).forEach(at -> places.put(inside(at), whole.original(at)));
+            ScenePath.body(i).withOperands(scene).forEach(at -> places.put(inside(at), whole.original(at)));
             places.put(ScenePath.body(i), whole.original(ScenePath.body(i)));
             places.put(ScenePath.body(i).child(1), whole.original(ScenePath.body(i)));
         }
