@@ -13,6 +13,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
 import javafx.scene.canvas.GraphicsContext;
@@ -27,14 +28,17 @@ final class BandHand {
     private final LivePicture picture;
     private final EditorModel model;
     private final Viewpoint view;
+    private final Supplier<EditorState> shown;
     private boolean isArmed;
     private Optional<Point2D> start = Optional.empty();
     private Point2D now = Point2D.ZERO;
 
-    BandHand(LivePicture picture, EditorModel model, Viewpoint view) {
+    /** @param shown the state that is in the picture, which may be that of another time */
+    BandHand(LivePicture picture, EditorModel model, Viewpoint view, Supplier<EditorState> shown) {
         this.picture = picture;
         this.model = model;
         this.view = view;
+        this.shown = shown;
     }
 
     void arm() {
@@ -64,28 +68,33 @@ final class BandHand {
     }
 
     /** Whether there is a band. */
-    boolean dragged(Point2D at) {
-        start.ifPresent(from -> {
-            now = at;
-            model.select(within(Math.min(from.getX(), at.getX()), Math.min(from.getY(), at.getY()), Math.max(from.getX(), at.getX()), Math.max(from.getY(), at.getY())));
-            picture.overlay().repaint();
-        });
+    boolean isDrawn() {
         return start.isPresent();
     }
 
-    /** Whether there was a band. */
-    boolean release() {
-        boolean was = start.isPresent();
-        if (was) {
-            disarm();
+    /** Whether there is a band. */
+    boolean dragged(Point2D at) {
+        if (isDrawn()) {
+            now = at;
             picture.overlay().repaint();
         }
-        return was;
+        return isDrawn();
+    }
+
+    /** Selects what is within; whether there was a band. */
+    boolean release() {
+        Optional<Point2D> ended = start;
+        ended.ifPresent(from -> {
+            disarm();
+            model.select(within(Math.min(from.getX(), now.getX()), Math.min(from.getY(), now.getY()), Math.max(from.getX(), now.getX()), Math.max(from.getY(), now.getY())));
+            picture.overlay().repaint();
+        });
+        return ended.isPresent();
     }
 
     private Set<ScenePath> within(double left, double top, double right, double bottom) {
-        EditorState state = model.state();
-        CameraView seen = new CameraView(view.camera(), picture.overlay().getWidth(), picture.overlay().getHeight());
+        EditorState state = shown.get();
+        CameraView seen = new CameraView(view.camera(state), picture.overlay().getWidth(), picture.overlay().getHeight());
         Set<ScenePath> found = new LinkedHashSet<>();
         for (int i = 0; i < state.scene().objects().size(); i++) {
             ScenePath.BodyAt at = ScenePath.body(i);

@@ -65,6 +65,8 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     private final InvalidationListener onTime = time -> show();
     private Optional<Clock> clock = Optional.empty();
     private Visible visible;
+    /** Whether something has changed while it was in no window. */
+    private boolean isStale;
     private Optional<ObjectHand> objects = Optional.empty();
     private Optional<BodyAt> hovered = Optional.empty();
     private Optional<BodyAt> droppedOn = Optional.empty();
@@ -132,6 +134,11 @@ public final class CameraPane extends StackPane implements AutoCloseable {
             }
         };
         view.setOnMoved(this::show);
+        sceneProperty().addListener((property, old, now) -> {
+            if (isStale) {
+                show();
+            }
+        });
         model.stateProperty().addListener(new WeakChangeListener<>(onState));
         caption.run();
     }
@@ -176,7 +183,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
      * @param snapping whether drags keep to round numbers and to other objects
      */
     public void acceptEdits(Edits edits, BooleanProperty snapping) {
-        ObjectHand fresh = new ObjectHand(picture, edits, view, snapping::get);
+        ObjectHand fresh = new ObjectHand(picture, edits, view, snapping::get, this::now, this::look);
         objects = Optional.of(fresh);
         ModeBox box = new ModeBox(edits.texts(), fresh.modeProperty());
         StackPane.setAlignment(box, Pos.TOP_RIGHT);
@@ -238,6 +245,10 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     }
 
     private void show() {
+        isStale = getScene() == null;
+        if (isStale) {
+            return;
+        }
         Set<ScenePath> hidden = new LinkedHashSet<>(model.state().hidden());
         hidden.addAll(without);
         Visible whole = Visible.of(view.seen(now().withHidden(hidden)));
@@ -258,7 +269,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     }
 
     private void draw(GraphicsContext g) {
-        Outlines outlines = new Outlines(g, now(), view.seen(now()).camera());
+        Outlines outlines = new Outlines(g, now(), view.camera(now()));
         hovered.filter(body -> body.isIn(model.scene()) && !model.selection().contains(body)).ifPresent(body -> outlines.draw(body, Look.FAINT));
         if (objects.isPresent()) {
             outlines.selected();

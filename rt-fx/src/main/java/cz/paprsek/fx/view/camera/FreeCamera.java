@@ -20,6 +20,11 @@ final class FreeCamera implements Viewpoint {
     }
 
     @Override
+    public Camera camera(EditorState state) {
+        return camera;
+    }
+
+    @Override
     public boolean isLocked() {
         return false;
     }

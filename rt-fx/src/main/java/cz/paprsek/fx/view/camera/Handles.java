@@ -5,8 +5,10 @@ import cz.paprsek.drawing.Segment;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Camera;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import javafx.geometry.Point2D;
@@ -64,7 +66,7 @@ public final class Handles {
     private List<Segment> ring(Axis axis) {
         Vec3 u = axis == Axis.X ? Vec3.Y : Vec3.X;
         Vec3 v = axis == Axis.Z ? Vec3.Y : Vec3.Z;
-        List<Segment> pieces = new java.util.ArrayList<>();
+        List<Segment> pieces = new ArrayList<>();
         for (int i = 0; i < PIECES; i++) {
             pieces.addAll(view.line(onRing(u, v, i), onRing(u, v, i + 1)));
         }
@@ -215,6 +217,6 @@ public final class Handles {
         } else if (line.length() > 8) {
             g.fillPolygon(new double[] {x + 10 * dx, x - 5 * dy, x + 5 * dy}, new double[] {y + 10 * dy, y + 5 * dx, y - 5 * dx}, 3);
         }
-        Plates.letter(g, axis.name().toLowerCase(java.util.Locale.ROOT), x + 18 * dx, y + 18 * dy, color);
+        Plates.letter(g, axis.name().toLowerCase(Locale.ROOT), x + 18 * dx, y + 18 * dy, color);
     }
 }

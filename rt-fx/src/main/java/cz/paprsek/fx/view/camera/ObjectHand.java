@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.camera;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.edit.Alignment;
@@ -12,6 +13,7 @@ import cz.paprsek.fx.model.edit.Pivots;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -22,6 +24,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.Point2D;
@@ -44,6 +49,8 @@ final class ObjectHand {
     private final Edits edits;
     private final Viewpoint view;
     private final BooleanSupplier snapping;
+    private final Supplier<EditorState> shown;
+    private final Consumer<UnaryOperator<Camera>> look;
     private final BandHand band;
     private final ObjectProperty<Handles.Mode> mode = new SimpleObjectProperty<>(Handles.Mode.MOVE);
     private Optional<Optional<Axis>> hovered = Optional.empty();
@@ -54,14 +61,26 @@ final class ObjectHand {
     private Point2D start = Point2D.ZERO;
     private Point2D mouse = Point2D.ZERO;
     private boolean isFree;
+    /** Whether a drag has been ended by a key, so that it means nothing until it is let go. */
+    private boolean isOver;
+    /** Where the handles are, in these states. */
+    private Optional<Vec3> middle = Optional.empty();
+    private @Nullable EditorState middleOf;
+    private @Nullable EditorState middleIn;
 
-    ObjectHand(LivePicture picture, Edits edits, Viewpoint view, BooleanSupplier snapping) {
+    /**
+     * @param shown the state that is in the picture, which may be that of another time
+     * @param look changes the camera, or tells that it is locked
+     */
+    ObjectHand(LivePicture picture, Edits edits, Viewpoint view, BooleanSupplier snapping, Supplier<EditorState> shown, Consumer<UnaryOperator<Camera>> look) {
         this.picture = picture;
         this.model = edits.model();
         this.edits = edits;
         this.view = view;
         this.snapping = snapping;
-        this.band = new BandHand(picture, model, view);
+        this.shown = shown;
+        this.look = look;
+        this.band = new BandHand(picture, model, view, shown);
         picture.addEventFilter(MouseEvent.MOUSE_PRESSED, this::pressed);
         picture.addEventFilter(MouseEvent.MOUSE_DRAGGED, this::dragged);
         picture.addEventFilter(MouseEvent.MOUSE_MOVED, this::moved);
@@ -91,21 +110,40 @@ final class ObjectHand {
     }
 
     /** What they are turned about: one thing about its pivot, several about the middle of these. */
-    private Optional<Vec3> middle(Set<ScenePath> items) {
-        List<Vec3> places = items.stream().map(this::place).toList();
+    private static Optional<Vec3> middle(Set<ScenePath> items, Scene scene) {
+        List<Vec3> places = items.stream().map(item -> place(item, scene)).toList();
         return places.isEmpty() ? Optional.empty() : Optional.of(places.stream().reduce(Vec3.ZERO, Vec3::plus).times(1.0 / places.size()));
     }
 
-    private Vec3 place(ScenePath item) {
-        Scene scene = model.scene();
+    private static Vec3 place(ScenePath item, Scene scene) {
         return item instanceof BodyAt at ? Pivots.of(scene, at) : item instanceof LightAt light ? LightMoves.place(scene.lights().get(light.index()))
                 : item instanceof CameraAt camera ? scene.cameras().get(camera.index()).position() : Vec3.ZERO;
     }
 
+    /** Where handles are seen: none of what is elsewhere at the time that is looked at, for that is not what would be moved. */
+    @SuppressWarnings("ReferenceEquality")
+    private Optional<Vec3> middle() {
+        EditorState state = model.state();
+        EditorState now = shown.get();
+        if (middleOf != state || middleIn != now) {
+            Set<ScenePath> items = movable();
+            Optional<Vec3> written = middle(items, state.scene());
+            boolean isWritten = now == state || (items.stream().allMatch(item -> item.isIn(now.scene())) && middle(items, now.scene()).equals(written));
+            middle = written.filter(at -> isWritten);
+            middleOf = state;
+            middleIn = now;
+        }
+        return middle;
+    }
+
     private Optional<Handles> handles() {
+        return middle().flatMap(at -> handles(at, view.camera(shown.get())));
+    }
+
+    private Optional<Handles> handles(Vec3 at, Camera camera) {
         double width = picture.overlay().getWidth();
         double height = picture.overlay().getHeight();
-        return middle(movable()).filter(at -> width >= 1 && height >= 1).flatMap(at -> Handles.of(mode.get(), view.camera(), width, height, at));
+        return width >= 1 && height >= 1 ? Handles.of(mode.get(), camera, width, height, at) : Optional.empty();
     }
 
     private void moved(MouseEvent event) {
@@ -123,6 +161,8 @@ final class ObjectHand {
     }
 
     private void pressed(MouseEvent event) {
+        // Another button in the middle of a drag ends it.
+        isOver = held.isPresent() && (isOver || doing != null);
         end(true);
         Point2D at = picture.inFrame(event.getX(), event.getY());
         if (band.pressed(event, at)) {
@@ -137,12 +177,17 @@ final class ObjectHand {
             start = at;
             mouse = at;
             isFree = event.isShortcutDown();
+            isOver = false;
         });
     }
 
     private void dragged(MouseEvent event) {
         mouse = picture.inFrame(event.getX(), event.getY());
         if (band.dragged(mouse)) {
+            event.consume();
+            return;
+        }
+        if (isOver) {
             event.consume();
             return;
         }
@@ -162,7 +207,8 @@ final class ObjectHand {
     boolean release(MouseEvent event) {
         dragged(event);
         boolean wasBand = band.release();
-        boolean wasDrag = held.isPresent() && doing != null;
+        boolean wasDrag = isOver || (held.isPresent() && doing != null);
+        isOver = false;
         held = Optional.empty();
         pressedOn = null;
         end(true);
@@ -188,7 +234,8 @@ final class ObjectHand {
         end(true);
         mode.set(wanted);
         picture.requestFocus();
-        doing = handles().map(known -> begin(known, Optional.empty())).orElse(null);
+        // What is typed counts from where things are written to be, whatever time is looked at.
+        doing = middle(movable(), model.scene()).flatMap(at -> handles(at, view.camera())).map(known -> begin(known, Optional.empty())).orElse(null);
         repaint();
     }
 
@@ -218,18 +265,16 @@ final class ObjectHand {
     }
 
     private boolean idle(KeyCode code) {
+        isOver = isOver || (doing != null && held.isPresent());
         doing = null;
         switch (code) {
             case G -> begin(Handles.Mode.MOVE);
             case R -> begin(Handles.Mode.TURN);
             case S -> begin(Handles.Mode.SCALE);
             case B -> band.arm();
-            case F -> {
-                if (!view.isLocked()) {
-                    view.change(camera -> Looks.at(Alignment.around(model.state(), model.selection()), camera));
-                }
-            }
+            case F -> look.accept(camera -> Looks.at(Alignment.around(shown.get(), shown.get().selection()), camera));
             case ESCAPE -> {
+                isOver = isOver || band.isDrawn();
                 return band.disarm();
             }
             default -> {
@@ -246,8 +291,10 @@ final class ObjectHand {
             case Z -> type(now, now.typed().along(Axis.Z));
             case BACK_SPACE -> type(now, now.typed().shorter());
             case D -> edits.attempt(now::copyOrNot);
-            case ENTER -> end(true);
-            case ESCAPE -> end(false);
+            case ENTER, ESCAPE -> {
+                isOver = held.isPresent();
+                end(code == KeyCode.ENTER);
+            }
             case G, R, S -> {
                 if (held.isEmpty()) {
                     end(false);
@@ -287,7 +334,7 @@ final class ObjectHand {
         handles().ifPresent(known -> known.draw(g, held.isPresent() ? held : hovered));
         Manipulation now = doing;
         if (now != null && now.gesture().isOpen()) {
-            Outlines outlines = new Outlines(g, model.state(), view.camera());
+            Outlines outlines = new Outlines(g, model.state(), view.camera(shown.get()));
             now.guides().forEach(line -> guide(outlines, line, now.middle()));
             String figures = now.figures(edits.texts().locale());
             Plates.above(g, now.typed().isNone() && held.isEmpty() ? edits.texts().of("handles.prompt") : figures);

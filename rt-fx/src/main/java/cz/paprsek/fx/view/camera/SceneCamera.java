@@ -18,6 +18,11 @@ record SceneCamera(EditorModel model) implements Viewpoint {
     }
 
     @Override
+    public Camera camera(EditorState state) {
+        return state.camera();
+    }
+
+    @Override
     public boolean isLocked() {
         return model.state().isLocked(ScenePath.camera(model.state().eye()));
     }

@@ -20,6 +20,9 @@ interface Viewpoint {
 
     Camera camera();
 
+    /** The camera that a state is seen by from here, such as that of another time. */
+    Camera camera(EditorState state);
+
     /** Whether it is not to be moved. */
     boolean isLocked();
 

@@ -10,10 +10,12 @@ import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.model.edit.CutPlane;
 import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -21,9 +23,11 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Sphere;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
@@ -131,6 +135,84 @@ class HandlesInPictureTest {
     }
 
     @Test
+    void escapeAndEnterEndADragBeforeTheMouseIsLetGo() {
+        pullAlongX(KeyCode.ESCAPE);
+        assertThat(model.scene()).isEqualTo(SCENE);
+        assertThat(model.undoableProperty().get()).isEmpty();
+        pullAlongX(KeyCode.ENTER);
+        assertThat(position(0)).as("where it was when Enter was pressed").isEqualTo(new Vec3(1.9, 0, 0));
+        assertThat(model.selection()).containsExactly(ONE);
+        gui.act(model::undo);
+        assertThat(model.scene()).as("one step").isEqualTo(SCENE);
+    }
+
+    private void pullAlongX(KeyCode end) {
+        Point2D from = place(new Vec3(0.4, 0, 0));
+        Point2D to = place(new Vec3(2.28, 0, 0));
+        Point2D beyond = place(new Vec3(2.9, 0, 0));
+        gui.moveTo(picture, from.getX(), from.getY());
+        gui.press(MouseButton.PRIMARY);
+        gui.moveTo(picture, to.getX(), to.getY());
+        assertThat(position(0)).isEqualTo(new Vec3(1.9, 0, 0));
+        gui.keys(end);
+        gui.moveTo(picture, beyond.getX(), beyond.getY());
+        gui.release(MouseButton.PRIMARY);
+    }
+
+    @Test
+    void aCopyThatIsCancelledLeavesTheSelectionAsItWas() {
+        gui.act(picture::requestFocus);
+        gui.keys(KeyCode.G);
+        gui.keys(KeyCode.D);
+        gui.keys(KeyCode.ESCAPE);
+        assertThat(model.scene()).isEqualTo(SCENE);
+        assertThat(model.selection()).containsExactly(ONE);
+    }
+
+    @Test
+    void atAnotherTimeOnlyWhatIsSeenIsGrabbedAndSelected() {
+        Clock clock = Gui.on(() -> new Clock(model));
+        Animation left = new Animation("one", "position", Animation.Turning.ANGLES, List.of(new Animation.Key(0, "0 0 0", Animation.Ease.LINEAR), new Animation.Key(1, "-1.5 0 0", Animation.Ease.LINEAR)));
+        gui.act(() -> {
+            pane.follow(clock);
+            model.edit(Label.of(Label.Edit.CHANGE), scene -> scene.withAnimations(List.of(left)));
+            clock.look(1);
+        });
+        Point2D from = place(new Vec3(0.4, 0, 0));
+        gui.drag(picture, from.getX(), from.getY(), from.getX() + 5, from.getY());
+        assertThat(model.scene().objects()).as("it is elsewhere").isEqualTo(SCENE.objects());
+        gui.act(model::undo);
+        gui.act(() -> {
+            model.select();
+            clock.look(1);
+        });
+        gui.act(picture::requestFocus);
+        gui.keys(KeyCode.B);
+        Point2D one = place(new Vec3(-2.6, 1.2, 0));
+        Point2D two = place(new Vec3(-0.4, -1.2, 0));
+        gui.drag(picture, one.getX(), one.getY(), two.getX(), two.getY());
+        assertThat(model.selection()).containsExactly(ONE);
+        gui.keys(KeyCode.G);
+        gui.keys(KeyCode.X);
+        type("2");
+        gui.keys(KeyCode.ENTER);
+        assertThat(position(0)).as("numbers count from where it is written to be").isEqualTo(new Vec3(2, 0, 0));
+    }
+
+    @Test
+    void aLockedCameraThatIsToLookAtSomethingIsTold() {
+        AtomicInteger told = new AtomicInteger();
+        gui.act(() -> {
+            pane.setOnLocked(told::incrementAndGet);
+            model.editState(Label.of(Label.Edit.LOCK), state -> state.withLocked(Set.of(ScenePath.camera(0))));
+            picture.requestFocus();
+        });
+        gui.keys(KeyCode.F);
+        assertThat(told).hasValue(1);
+        assertThat(model.scene()).isEqualTo(SCENE);
+    }
+
+    @Test
     void aRubberBandSelectsWhatIsWhollyInIt() {
         gui.act(() -> model.select());
         gui.act(picture::requestFocus);
@@ -180,7 +262,7 @@ class HandlesInPictureTest {
     @Test
     void whatBlinksIsNotThereForAMomentAndThenAsBefore() {
         gui.act(() -> pane.blink(Set.of(ONE)));
-        gui.until("it is away", () -> pane.isComplete() && pane.at(0.5, 0.5).flatMap(PicturePoint::place).isEmpty());
+        gui.until("it is away", () -> pane.at(0.5, 0.5).flatMap(PicturePoint::place).isEmpty());
         gui.act(() -> model.select(TWO));
         assertThat(Gui.on(pane::isBlinking)).isFalse();
         gui.until("it is there", () -> pane.at(0.5, 0.5).flatMap(PicturePoint::place).isPresent());
