@@ -26,6 +26,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javafx.beans.InvalidationListener;
+import javafx.beans.WeakInvalidationListener;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -62,6 +64,9 @@ final class Views {
     private final BooleanProperty freeShown = new SimpleBooleanProperty();
     /** How many scenes had been opened when the free view was shown. */
     private int freeOpenings = -1;
+    /** Held here, because the model, which may outlive the views, holds them weakly. */
+    private final InvalidationListener onOpened = changed -> whole();
+    private final InvalidationListener onState = changed -> aimFree();
     private final Runnable present;
     private Node last;
     private Optional<ProjectionPane> active = Optional.empty();
@@ -110,6 +115,8 @@ final class Views {
         freeCommands = new FreeCommands(commands.edits(), free, () -> freeShown.set(true), () -> editor.say(texts.of("view.camera-locked")));
         freeView.addTool(freeButton(texts));
         freeShown.addListener((property, old, now) -> showFree(now));
+        model.openingsProperty().addListener(new WeakInvalidationListener(onOpened));
+        model.stateProperty().addListener(new WeakInvalidationListener(onState));
         free.focusWithinProperty().addListener((property, old, now) -> last = now ? free : last);
         last = camera;
         for (TitledView view : titled) {
@@ -177,11 +184,16 @@ final class Views {
         cut.set(cut.get().map(plane -> new CutPlane(plane.axis(), plane.share() + by)));
     }
 
-    private void showFree(boolean isShown) {
-        if (isShown && freeOpenings != model.openingsProperty().get()) {
+    /** Looks by the camera of a scene that has been opened since. */
+    private void aimFree() {
+        if (freeShown.get() && freeOpenings != model.openingsProperty().get()) {
             freeOpenings = model.openingsProperty().get();
             free.look(old -> model.state().camera());
         }
+    }
+
+    private void showFree(boolean isShown) {
+        aimFree();
         grid.replace(isShown ? titled.get(3) : freeView, isShown ? freeView : titled.get(3));
     }
 

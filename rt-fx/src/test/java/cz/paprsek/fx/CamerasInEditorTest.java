@@ -136,6 +136,11 @@ class CamerasInEditorTest {
         assertThat(editor.model().scene().camera().position()).isEqualTo(free.camera().position());
         editor.gui.act(editor.model()::undo);
         assertThat(editor.model().scene().camera()).isEqualTo(start.camera());
+        editor.menu("cut-x");
+        Node cut = editor.gui.node("#free-pane .cut-slider");
+        editor.gui.act(() -> editor.model().open(start.withCamera(start.camera().withPosition(new Vec3(0, 1, 9)))));
+        assertThat(free.camera()).as("of the scene opened now").isEqualTo(editor.model().scene().camera());
+        assertThat(cut.getParent().isVisible()).as("whole").isFalse();
         editor.menu("view-menu-right");
         assertThat(editor.gui.node("#projection-right")).as("the view from the right is back").isNotNull();
     }
