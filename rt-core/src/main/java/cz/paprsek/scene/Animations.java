@@ -93,8 +93,9 @@ final class Animations {
     /** Whatever a record says of values outside of its ranges, it says of those at the keys. */
     private static void checkValues(Scene scene, ScenePath place, Animation one) {
         Part part = part(scene, place, one);
+        UnaryOperator<double[]> along = along(part, one);
         for (Animation.Key key : one.keys()) {
-            with(part.record, Map.of(part.attribute, along(part, one).apply(key.numbers())));
+            with(part.record, Map.of(part.attribute, along.apply(key.numbers())));
         }
     }
 

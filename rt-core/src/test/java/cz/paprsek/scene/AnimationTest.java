@@ -3,6 +3,7 @@ package cz.paprsek.scene;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import cz.paprsek.attribute.Described;
 import cz.paprsek.attribute.Kind;
@@ -17,6 +18,7 @@ import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.outline.Way;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -71,6 +73,16 @@ class AnimationTest {
             assertThat(ship.direction(new Vec3(0, 0, 1)).minus(new Vec3(-Math.sin(angle), 0, Math.cos(angle))).length()).as("at %s", t).isLessThan(1e-9);
         }
         assertThat(SceneFiles.parse(SceneFiles.format(scene))).isEqualTo(scene);
+    }
+
+    /** Many pieces by many keys: twenty million pieces, if each key had the path measured. */
+    @Test
+    void aPathIsMeasuredOnceHoweverManyKeysThereAre() {
+        Scene scene = Scene.EMPTY.withObjects(List.of(new SceneObject("ball", new Sphere(1), Placement.NONE, Material.DEFAULT)));
+        List<Animation.Key> keys = IntStream.range(0, 2000).mapToObj(i -> new Animation.Key(i, Double.toString(i / 2000.0), Ease.LINEAR)).toList();
+        Animation along = new Animation("ball", "position", Turning.ANGLES, "M 0 0" + " h 1 v 1".repeat(5000), keys);
+        Scene moving = assertTimeoutPreemptively(Duration.ofSeconds(8), () -> scene.withAnimations(List.of(along)));
+        assertThat(moving.at(1000).objects().get(0).placement().toParent().point(Vec3.ZERO)).isEqualTo(new Vec3(2500, 0, 2500));
     }
 
     @Test

@@ -16,7 +16,7 @@ import java.util.stream.IntStream;
 public final class Outline {
     /** The largest coordinate. */
     static final double LARGEST = 1e9;
-    private static final int MOST_PIECES = 20_000;
+    static final int MOST_PIECES = 20_000;
     private static final int FINE = 64;
 
     private final List<List<Piece>> contours;
@@ -94,9 +94,7 @@ public final class Outline {
         double whole = 0;
         for (int i = 0; i < contour.size(); i++) {
             Piece piece = contour.get(i);
-            Piece next = contour.get((i + 1) % contour.size());
-            boolean leads = (piece.x1 == next.x0 && piece.y1 == next.y0) || (piece.x1 == next.x1 && piece.y1 == next.y1);
-            isReversed[first + i] = !leads;
+            isReversed[first + i] = piece.isBackward();
             starts[first + i] = whole;
             shares[first + i] = length(piece);
             whole += shares[first + i];

@@ -44,6 +44,11 @@ abstract class Piece {
         return new double[0];
     }
 
+    /** Whether the outline runs from its end to its beginning. */
+    boolean isBackward() {
+        return false;
+    }
+
     /** Where x or y turns round within the piece. */
     DoubleStream turns() {
         return DoubleStream.empty();
@@ -113,14 +118,22 @@ abstract class Piece {
         private final double qy;
         private final double from;
         private final double to;
+        private final boolean isBackward;
         /** The ends on the unit circle. */
         private final double cos0;
         private final double sin0;
         private final double cos1;
         private final double sin1;
 
-        /** @param ends x0, y0, x1 and y1, which neighbours have too */
-        Arc(double[] ends, double mx, double my, double px, double py, double qx, double qy, double from, double to) {
+        /**
+         * An arc.
+         *
+         * @param ends x0, y0, x1 and y1, which neighbours have too
+         * @param from θ at u = 0, radians
+         * @param to θ at u = 1, a larger one
+         * @param isBackward whether the outline runs from the second end to the first
+         */
+        Arc(double[] ends, double mx, double my, double px, double py, double qx, double qy, double from, double to, boolean isBackward) {
             super(ends[0], ends[1], ends[2], ends[3]);
             this.mx = mx;
             this.my = my;
@@ -130,10 +143,16 @@ abstract class Piece {
             this.qy = qy;
             this.from = from;
             this.to = to;
+            this.isBackward = isBackward;
             cos0 = StrictMath.cos(from);
             sin0 = StrictMath.sin(from);
             cos1 = StrictMath.cos(to);
             sin1 = StrictMath.sin(to);
+        }
+
+        @Override
+        boolean isBackward() {
+            return isBackward;
         }
 
         @Override
