@@ -124,6 +124,11 @@ public final class Assets {
         return new Assets(source, bytes, bytesTogether);
     }
 
+    /** How many bytes a file may have here. */
+    public long largest() {
+        return largest;
+    }
+
     /** What a file is called in messages; empty if it stands beside that of the scene, and is called as it is seen from there. */
     public Optional<String> called(String name) {
         Objects.requireNonNull(name, "name");

@@ -10,42 +10,54 @@ import cz.paprsek.shape.height.HeightField;
 import java.io.IOException;
 import java.io.InputStream;
 
-/** Pictures as heights: numbers as they stand in the file, of coloured ones their luminance. */
-final class HeightPicture {
-    static final Assets.Decoder<HeightField.Content> DECODER = HeightPicture::read;
+/**
+ * Pictures as heights: numbers as they stand in the file, of coloured ones their luminance. Those for the same limit are equal.
+ *
+ * @param largest how many bytes a picture may have
+ */
+record HeightPicture(long largest) implements Assets.Decoder<HeightField.Content> {
+    /** Powers beyond these leave too little of a number in the light that it stands for. */
+    private static final double LEAST_POWER = 0.1;
+    private static final double MOST_POWER = 7;
 
-    private HeightPicture() {}
-
-    private static HeightField.Content read(String name, InputStream input, long size) throws IOException {
-        byte[] bytes = input.readNBytes((int) Assets.LARGEST + 1);
-        if (bytes.length > Assets.LARGEST) {
-            throw new IOException("is larger than the " + Assets.LARGEST + " bytes that a picture may have here");
+    @Override
+    public HeightField.Content decode(String name, InputStream input, long size) throws IOException {
+        byte[] bytes = input.readNBytes((int) largest + 1);
+        if (bytes.length > largest) {
+            throw new IOException("is larger than the " + largest + " bytes that a picture may have here");
         }
         StoredImage picture = ImageFiles.readStored(bytes, name);
+        double power = picture.power();
+        if (power != StoredImage.SRGB && !(power >= LEAST_POWER && power <= MOST_POWER)) {
+            throw new IOException("for heights, a picture's gamma must be from 1/" + (int) MOST_POWER + " to " + (int) (1 / LEAST_POWER) + ", but is " + 1 / power + "; save it without");
+        }
         Image image = picture.image();
         int most = picture.precision() == Precision.EIGHT_BIT ? 255 : picture.precision() == Precision.SIXTEEN_BIT ? 65_535 : 0;
-        float[] steps = new float[image.width() * image.height()];
-        for (int y = 0; y < image.height(); y++) {
-            for (int x = 0; x < image.width(); x++) {
-                steps[y * image.width() + x] = step(image, x, y, most);
-            }
-        }
         try {
-            return HeightField.Content.of(image.width(), image.height(), steps, most == 0 ? 1 : 1.0 / most);
+            return HeightField.Content.of(image.width(), image.height(), (x, y) -> step(image, x, y, most, power), most == 0 ? 1 : 1.0 / most);
         } catch (IllegalArgumentException refused) {
             throw new IOException(refused.getMessage(), refused);
         }
     }
 
-    /** @param most the number of white in the file; 0 if it holds light */
-    private static float step(Image image, int x, int y, int most) {
-        double red = number(image.red(x, y), most);
-        double green = number(image.green(x, y), most);
-        double blue = number(image.blue(x, y), most);
+    /**
+     * A height.
+     *
+     * @param most the number of white in the file; 0 if it holds light
+     * @param power that turned numbers into light
+     */
+    private static float step(Image image, int x, int y, int most, double power) {
+        double red = number(image.red(x, y), most, power);
+        double green = number(image.green(x, y), most, power);
+        double blue = number(image.blue(x, y), most, power);
         return (float) (red == green && green == blue ? red : 0.2126 * red + 0.7152 * green + 0.0722 * blue);
     }
 
-    private static double number(float light, int most) {
-        return most == 0 ? light : Math.rint(Rgb.encoded(light) / 255 * most);
+    private static double number(float light, int most, double power) {
+        if (most == 0) {
+            return light;
+        }
+        double share = power == StoredImage.SRGB ? Rgb.encoded(light) / 255 : power == 1 ? light : StrictMath.pow(light, 1 / power);
+        return Math.rint(share * most);
     }
 }

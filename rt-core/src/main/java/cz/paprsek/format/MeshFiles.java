@@ -131,6 +131,8 @@ public final class MeshFiles {
         }
         try {
             return field.read(heights(field.file(), assets));
+        } catch (IllegalArgumentException refused) {
+            problems.accept(at, new IOException('"' + PlainText.of(field.file(), 100) + "\": " + refused.getMessage(), refused));
         } catch (IOException e) {
             problems.accept(at, e);
         }
@@ -186,7 +188,7 @@ public final class MeshFiles {
      * @throws IOException with a sentence that begins with the name, if it cannot be read
      */
     public static HeightField.Content heights(String file, Assets assets) throws IOException {
-        return assets.decoded(file, HeightPicture.DECODER);
+        return assets.decoded(file, new HeightPicture(assets.largest()));
     }
 
     /** All that is in a file, as {@link #whole} reads it. */

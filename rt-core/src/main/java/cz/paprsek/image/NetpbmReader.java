@@ -45,11 +45,12 @@ final class NetpbmReader {
         boolean isGrey = magic.equals("P5") || magic.equals("Pf");
         if (magic.equals("P5") || magic.equals("P6")) {
             int last = whole("largest value", 65_535);
-            double[] light = light(last, isLinear || (isByPovRay && last > 255));
+            boolean isLight = isLinear || (isByPovRay && last > 255);
+            double[] light = light(last, isLight);
             Image image = last < 256
                     ? fill(width, height, isGrey, false, 1, row -> light[Math.min(last, row.get() & 0xFF)])
                     : fill(width, height, isGrey, false, 2, row -> light[Math.min(last, row.getShort() & 0xFFFF)]);
-            return new StoredImage(image, last < 256 ? Precision.EIGHT_BIT : Precision.SIXTEEN_BIT, isGrey);
+            return new StoredImage(image, last < 256 ? Precision.EIGHT_BIT : Precision.SIXTEEN_BIT, isGrey, isLight ? 1 : StoredImage.SRGB);
         }
         boolean isLittle = number(word()) < 0;
         Image image = fill(width, height, isGrey, true, 4, row -> isLittle ? Float.intBitsToFloat(Integer.reverseBytes(row.getInt())) : row.getFloat());

@@ -42,7 +42,7 @@ final class Png {
                 image.set(x + i * step, y, cover * light[rgb[3 * i]], cover * light[rgb[3 * i + 1]], cover * light[rgb[3 * i + 2]], cover);
             }
         });
-        return new StoredImage(image, reader.last() > 255 ? Precision.SIXTEEN_BIT : Precision.EIGHT_BIT, reader.isGrey());
+        return new StoredImage(image, reader.last() > 255 ? Precision.SIXTEEN_BIT : Precision.EIGHT_BIT, reader.isGrey(), power(reader.gamma()));
     }
 
     private static StoredImage opaque(PngReader reader) throws IOException {
@@ -55,7 +55,7 @@ final class Png {
                 image.set(x + i * step, y, light[rgb[3 * i]], light[rgb[3 * i + 1]], light[rgb[3 * i + 2]]);
             }
         });
-        return new StoredImage(image, reader.last() > 255 ? Precision.SIXTEEN_BIT : Precision.EIGHT_BIT, reader.isGrey());
+        return new StoredImage(image, reader.last() > 255 ? Precision.SIXTEEN_BIT : Precision.EIGHT_BIT, reader.isGrey(), power(reader.gamma()));
     }
 
     /**
@@ -67,9 +67,13 @@ final class Png {
         double[] light = new double[last + 1];
         for (int i = 0; i <= last; i++) {
             double sample = i / (double) last;
-            light[i] = isSrgb(gamma) ? Rgb.linear(255 * sample) : StrictMath.pow(sample, UNIT / gamma);
+            light[i] = isSrgb(gamma) ? Rgb.linear(255 * sample) : StrictMath.pow(sample, power(gamma));
         }
         return light;
+    }
+
+    private static double power(long gamma) {
+        return isSrgb(gamma) ? StoredImage.SRGB : UNIT / gamma;
     }
 
     private static boolean isSrgb(long gamma) {

@@ -1,5 +1,6 @@
 package cz.paprsek.image;
 
+import cz.paprsek.math.Require;
 import java.util.Objects;
 
 /**
@@ -8,17 +9,26 @@ import java.util.Objects;
  * @param image in linear light; grey pictures have three equal channels
  * @param precision how finely the file tells light
  * @param isGrey whether the file holds brightness only
+ * @param power that turned its whole numbers, as shares of the largest, into light: 1 if they tell light itself; {@link #SRGB} if they are sRGB-encoded
  */
-public record StoredImage(Image image, Precision precision, boolean isGrey) {
+public record StoredImage(Image image, Precision precision, boolean isGrey, double power) {
+    /** No power: the curve of sRGB. */
+    public static final double SRGB = 0;
+
     public StoredImage {
         Objects.requireNonNull(image, "image");
         Objects.requireNonNull(precision, "precision");
+        Require.notNegative("power", power);
     }
 
+    /** One whose whole numbers, if it has any, are sRGB-encoded. */
+    public StoredImage(Image image, Precision precision, boolean isGrey) {
+        this(image, precision, isGrey, SRGB);
+    }
 
     /** How finely a file tells light. */
     public enum Precision {
-        /** 256 steps or fewer from 0 to 1, sRGB-encoded. */
+        /** 256 steps or fewer from 0 to 1. */
         EIGHT_BIT,
         /** Eight bits, with an exponent that the channels of a pixel share. */
         SHARED_EXPONENT,

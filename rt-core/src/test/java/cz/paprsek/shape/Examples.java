@@ -36,7 +36,7 @@ public final class Examples {
             Map.entry(Lathe.class, new Lathe("", VASE, 360)),
             Map.entry(Text.class, Text.of("LT", 1.6, 1.4)),
             Map.entry(Isosurface.class, new Isosurface("hypot(hypot(x, y), z) - 1.2", new Vec3(-1.3, -1, -1.3), new Vec3(1.3, 1.3, 0.9))),
-            Map.entry(HeightField.class, HeightField.of("peak.png", new Vec3(2.4, 1, 2)).read(HeightField.Content.of(3, 3, new float[] {0, 0, 0, 0, 1, 0, 0, 0, 0}, 1.3))),
+            Map.entry(HeightField.class, HeightField.of("peak.png", new Vec3(2.4, 1, 2)).read(HeightField.Content.of(3, 3, (column, row) -> column == 1 && row == 1 ? 1 : 0, 1.3))),
             Map.entry(Mesh.class, Mesh.of("cube.stl").read(new Mesh.Whole("cube.stl", Meshes.cube(0.9), Map.of()))),
             Map.entry(Rectangle.class, new Rectangle(-1, -0.5, 1.2, 0.9)),
             Map.entry(Disc.class, new Disc(1.1)),

@@ -42,6 +42,9 @@ public record HeightField(
         Require.size("height-field extent", extent.y());
         Require.size("height-field extent", extent.z());
         content = content.of(file);
+        if (content.heights != null) {
+            Require.sizeOrZero("height-field height", extent.y() * content.heights.greatest());
+        }
     }
 
     /**
@@ -68,7 +71,11 @@ public record HeightField(
         return new HeightField(file, extent, value, content);
     }
 
-    /** With the content of its file. */
+    /**
+     * With the content of its file.
+     *
+     * @throws IllegalArgumentException if that makes it higher than shapes can be, or so low that it is nearly nothing
+     */
     public HeightField read(Content heights) {
         return new HeightField(file, extent, smooth, new Content(file, Objects.requireNonNull(heights.heights, "heights")));
     }
@@ -123,6 +130,18 @@ public record HeightField(
         return heights().orElseThrow(() -> new IllegalStateException("the file of a height-field has not been read")).place(extent, smooth, toWorld, parts);
     }
 
+    /** Tells heights, each once. */
+    @FunctionalInterface
+    public interface Steps {
+        /**
+         * The height at a point of the grid.
+         *
+         * @param column from −x on
+         * @param row from −z on
+         */
+        float at(int column, int row);
+    }
+
     /** The heights of one field. Those of files are told apart by the names of these alone. */
     public static final class Content {
         /** Nothing has been read yet. */
@@ -136,11 +155,11 @@ public record HeightField(
          *
          * @param columns how many points a row has: 2 at least
          * @param rows how many rows there are: 2 at least
-         * @param steps the heights, row by row from −z on, finite and 0 or above, in units of their own
+         * @param steps the heights, finite and 0 or above, in units of their own
          * @param unit what one of those is, so that whole numbers stay exact; above 0
          */
-        public static Content of(int columns, int rows, float[] steps, double unit) {
-            return new Content("", new Heights(columns, rows, steps, unit));
+        public static Content of(int columns, int rows, Steps steps, double unit) {
+            return new Content("", Heights.of(columns, rows, Objects.requireNonNull(steps, "steps"), unit));
         }
 
         private Content(String file, @Nullable Heights heights) {

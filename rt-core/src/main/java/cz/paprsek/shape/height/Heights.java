@@ -28,6 +28,7 @@ final class Heights {
     /** Of blocks 2ⁱ⁺¹ cells wide, row by row, their least and greatest height. */
     final float[][] least;
     final float[][] greatest;
+    private final float most;
 
     /**
      * A grid.
@@ -38,22 +39,51 @@ final class Heights {
      * @param unit what one of those is, so that heights of whole numbers are exact; above 0
      */
     Heights(int columns, int rows, float[] steps, double unit) {
-        Require.that(columns >= 2 && rows >= 2, "heights must be given at 2 × 2 points or more, but are at " + columns + " × " + rows);
-        Require.that((long) columns * rows <= MOST, "heights must be given at " + MOST + " points or fewer, but are at " + columns + " × " + rows);
+        this(columns, rows, unit, steps.clone());
+    }
+
+    /** As the other one, with steps that nobody else has. */
+    private Heights(int columns, int rows, double unit, float[] steps) {
+        checkSize(columns, rows);
         Require.that(steps.length == columns * rows, "there must be a height for each of " + columns + " × " + rows + " points, but there are " + steps.length);
         this.columns = columns;
         this.rows = rows;
         this.unit = Require.positive("unit of heights", unit);
-        this.steps = steps.clone();
+        this.steps = steps;
+        float high = 0;
         for (float step : steps) {
             Require.that(step >= 0 && step <= Float.MAX_VALUE, "heights must be finite numbers, 0 or above, but one is " + step);
+            high = Math.max(high, step);
         }
+        most = high;
         int levels = 32 - Integer.numberOfLeadingZeros(Math.max(columns, rows) - 2);
         least = new float[levels][];
         greatest = new float[levels][];
         for (int level = 0; level < levels; level++) {
             gather(level);
         }
+    }
+
+    /**
+     * A grid.
+     *
+     * @param columns as above
+     * @param step the heights, in units of their own
+     */
+    static Heights of(int columns, int rows, HeightField.Steps step, double unit) {
+        checkSize(columns, rows);
+        float[] steps = new float[columns * rows];
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                steps[row * columns + column] = step.at(column, row);
+            }
+        }
+        return new Heights(columns, rows, unit, steps);
+    }
+
+    private static void checkSize(int columns, int rows) {
+        Require.that(columns >= 2 && rows >= 2, "heights must be given at 2 × 2 points or more, but are at " + columns + " × " + rows);
+        Require.that((long) columns * rows <= MOST, "heights must be given at " + MOST + " points or fewer, but are at " + columns + " × " + rows);
     }
 
     /** How many blocks of a level stand in a row. */
@@ -110,10 +140,6 @@ final class Heights {
 
     /** The greatest of all. */
     double greatest() {
-        float most = 0;
-        for (float step : steps) {
-            most = Math.max(most, step);
-        }
         return unit * most;
     }
 

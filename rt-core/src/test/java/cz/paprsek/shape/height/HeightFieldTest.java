@@ -15,7 +15,9 @@ import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Volume;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -159,6 +161,157 @@ class HeightFieldTest {
             assertThat(ahead % 2).as("ray %d", i).isEqualTo(1);
             spans.release(0);
         }
+    }
+
+    /** Whole numbers and zeros, as high as they say; points of the grid have whole coordinates from 0 on, less half the size. */
+    private static Heights withZeros(int size) {
+        Random random = new Random(size);
+        float[] steps = new float[size * size];
+        for (int i = 0; i < steps.length; i++) {
+            steps[i] = Math.max(0, random.nextInt(8) - 2);
+        }
+        return new Heights(size, size, steps, 0.25);
+    }
+
+    private static Volume placedWithZeros(Heights heights, int size) {
+        return HeightField.of(heights, new Vec3(size - 1, 4, size - 1)).place(Affine.IDENTITY, Parts.UNTOLD);
+    }
+
+    /** Where a line enters and leaves what lies below a profile, of which there are heights at even distances. */
+    private static double[] crossings(double[] profile, double first, double apart, double y) {
+        List<Double> found = new ArrayList<>();
+        if (profile[0] > y) {
+            found.add(first);
+        }
+        for (int i = 0; i + 1 < profile.length; i++) {
+            if (profile[i] > y != profile[i + 1] > y) {
+                found.add(first + apart * (i + (y - profile[i]) / (profile[i + 1] - profile[i])));
+            }
+        }
+        if (profile[profile.length - 1] > y) {
+            found.add(first + apart * (profile.length - 1));
+        }
+        return found.stream().mapToDouble(Double::doubleValue).toArray();
+    }
+
+    /** Stretches that lie behind the eye may be left out; of one around it the beginning only has to lie behind. */
+    private static double[] ahead(double[] crossings) {
+        int first = 0;
+        while (first + 1 < crossings.length && crossings[first + 1] <= 1e-9) {
+            first += 2;
+        }
+        return Arrays.stream(crossings).skip(first).map(t -> Math.max(0, t)).toArray();
+    }
+
+    private static void meets(Volume field, Vec3 from, Vec3 d, double[] expected, int[] met) {
+        Spans spans = new Spans();
+        Ray ray = new Ray(spans);
+        ray.start(from.x(), from.y(), from.z(), d.x(), d.y(), d.z());
+        field.spans(ray, spans);
+        double[] found = new double[spans.size()];
+        double first = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < found.length; i++) {
+            found[i] = spans.t(i);
+            first = found[i] > 0 ? Math.min(first, found[i]) : first;
+        }
+        spans.release(0);
+        assertThat(ahead(found)).as("from %s along %s", from, d).containsExactly(ahead(expected), within(1e-9));
+        field.nearest(ray);
+        assertThat(ray.part >= 0 ? ray.max : Double.POSITIVE_INFINITY).as("nearest from %s along %s", from, d).isEqualTo(first);
+        ray.start(from.x(), from.y(), from.z(), d.x(), d.y(), d.z());
+        if (Arrays.stream(expected).noneMatch(t -> Math.abs(t) < 1e-9)) {
+            assertThat(field.holdsOrigin(ray)).as("inside at %s", from).isEqualTo(Arrays.stream(expected).filter(t -> t < 0).count() % 2 != 0);
+        }
+        met[0] += expected.length;
+    }
+
+    /** From outside, and from every whole distance along the ray: on its way it lies in the ground as often as not. */
+    private static void meets(Volume field, Vec3 start, Vec3 d, double length, double[] expected, int[] met) {
+        for (double far = 0; far <= length; far += 1) {
+            double moved = far;
+            meets(field, start.plus(d.times(far)), d, Arrays.stream(expected).map(t -> t - moved).toArray(), met);
+        }
+    }
+
+    @Test
+    void raysAlongAxesMeetWhatTheHeightsSay() {
+        int[] met = new int[1];
+        for (int size : new int[] {2, 3, 9}) {
+            Heights heights = withZeros(size);
+            Volume field = placedWithZeros(heights, size);
+            double half = (size - 1) / 2.0;
+            for (int row = 0; row + 1 < size; row++) {
+                for (int column = 0; column < size; column++) {
+                    if (row > 0 && column > 0 && column + 1 < size) {
+                        double height = heights.at(column, row) * 4;
+                        double[] down = height > 0 ? new double[] {20 - height, 20} : new double[0];
+                        double[] up = height > 0 ? new double[] {3, 3 + height} : new double[0];
+                        meets(field, new Vec3(column - half, 20, row - half), new Vec3(0, -1, 0), down, met);
+                        meets(field, new Vec3(column - half, -3, row - half), new Vec3(0, 1, 0), up, met);
+                    }
+                }
+                for (double y = 0.3; y < 6; y += 1) {
+                    // Through the middles of cells, where every half step is another triangle; and over points of the grid.
+                    along(field, heights, size, row, y, true, met);
+                    if (row > 0) {
+                        along(field, heights, size, row, y, false, met);
+                    }
+                }
+            }
+        }
+        assertThat(met[0]).isGreaterThan(1000);
+    }
+
+    private static void along(Volume field, Heights heights, int size, int row, double y, boolean isBetween, int[] met) {
+        double[] profile = new double[isBetween ? 2 * size - 1 : size];
+        for (int i = 0; i < profile.length; i++) {
+            int column = isBetween ? Math.floorDiv(i, 2) : i;
+            int next = isBetween && i % 2 != 0 ? column + 1 : column;
+            profile[i] = 2 * (heights.at(column, row) + heights.at(next, isBetween ? row + 1 : row));
+        }
+        double half = (size - 1) / 2.0;
+        double z = row - half + (isBetween ? 0.5 : 0);
+        double apart = isBetween ? 0.5 : 1;
+        meets(field, new Vec3(-half - 3, y, z), new Vec3(1, 0, 0), size + 5, crossings(profile, 3, apart, y), met);
+        meets(field, new Vec3(half + 3, y, z), new Vec3(-1, 0, 0), size + 5, crossings(turned(profile), 3, apart, y), met);
+    }
+
+    private static double[] turned(double[] profile) {
+        double[] turned = new double[profile.length];
+        for (int i = 0; i < turned.length; i++) {
+            turned[i] = profile[profile.length - 1 - i];
+        }
+        return turned;
+    }
+
+    /** The cut of each cell, from corner to corner of the whole field. */
+    @Test
+    void raysAlongTheCutsOfCellsMeetWhatTheHeightsSay() {
+        int[] met = new int[1];
+        Vec3 d = new Vec3(Math.sqrt(0.5), 0, Math.sqrt(0.5));
+        for (int size : new int[] {2, 3, 9}) {
+            Heights heights = withZeros(size);
+            Volume field = placedWithZeros(heights, size);
+            double half = (size - 1) / 2.0;
+            for (int first = 0; first + 1 < size; first++) {
+                double[] profile = new double[size - first];
+                for (int i = 0; i < profile.length; i++) {
+                    profile[i] = 4 * heights.at(first + i, i);
+                }
+                for (double y = 0.3; y < 6; y += 1) {
+                    meets(field, new Vec3(first - half - 2, y, -half - 2), d, 16, crossings(profile, 2 * Math.sqrt(2), Math.sqrt(2), y), met);
+                    meets(field, new Vec3(half + 2, y, half - first + 2), d.times(-1), 16, crossings(turned(profile), 2 * Math.sqrt(2), Math.sqrt(2), y), met);
+                }
+            }
+        }
+        assertThat(met[0]).isGreaterThan(1000);
+    }
+
+    @Test
+    void heightsBeyondAllSizesAreRefused() {
+        assertThatThrownBy(() -> HeightField.of(2, 2, new float[] {0, 0, 0, 1e30f}, new Vec3(1, 1e20, 1))).hasMessageStartingWith("height-field height must be a number from ");
+        assertThatThrownBy(() -> HeightField.of(2, 2, new float[] {0, 0, 0, 1e-30f}, new Vec3(1, 1e-20, 1))).hasMessageStartingWith("height-field height must be a number from ");
+        assertThat(HeightField.of(2, 2, new float[4], SIZE).bounds().maxY()).isZero();
     }
 
     @Test
