@@ -33,7 +33,7 @@ class SamePictureEverywhereTest {
         found.append(digest(Scenes.random(21, 60).withSettings(new RenderSettings(200, 150, 6, 2)))).append("  random\n");
         Scene paths = SceneFiles.read(Path.of("../scenes/cornell.xml"));
         found.append(digest(paths.withSettings(paths.settings().withSize(40, 40).withSamples(72)))).append("  cornell\n");
-        for (String name : List.of("glass-table", "sunlit-room", "hdr-still-life", "feast", "sign", "gyroid", "shell", "knot", "tumbler")) {
+        for (String name : List.of("glass-table", "sunlit-room", "hdr-still-life", "feast", "sign", "gyroid", "shell", "knot", "tumbler", "island")) {
             found.append(shipped(name, 0)).append("  ").append(name).append('\n');
         }
         // Of what moves, while the formulas of its time are at work.
