@@ -239,6 +239,14 @@ class LessonsInEditorTest {
     }
 
     @Test
+    void whatIsOpenedByKeysIsNotHiddenByTheWelcome() {
+        editor.menu("help-menu-welcome");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.N);
+        editor.gui.until("it gives way", () -> !isWelcome());
+        assertThat(editor.model().scene()).isEqualTo(Templates.read("plain"));
+    }
+
+    @Test
     void theTourIsDoneStepByStepAndCountsWhatIsDone() {
         editor.menu("help-menu-tour");
         Lesson tour = Lessons.tour();

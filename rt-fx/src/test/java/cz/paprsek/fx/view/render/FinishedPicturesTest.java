@@ -30,6 +30,7 @@ import java.util.Locale;
 import java.util.Optional;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.concurrent.Worker;
+import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
@@ -107,6 +108,26 @@ class FinishedPicturesTest {
         gui.click("#render-mix-reset");
         gui.until("all is as it was rendered", () -> Arrays.equals(shown().task().image().orElseThrow().toLinear(), rendered.toLinear()));
         assertThat(shown().task().saved(ImageFormat.PNG).origin().settings()).endsWith(" --aov light");
+    }
+
+    @Test
+    void lightsStayAsTheyAreSetAndAFailureIsTold() {
+        gui.click("#render-mix");
+        gui.click("#render-start");
+        untilDone();
+        Mixer mixer = shown().task().mixer().orElseThrow();
+        gui.act(() -> ((Slider) gui.node("#mix-stops-1")).setValue(-2));
+        gui.click("#mix-shines-1");
+        MixPane again = Gui.on(() -> new MixPane(SCENE, mixer, Texts.in(Locale.forLanguageTag("cs"))));
+        assertThat(mixer.setting(mixer.lights().get(1))).isEqualTo(new Mixer.Setting(false, -2, Rgb.WHITE));
+        gui.act(() -> mixer.set(mixer.lights().get(0), new Mixer.Setting(true, 200, Rgb.WHITE)));
+        gui.until("it is told", () -> label(again).startsWith("Světla se nepodařilo smíchat: "));
+        gui.act(mixer::reset);
+        gui.until("the next wish is done", () -> label(again).isEmpty());
+    }
+
+    private static String label(MixPane pane) {
+        return pane.getChildrenUnmodifiable().stream().filter(node -> "render-mix-failed".equals(node.getId())).map(node -> ((Label) node).getText()).findFirst().orElseThrow();
     }
 
     private boolean isNear(Image expected) {
