@@ -65,8 +65,8 @@ final class InfoCommand implements Callable<Integer> {
             }
             Optional<Triangles> mesh = reading.foreign().flatMap(ForeignScene::triangles);
             mesh.ifPresent(triangles -> show(file, reading.foreign().orElseThrow(), triangles));
-            for (int i = 0; i < reading.scenes().size() && mesh.isEmpty(); i++) {
-                show(file, reading.label(i), reading.scenes().get(i));
+            if (mesh.isEmpty()) {
+                reading.whole().forEach(i -> show(file, reading.label(i), reading.scenes().get(i)));
             }
             worst = Math.max(worst, reading.isValid() ? ExitCode.DONE : ExitCode.BAD_SCENE);
         }

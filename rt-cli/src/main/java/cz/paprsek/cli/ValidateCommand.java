@@ -109,7 +109,7 @@ final class ValidateCommand implements Callable<Integer> {
         List<Found> found = new ArrayList<>();
         reading.text().ifPresent(text -> {
             OriginalText.Pointer pointer = text.pointer();
-            for (int i = 0; i < reading.scenes().size(); i++) {
+            for (int i : reading.whole().toArray()) {
                 Scene scene = reading.scenes().get(i);
                 String where = text.contents().isDatabase() ? "scene \"" + scene.name() + "\": " : "";
                 for (SceneWarning warning : SceneWarnings.of(scene)) {

@@ -7,9 +7,12 @@ import cz.paprsek.image.ImageFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Files of other programs, as users come with them. */
 class ModelsTest {
@@ -49,6 +52,25 @@ class ModelsTest {
                 "<scene xmlns=\"urn:paprsek:scene:1\"><camera position=\"0 0 9\" target=\"0 0 0\"/><mesh file=\"corner.obj\"/><mesh file=\"corner.obj\" position=\"4 0 0\"/></scene>");
         assertThat(Run.cli("info", scene).out()).containsOnlyOnce("corner.obj   4 triangles, closed, volume 10, area 37.36542462386205");
         assertThat(Run.cli("info", scene, "--json").out()).contains("\"meshes\":[{\"file\":\"corner.obj\"", "\"closed\":true,\"open-edges\":0,\"volume\":10,").hasLineCount(1);
+    }
+
+    @ParameterizedTest
+    @CsvSource(textBlock = """
+            <mesh file='none.stl'/> | there is no such file beside the scene
+            <mesh file='none.stl'/><sphere radius='1'/> | there is no such file beside the scene
+            <mesh file='corner.obj' part='lid'/><sphere radius='1'/> | there is no part "lid" in "corner.obj"
+            <mesh file='open.obj'/><sphere radius='1'/> | "open.obj" has no inside, so <difference> cannot use it: 3 of its edges are open
+            """, delimiter = '|', quoteCharacter = '`')
+    void aMeshThatIsNotToBeHadIsOneLineFromEveryCommand(String bodies, String sentence) throws IOException {
+        Files.writeString(folder.resolve("open.obj"), "v 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n");
+        String body = bodies.contains("sphere") ? "<difference>" + bodies + "</difference>" : bodies;
+        Path scene = Files.writeString(folder.resolve("lacking.xml"), "<scene xmlns='urn:paprsek:scene:1'><camera position='0 0 9' target='0 0 0'/>" + body + "</scene>");
+        for (Run run : List.of(Run.cli("validate", scene), Run.cli("validate", scene, "--strict"), Run.cli("info", scene), Run.cli("render", scene, "-o", folder.resolve("n.png")))) {
+            assertThat(run.code()).isEqualTo(3);
+            assertThat(run.err().lines().filter(line -> line.contains(sentence))).hasSize(1);
+            assertThat(run.err()).doesNotContain("fault of the program");
+        }
+        assertThat(Run.cli("validate", scene, "--json").out()).contains("\"valid\":false").hasLineCount(1);
     }
 
     @Test

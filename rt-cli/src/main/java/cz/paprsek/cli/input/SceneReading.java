@@ -13,8 +13,11 @@ import cz.paprsek.xml.SceneFileException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -24,8 +27,9 @@ import java.util.stream.Stream;
  * @param problems empty if the file is valid
  * @param text empty if the file is no scene of ours
  * @param foreign what a file of another program holds
+ * @param lacking the numbers of scenes that a mesh, a relief or a font is not there for, or that cannot be what they say: nothing can be measured in them
  */
-public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems, Optional<OriginalText> text, Optional<ForeignScene> foreign) {
+public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems, Optional<OriginalText> text, Optional<ForeignScene> foreign, Set<Integer> lacking) {
 
     public static SceneReading of(Path file) {
         return of(file, ParameterWishes.NONE);
@@ -38,7 +42,7 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
             if (format.isPresent()) {
                 Incoming.refuse(file, parameters);
                 ForeignScene read = Models.read(file, format.get());
-                return new SceneReading(file, List.of(read.scene()), List.of(), Optional.empty(), Optional.of(read));
+                return new SceneReading(file, List.of(read.scene()), List.of(), Optional.empty(), Optional.of(read), Set.of());
             }
             OriginalText text = Incoming.text(file, parameters);
             return withMeshes(file, text, parameters.pictures().of(file));
@@ -54,28 +58,40 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
     private static SceneReading withMeshes(Path file, OriginalText text, Assets assets) {
         List<Problem> problems = new ArrayList<>();
         List<Scene> scenes = new ArrayList<>();
+        Set<Integer> lacking = new HashSet<>();
         for (Scene scene : text.contents().scenes()) {
             int number = scenes.size();
-            scenes.add(MeshFiles.read(scene, assets, (place, problem) ->
-                    problems.add(text.pointer().at(number, Optional.of(place), place.in(scene).shape() instanceof Text ? "font" : "file", String.valueOf(problem.getMessage())))));
+            scenes.add(MeshFiles.read(scene, assets, (place, problem) -> {
+                lacking.add(number);
+                problems.add(text.pointer().at(number, Optional.of(place), place.in(scene).shape() instanceof Text ? "font" : "file", String.valueOf(problem.getMessage())));
+            }));
         }
-        return new SceneReading(file, scenes, problems, Optional.of(text), Optional.empty());
+        return new SceneReading(file, scenes, problems, Optional.of(text), Optional.empty(), lacking);
+    }
+
+    /** The scenes in which everything is there that is to be measured, by their numbers. */
+    public IntStream whole() {
+        return IntStream.range(0, scenes.size()).filter(scene -> !lacking.contains(scene));
     }
 
     /** With what there is to say of pictures that its scenes name and that are missing or too large; they are not decoded. */
     public SceneReading withPictures(Pictures pictures) {
         Assets assets = pictures.of(file);
-        List<Problem> lacking = new ArrayList<>(problems);
+        List<Problem> all = new ArrayList<>(problems);
         for (int i = 0; i < scenes.size() && text.isPresent(); i++) {
             for (String name : scenes.get(i).files()) {
                 try {
                     assets.bytes(name);
                 } catch (IOException e) {
-                    lacking.add(text.get().naming(i, name, Failures.sentence(e)));
+                    Problem problem = text.get().naming(i, name, Failures.sentence(e));
+                    // Of meshes, it has been told already.
+                    if (!all.contains(problem)) {
+                        all.add(problem);
+                    }
                 }
             }
         }
-        return new SceneReading(file, scenes, lacking, text, foreign);
+        return new SceneReading(file, scenes, all, text, foreign, lacking);
     }
 
     /**
@@ -90,7 +106,7 @@ public record SceneReading(Path file, List<Scene> scenes, List<Problem> problems
     }
 
     private static SceneReading refused(Path file, List<Problem> problems) {
-        return new SceneReading(file, List.of(), problems, Optional.empty(), Optional.empty());
+        return new SceneReading(file, List.of(), problems, Optional.empty(), Optional.empty(), Set.of());
     }
 
     /** What is in a file of another program but not taken along. */
