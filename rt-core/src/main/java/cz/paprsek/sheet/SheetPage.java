@@ -86,7 +86,7 @@ final class SheetPage {
 
     String allDigits(Task task) {
         LinearRgb light = task.pixel().developed();
-        return words.of("sheet.all-digits", Pocket.text(light), Pocket.shown(light));
+        return words.of("sheet.all-digits", words.figures(Pocket.text(light)), Pocket.shown(light));
     }
 
     /** What becomes of the light on a screen: exposed and toned if the picture is, and in sRGB. */
@@ -106,7 +106,8 @@ final class SheetPage {
         return lines;
     }
 
-    static Row row(Line line, boolean isSolved) {
+    Row row(Line english, boolean isSolved) {
+        Line line = new Line(words.figures(english.formula()), words.figures(english.numbers()), words.figures(english.result()), english.isGiven());
         if (line.isGiven()) {
             // What begins with a letter says itself what is equal to what.
             return new Row(line.formula(), (Character.isLetter(line.result().charAt(0)) ? "" : "= ") + line.result(), "", false);

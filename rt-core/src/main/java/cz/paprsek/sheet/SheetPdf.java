@@ -106,7 +106,7 @@ final class SheetPdf {
     }
 
     private void line(Line line, boolean isSolved) {
-        Row row = SheetPage.row(line, isSolved);
+        Row row = page.row(line, isSolved);
         if (row.isBlank()) {
             room(BLANK);
             y += BLANK - TEXT * LEADING;

@@ -12,6 +12,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.ResourceBundle;
 import java.util.function.UnaryOperator;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -21,10 +22,16 @@ public final class Words {
     public static final Words ENGLISH = new Words(Locale.ENGLISH);
     private static final Words CZECH = new Words(Locale.forLanguageTag("cs"));
 
+    private static final Pattern QUOTED = Pattern.compile("\"[^\"]*\"");
+    private static final Pattern DECIMAL_POINT = Pattern.compile("(?<=[0-9])\\.(?=[0-9])");
+    private static final Pattern BETWEEN_NUMBERS = Pattern.compile("(?<=[0-9⁰¹²³⁴⁵⁶⁷⁸⁹)°∞]), (?=[−0-9(∞])");
+
+    private final boolean hasDecimalComma;
     private final ResourceBundle texts;
     private final UnaryOperator<String> sentences;
 
     private Words(Locale locale) {
+        hasDecimalComma = !locale.equals(Locale.ENGLISH);
         sentences = locale.equals(Locale.ENGLISH) ? UnaryOperator.identity() : new Sentences("sentences_" + locale.getLanguage() + ".txt", this::word)::of;
         texts = ResourceBundle.getBundle("cz.paprsek.words.words", locale,
                 ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
@@ -52,6 +59,25 @@ public final class Words {
             text = text.replace("{" + i + "}", String.valueOf(arguments[i]));
         }
         return text;
+    }
+
+    /** Numbers and formulas with the decimal sign of the language, and with semicolons between numbers where that is a comma; names within quotes stay as they are. */
+    public String figures(String english) {
+        if (!hasDecimalComma) {
+            return english;
+        }
+        StringBuilder text = new StringBuilder();
+        Matcher quoted = QUOTED.matcher(english);
+        int from = 0;
+        while (quoted.find()) {
+            text.append(commas(english.substring(from, quoted.start()))).append(quoted.group());
+            from = quoted.end();
+        }
+        return text.append(commas(english.substring(from))).toString();
+    }
+
+    private static String commas(String text) {
+        return DECIMAL_POINT.matcher(BETWEEN_NUMBERS.matcher(text).replaceAll("; ")).replaceAll(",");
     }
 
     /** A sentence that the library has made in English to tell what is wrong; as it is if there are no other words for it. */

@@ -85,4 +85,11 @@ class SentencesTest {
             assertThat(kind == Kind.WORD || !CZECH.sentence(kind.words()).equals(kind.words())).as(kind.words()).isTrue();
         }
     }
+
+    @Test
+    void numbersHaveTheSignOfTheLanguageAndNamesStay() {
+        assertThat(Words.in(Locale.forLanguageTag("cs")).figures("P = (0, 3.2, −8.5) + 10.58·(−0.199, 0, 1.5·10⁻⁷) of ball \"1.5, 2\", kD 0.8, n 50"))
+                .isEqualTo("P = (0; 3,2; −8,5) + 10,58·(−0,199; 0; 1,5·10⁻⁷) of ball \"1.5, 2\", kD 0,8, n 50");
+        assertThat(Words.ENGLISH.figures("(0, 3.2)")).isEqualTo("(0, 3.2)");
+    }
 }

@@ -37,7 +37,7 @@ public record Outline(String name, TracedRay ray, double share, List<Outline> ch
 
     /** How the ray's light comes about, line by line. */
     public List<Step> steps(Words words) {
-        return new Exercise(name, ray, words).steps();
+        return new Exercise(name, ray, words).steps().stream().map(step -> step.in(words)).toList();
     }
 
     /** Without the rays below this one whose {@link #share} is smaller. */
@@ -73,8 +73,8 @@ public record Outline(String name, TracedRay ray, double share, List<Outline> ch
     }
 
     /** The {@link #share} in percent, for people. */
-    public String percent() {
-        return Figures.of(100 * share) + " %";
+    public String percent(Words words) {
+        return words.figures(Figures.of(100 * share)) + " %";
     }
 
     /** How many rays there are below this one. */

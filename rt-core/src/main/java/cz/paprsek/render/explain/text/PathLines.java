@@ -54,15 +54,15 @@ public final class PathLines {
         }
         if (told.size() < ways.size()) {
             double rest = ways.stream().filter(way -> !told.contains(way)).mapToDouble(way -> pixel.share(way.light())).sum();
-            lines.add("  " + words.of("path.rest", ways.size() - told.size(), Figures.of(100 * rest)));
+            lines.add("  " + words.of("path.rest", ways.size() - told.size(), words.figures(Figures.of(100 * rest))));
         }
         lines.add("");
     }
 
     private void example(Example example) {
-        lines.add(words.of("path.example", example.sample() + 1, pixel.samples().size(), names.of(pixel.ways().get(example.way())), Figures.of(example.brought())));
+        lines.add(words.of("path.example", example.sample() + 1, pixel.samples().size(), names.of(pixel.ways().get(example.way())), words.figures(Figures.of(example.brought()))));
         TracedRay ray = example.ray();
-        lines.add("  " + words.of("path.eye") + " " + Figures.of(ray.origin()));
+        lines.add("  " + words.of("path.eye") + " " + words.figures(Figures.of(ray.origin())));
         point(ray, LinearRgb.WHITE);
         lines.add("");
     }
@@ -80,7 +80,7 @@ public final class PathLines {
             return;
         }
         Encounter met = ray.encounter().get();
-        lines.add("  " + decoration.headline(ray.kind(), names.name(met.place().surface()) + " " + Figures.of(met.place().point())));
+        lines.add("  " + decoration.headline(ray.kind(), names.name(met.place().surface()) + " " + words.figures(Figures.of(met.place().point()))));
         LinearRgb through = ray.absorbed().map(by -> reaching.times(by.left())).orElse(reaching);
         if (met.emitted().most() > 0) {
             lines.add("    " + words.of("name.emission") + brings(met.emitted().times(through)));
@@ -91,6 +91,6 @@ public final class PathLines {
     }
 
     private String brings(LinearRgb light) {
-        return light.most() > 0 ? words.of("path.brings", Figures.of(light)) : "";
+        return light.most() > 0 ? words.of("path.brings", words.figures(Figures.of(light))) : "";
     }
 }

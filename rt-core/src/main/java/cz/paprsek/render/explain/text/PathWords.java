@@ -47,12 +47,12 @@ public record PathWords(Words words) {
     /** How much a way brings, in columns: its share in the pixel, its light with what that may be off, and by how many paths. */
     public String amount(PathPixel pixel, Way way) {
         String off = way.halfWidth().map(half -> " ± " + Figures.of(half)).orElse("");
-        return String.format(Locale.ROOT, "%6.2f %%", 100 * pixel.share(way.light())) + "  " + Figures.of(way.light()) + off + "  " + words.of("path.paths", way.paths());
+        return words.figures(String.format(Locale.ROOT, "%6.2f %%", 100 * pixel.share(way.light())) + "  " + Figures.of(way.light()) + off) + "  " + words.of("path.paths", way.paths());
     }
 
     /** What the pixel's light is and how well that is known, in one line. */
     public String sum(PathPixel pixel) {
-        return words.of("path.average", pixel.samples().size()) + " = " + Figures.of(pixel.light()) + Figures.shown(pixel.developed(), pixel.exposure(), pixel.tone(), words)
-                + (pixel.samples().size() < 64 ? "" : pixel.interval() < 0 ? words.of("path.untrusted") : words.of("path.interval", Figures.of(STEPS * pixel.interval())));
+        return words.of("path.average", pixel.samples().size()) + " = " + words.figures(Figures.of(pixel.light()) + Figures.shown(pixel.developed(), pixel.exposure(), pixel.tone(), words))
+                + (pixel.samples().size() < 64 ? "" : pixel.interval() < 0 ? words.of("path.untrusted") : words.of("path.interval", words.figures(Figures.of(STEPS * pixel.interval()))));
     }
 }

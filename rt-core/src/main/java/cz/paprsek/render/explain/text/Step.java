@@ -1,5 +1,6 @@
 package cz.paprsek.render.explain.text;
 
+import cz.paprsek.words.Words;
 import java.util.Objects;
 
 /**
@@ -20,13 +21,17 @@ public record Step(Topic topic, String name, String formula, String numbers, Str
         Objects.requireNonNull(result, "result");
     }
 
-
     /** What a line is about. */
     public enum Topic { RAY, POINT, AMBIENT, LIGHT, SHADOW, REFLECTION, REFRACTION, SUM }
 
     /** A line that states something and computes nothing. */
     static Step saying(Topic topic, String name, String words) {
         return new Step(topic, name, words, "", "");
+    }
+
+    /** With numbers as they are written in a language. */
+    Step in(Words words) {
+        return new Step(topic, name, words.figures(formula), words.figures(numbers), words.figures(result));
     }
 
     /** The formula, the numbers and the result, those that there are, with equals signs between. */

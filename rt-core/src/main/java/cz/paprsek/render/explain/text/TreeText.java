@@ -76,7 +76,7 @@ public final class TreeText {
         TracedRay ray = outline.ray();
         String patch = decoration.patch(ray.light());
         lines.add(decoration.branch(first) + decoration.headline(ray.kind(), outline.name() + "  " + outline.headline(words))
-                + "  " + outline.percent() + (patch.isEmpty() ? "" : "  " + patch));
+                + "  " + outline.percent(words) + (patch.isEmpty() ? "" : "  " + patch));
         if (isMentionedOnly(outline)) {
             int below = outline.descendants();
             lines.add(decoration.branch(rest + "  ") + words.of("too-small") + (below > 0 ? words.of("below", below) : ""));
@@ -103,13 +103,13 @@ public final class TreeText {
     /** What a pixel's light is, in one line: that of its ray, or what its rays make together. */
     public static String sum(Pixel pixel, Words words) {
         int rays = pixel.rays().size();
-        return (rays > 1 ? words.of(pixel.isSharpened() ? "the-weighted" : "the-average", rays) : words.of("the-light")) + " = " + Figures.of(pixel.light())
-                + Figures.shown(pixel.developed(), pixel.exposure(), pixel.tone(), words);
+        return (rays > 1 ? words.of(pixel.isSharpened() ? "the-weighted" : "the-average", rays) : words.of("the-light")) + " = " + words.figures(Figures.of(pixel.light())
+                + Figures.shown(pixel.developed(), pixel.exposure(), pixel.tone(), words));
     }
 
     /** What one of a pixel's rays, counted from 0, brings, in one line: where it goes through the pixel, its light and how much of it the pixel gets. */
     public static String sample(Pixel pixel, int ray, Words words) {
-        return words.of("ray-of", ray + 1, pixel.rays().size()) + "  " + place(pixel, ray) + "  " + weighed(pixel, ray);
+        return words.of("ray-of", ray + 1, pixel.rays().size()) + "  " + words.figures(place(pixel, ray) + "  " + weighed(pixel, ray));
     }
 
     private static String place(Pixel pixel, int ray) {
@@ -134,7 +134,7 @@ public final class TreeText {
         int lightWidth = IntStream.range(0, outlines.size()).map(i -> length(weighed(pixel, i))).max().orElse(0);
         for (int i = 0; i < outlines.size(); i++) {
             String patch = decoration.patch(outlines.get(i).ray().light());
-            lines.add(padded(words.of("ray-of", i + 1, outlines.size()), nameWidth) + " " + padded(place(pixel, i), placeWidth) + "  " + padded(weighed(pixel, i), lightWidth) + "  "
+            lines.add(padded(words.of("ray-of", i + 1, outlines.size()), nameWidth) + " " + words.figures(padded(place(pixel, i), placeWidth) + "  " + padded(weighed(pixel, i), lightWidth)) + "  "
                     + outlines.get(i).headline(words) + (patch.isEmpty() ? "" : "  " + patch));
         }
     }

@@ -34,6 +34,6 @@ final class OutlineCell extends TreeCell<Outline> {
         }
         patch.setFill(SampleList.color(outline.ray().light()));
         setGraphic(patch);
-        setText(outline.name() + "  " + outline.percent() + "  " + outline.headline(words));
+        setText(outline.name() + "  " + outline.percent(words) + "  " + outline.headline(words));
     }
 }

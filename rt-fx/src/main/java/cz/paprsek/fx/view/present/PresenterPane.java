@@ -218,7 +218,7 @@ public final class PresenterPane extends BorderPane {
     /** Shows the ray that has come. */
     private void refresh() {
         steps.show(telling);
-        tools.progress().setText(telling.map(told -> texts.of("present.ray", told.now() + 1, told.rays().size(), told.ray().name(), told.ray().percent())).orElse(""));
+        tools.progress().setText(telling.map(told -> texts.of("present.ray", told.now() + 1, told.rays().size(), told.ray().name(), told.ray().percent(texts.words()))).orElse(""));
     }
 
     private void go(Consumer<Telling> where) {
