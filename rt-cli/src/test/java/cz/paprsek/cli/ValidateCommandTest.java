@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.warning.SceneWarning;
 import cz.paprsek.warning.SceneWarnings;
 import cz.paprsek.words.Words;
@@ -20,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ValidateCommandTest {
     private static final String LIGHT = "<point-light name=\"lamp\" position=\"2 3 4\"/>";
@@ -66,6 +68,25 @@ class ValidateCommandTest {
                 Arguments.of("<sphere radius=\"1\"/>", "there is no light and no ambient light"),
                 Arguments.of("<point-light position=\"0 0 0\" intensity=\"0\"/><disc radius=\"1\"/>", "there is no light"),
                 Arguments.of(LIGHT, "there are no objects"));
+    }
+
+    /** The camera is in a room, about which the other bodies are asked. */
+    @ParameterizedTest
+    @ValueSource(strings = {"<mesh file='none.stl'/>", "<height-field file='none.png'/>", "<text value='A' font='none.ttf'/>",
+            "<difference><block min='0 0 0' max='1 1 1'/><height-field file='none.png'/></difference>"})
+    void ofBodiesThatAreNotThereNothingIsSaid(String body) throws Exception {
+        assertThat(warnings("<point-light position='20 3 4'/>" + body + "<block min='-9 -9 -9' max='9 9 9'/><sphere radius='1'/>")).isEmpty();
+    }
+
+    /** In a line, as any other fault. */
+    @ParameterizedTest
+    @CsvSource({"mesh, stl", "height-field, png"})
+    void aFileThatIsNotThereIsToldInALine(String element, String ending) throws IOException {
+        Path file = Files.writeString(folder.resolve("lacking.xml"), "<scene xmlns='urn:paprsek:scene:1' name='x'><camera position='0 1 5' target='0 0 0'/>" + LIGHT
+                + "<" + element + " file='none." + ending + "'/></scene>");
+        Run run = Run.cli("validate", file);
+        assertThat(run.code()).isEqualTo(ExitCode.BAD_SCENE);
+        assertThat(run.err()).startsWith(file + ":1:").contains("none." + ending).hasLineCount(1);
     }
 
     @ParameterizedTest

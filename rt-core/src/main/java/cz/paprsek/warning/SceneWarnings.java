@@ -22,7 +22,11 @@ import cz.paprsek.scene.SphereLight;
 import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Csg.Operation;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Text;
+import cz.paprsek.shape.height.HeightField;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.shape.placed.Volume;
@@ -55,7 +59,7 @@ public final class SceneWarnings {
         this.scene = scene;
     }
 
-    /** All that is suspicious about a scene. */
+    /** All that is suspicious about a scene; where bodies lie whose files have not been read, nobody knows. */
     public static List<SceneWarning> of(Scene scene) {
         SceneWarnings check = new SceneWarnings(scene);
         List<BodyAt> parts = ScenePath.bodies(scene).filter(check::isSeen).toList();
@@ -64,8 +68,9 @@ public final class SceneWarnings {
         check.balls();
         check.lenses();
         check.materials(ScenePath.bodies(scene).toList());
-        parts.forEach(check::operands);
-        parts.stream().filter(part -> part.depth() == 0).forEach(check::object);
+        List<BodyAt> read = parts.stream().filter(part -> isRead(part.in(scene).shape())).toList();
+        read.forEach(check::operands);
+        read.stream().filter(part -> part.depth() == 0).forEach(check::object);
         check.shining();
         check.glass();
         return check.warnings;
@@ -80,6 +85,14 @@ public final class SceneWarnings {
 
     private boolean isSeen(BodyAt part) {
         return part.way().noneMatch(around -> around.in(scene).hidden());
+    }
+
+    /** Whether all that it is made of is there. */
+    private static boolean isRead(Shape shape) {
+        if (shape instanceof Csg csg) {
+            return csg.operands().stream().allMatch(operand -> isRead(operand.solid()));
+        }
+        return !(shape instanceof Mesh mesh && !mesh.isRead()) && !(shape instanceof Text text && !text.isRead()) && !(shape instanceof HeightField field && !field.isRead());
     }
 
     private void add(String kind, String message) {
@@ -248,7 +261,7 @@ public final class SceneWarnings {
 
     /** Whether there is more to be seen inside of a body than the body. */
     private boolean isRoom(BodyAt body, Surface placed) {
-        return placed.bounds().isFinite() && IntStream.range(0, scene.objects().size()).filter(i -> i != body.index())
+        return placed.bounds().isFinite() && IntStream.range(0, scene.objects().size()).filter(i -> i != body.index() && isRead(scene.objects().get(i).shape()))
                 .mapToObj(i -> ScenePath.body(i).placed(scene).bounds()).anyMatch(bounds -> bounds.isFinite() && placed.contains(bounds.middle()));
     }
 
