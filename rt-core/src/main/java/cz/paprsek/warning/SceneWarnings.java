@@ -59,7 +59,7 @@ public final class SceneWarnings {
         this.scene = scene;
     }
 
-    /** All that is suspicious about a scene; where bodies lie whose files have not been read, nobody knows. */
+    /** All that is suspicious about a scene; where bodies lie whose files have not been read, or hold what cannot be an operand, nobody knows. */
     public static List<SceneWarning> of(Scene scene) {
         SceneWarnings check = new SceneWarnings(scene);
         List<BodyAt> parts = ScenePath.bodies(scene).filter(check::isSeen).toList();
@@ -68,7 +68,7 @@ public final class SceneWarnings {
         check.balls();
         check.lenses();
         check.materials(ScenePath.bodies(scene).toList());
-        List<BodyAt> read = parts.stream().filter(part -> isRead(part.in(scene).shape())).toList();
+        List<BodyAt> read = parts.stream().filter(part -> isThere(part.in(scene).shape())).toList();
         read.forEach(check::operands);
         read.stream().filter(part -> part.depth() == 0).forEach(check::object);
         check.shining();
@@ -88,9 +88,9 @@ public final class SceneWarnings {
     }
 
     /** Whether all that it is made of is there. */
-    private static boolean isRead(Shape shape) {
+    private static boolean isThere(Shape shape) {
         if (shape instanceof Csg csg) {
-            return csg.operands().stream().allMatch(operand -> isRead(operand.solid()));
+            return csg.operands().stream().map(Operand::solid).allMatch(solid -> isThere(solid) && !(solid instanceof Mesh mesh && !mesh.hasInside()));
         }
         return !(shape instanceof Mesh mesh && !mesh.isRead()) && !(shape instanceof Text text && !text.isRead()) && !(shape instanceof HeightField field && !field.isRead());
     }
@@ -261,7 +261,7 @@ public final class SceneWarnings {
 
     /** Whether there is more to be seen inside of a body than the body. */
     private boolean isRoom(BodyAt body, Surface placed) {
-        return placed.bounds().isFinite() && IntStream.range(0, scene.objects().size()).filter(i -> i != body.index() && isRead(scene.objects().get(i).shape()))
+        return placed.bounds().isFinite() && IntStream.range(0, scene.objects().size()).filter(i -> i != body.index() && isThere(scene.objects().get(i).shape()))
                 .mapToObj(i -> ScenePath.body(i).placed(scene).bounds()).anyMatch(bounds -> bounds.isFinite() && placed.contains(bounds.middle()));
     }
 
