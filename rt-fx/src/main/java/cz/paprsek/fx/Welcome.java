@@ -39,7 +39,7 @@ final class Welcome {
         beginnings.add(new Beginning("open", texts.of("welcome.open"), editor.files()::open));
         beginnings.add(new Beginning("library", texts.of("welcome.library"), editor.library()::show));
         beginnings.add(new Beginning("manual", texts.of("welcome.manual"), editor.manual()::show));
-        List<Offer> recent = editor.settings().recent().stream().limit(MOST_RECENT)
+        List<Offer> recent = editor.settings().recent().stream().filter(Files::exists).limit(MOST_RECENT)
                 .map(file -> new Offer(String.valueOf(file.getFileName()), file.toString(), () -> read(file), () -> editor.files().open(file))).toList();
         List<Offer> shipped = Templates.EXAMPLES.stream()
                 .map(name -> new Offer(name, "", () -> new Offer.Subject(Templates.read(name), Templates.pictures()), () -> editor.files().newFrom(name))).toList();

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import javafx.application.Platform;
 import javafx.beans.value.ChangeListener;
+import javafx.event.EventHandler;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.Scene;
@@ -57,6 +58,9 @@ public final class WelcomePane extends StackPane {
         }
     };
 
+    /** Of the whole window: at the start the keyboard may be nowhere yet. */
+    private final EventHandler<KeyEvent> onKey = this::pressed;
+
     public WelcomePane(Texts texts) {
         this.texts = texts;
         setId("welcome");
@@ -79,7 +83,6 @@ public final class WelcomePane extends StackPane {
         box.getChildren().addAll(actions, scroll);
         box.setOnMousePressed(event -> event.consume());
         getChildren().add(box);
-        addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);
         setOnMousePressed(event -> close());
         setVisible(false);
         setManaged(false);
@@ -125,7 +128,10 @@ public final class WelcomePane extends StackPane {
         setVisible(true);
         setManaged(true);
         tour.requestFocus();
-        Optional.ofNullable(getScene()).ifPresent(scene -> scene.focusOwnerProperty().addListener(onFocus));
+        Optional.ofNullable(getScene()).ifPresent(scene -> {
+            scene.focusOwnerProperty().addListener(onFocus);
+            scene.addEventFilter(KeyEvent.KEY_PRESSED, onKey);
+        });
     }
 
     /** Ends what is being rendered, and gives the keyboard back to what had it. */
@@ -134,7 +140,10 @@ public final class WelcomePane extends StackPane {
             return;
         }
         Optional<Scene> scene = Optional.ofNullable(getScene());
-        scene.ifPresent(one -> one.focusOwnerProperty().removeListener(onFocus));
+        scene.ifPresent(one -> {
+            one.focusOwnerProperty().removeListener(onFocus);
+            one.removeEventFilter(KeyEvent.KEY_PRESSED, onKey);
+        });
         boolean hasKeys = scene.map(Scene::getFocusOwner).map(this::isInside).orElse(true);
         setVisible(false);
         setManaged(false);
