@@ -136,6 +136,12 @@ class OpenScadTest {
     }
 
     @Test
+    void anOnlyChildNeedsNoBraces() throws IOException {
+        String moved = "multmatrix([[1, 0, 0, 4], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])";
+        assertThat(bodies(moved + " color([1, 0, 0, 1])\n  cube(size = 2); sphere(r = 1);")).isEqualTo(bodies(moved + " { color([1, 0, 0, 1]) { cube(size = 2); } } sphere(r = 1);"));
+    }
+
+    @Test
     void whatIsLeftOutIsSaidWithItsLine() throws IOException {
         ForeignScene read = read("cube(size = 1);\n\nhull() {\n\tcube(size=1);\n}\n%cube(size=9);\n*cube(size=9);\nminkowski() { cube(size=1); }");
         assertThat(read.scene().objects()).hasSize(2);
@@ -148,6 +154,10 @@ class OpenScadTest {
         "group() {\\n cube(size=1); | line 2: the file ends before the } of line 1",
         "\\n\\ncube(size=[1,2]); | line 3: cube size must be 3 numbers in [ ]",
         "sphere(r=inf); | line 1: sphere r must be a finite number",
+        "cube(size=1 | line 1: here must be , or ), but is the end",
+        "cube(size=[1 2]); | line 1: here must be , or ], but is \"2]);\"",
+        "color([1,0,0]) ü; | line 1: here must be { or ;, but is \"ü;\"",
+        "color([1,0,0]) | line 1: here must be { or ;, but is the end",
         "cube(size=1) cube(size=1); | line 1: here must be { or ;, but is \"cube(size=1);\"",
         "polyhedron(points=[[0,0,0]],faces=[[0,1,2]]); | line 1: polyhedron faces must be numbers of points, from 0 to 0",
         "import(file=\"../../etc/passwd.stl\"); | line 1: \"../../etc/passwd.stl\": only files in the scene's folder and below can be read",

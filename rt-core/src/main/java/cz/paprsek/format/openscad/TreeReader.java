@@ -6,10 +6,14 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /** Makes a tree of a text. */
 final class TreeReader {
     private static final int DEEPEST = 200;
+    private static final String MODIFIERS = "%#*!";
+    /** What has no children: if something follows, a semicolon is missing. */
+    private static final Set<String> BODIES = Set.of("cube", "sphere", "cylinder", "polyhedron", "square", "circle", "polygon", "import");
 
     private final byte[] text;
     private int at;
@@ -38,7 +42,7 @@ final class TreeReader {
             throw fault("this is nested deeper than " + DEEPEST);
         }
         char modifier = ' ';
-        while ("%#*!".indexOf(letter()) >= 0) {
+        while (MODIFIERS.indexOf(letter()) >= 0) {
             modifier = (char) text[at++];
         }
         long begin = line;
@@ -59,6 +63,8 @@ final class TreeReader {
             at++;
         } else if (letter() == ';') {
             at++;
+        } else if (!BODIES.contains(name) && isBeginning(letter())) {
+            node(children, depth + 1);
         } else {
             throw unexpected("{ or ;");
         }
@@ -66,7 +72,7 @@ final class TreeReader {
     }
 
     private Map<String, Value> arguments() throws FormatFault {
-        take('(');
+        take('(', "(");
         Map<String, Value> arguments = new LinkedHashMap<>();
         while (letter() != ')') {
             int before = at;
@@ -81,7 +87,7 @@ final class TreeReader {
                 arguments.put(Integer.toString(arguments.size()), value(0));
             }
             if (letter() != ')') {
-                take(',');
+                take(',', ", or )");
             }
         }
         at++;
@@ -99,7 +105,7 @@ final class TreeReader {
             while (letter() != ']') {
                 values.add(value(depth + 1));
                 if (letter() != ']') {
-                    take(',');
+                    take(',', ", or ]");
                 }
             }
             at++;
@@ -146,9 +152,10 @@ final class TreeReader {
         return said.append(TextLines.decoded(text, start, at++)).toString();
     }
 
-    private void take(char wanted) throws FormatFault {
+    /** @param said what may stand here */
+    private void take(char wanted, String said) throws FormatFault {
         if (letter() != wanted) {
-            throw unexpected(String.valueOf(wanted));
+            throw unexpected(said);
         }
         at++;
     }
@@ -169,6 +176,11 @@ final class TreeReader {
             at++;
         }
         return TextLines.decoded(text, start, at);
+    }
+
+    /** Whether a body or an operation may begin so: the only child of one before it, which needs no braces. */
+    private static boolean isBeginning(char c) {
+        return MODIFIERS.indexOf(c) >= 0 || (c < 128 && isWordLetter((byte) c));
     }
 
     private static boolean isWordLetter(byte b) {
