@@ -1,6 +1,7 @@
 package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
@@ -71,6 +72,17 @@ class ModelsTest {
             assertThat(run.err()).doesNotContain("fault of the program");
         }
         assertThat(Run.cli("validate", scene, "--json").out()).contains("\"valid\":false").hasLineCount(1);
+    }
+
+    /** Nobody writes into it: whoever opened it would wait for ever. */
+    @Test
+    void aPipeIsRefusedAtOnce() throws Exception {
+        Path pipe = folder.resolve("part.stl");
+        assumeTrue(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0);
+        for (Run run : List.of(Run.cli("validate", pipe), Run.cli("info", pipe), Run.cli("convert", pipe, folder.resolve("part.obj")), Run.cli("render", pipe, "-o", folder.resolve("n.png")))) {
+            assertThat(run.code()).isEqualTo(3);
+            assertThat(run.err().lines()).containsExactly(pipe + ": this is a pipe or a device, through which files of other programs cannot come; write it to a file first");
+        }
     }
 
     @Test

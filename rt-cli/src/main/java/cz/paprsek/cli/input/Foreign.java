@@ -1,5 +1,6 @@
 package cz.paprsek.cli.input;
 
+import cz.paprsek.format.ForeignFormat;
 import cz.paprsek.image.ImageFormat;
 import java.io.IOException;
 import java.io.InputStream;
@@ -35,6 +36,9 @@ public final class Foreign {
     /** What kind of file it is and what to do, if it is there and is no scene by its name and its first letter. */
     public static Optional<String> kind(Path file) {
         String name = String.valueOf(file.getFileName());
+        if (Incoming.isOnce(file) && ForeignFormat.ofName(name).isPresent()) {
+            return Optional.of("this is a pipe or a device, through which files of other programs cannot come; write it to a file first");
+        }
         String kind = KINDS.get(name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT));
         return kind == null || !Files.isRegularFile(file) || isMarkup(file, name) ? Optional.empty() : Optional.of("this is " + kind);
     }
