@@ -199,8 +199,8 @@ public final class Assets {
     }
 
     /** What a decoder makes of a file, and the digest of all its bytes. */
-    private <T> Map.Entry<T, String> decode(String name, Decoder<T> decoder) throws IOException {
-        try (InputStream opened = Objects.requireNonNull(source.open(name), () -> "the source of assets gave null for " + quoted(name))) {
+    private <T> Map.Entry<T, String> decode(String name, Decoder<T> decoder, Source from) throws IOException {
+        try (InputStream opened = Objects.requireNonNull(from.open(name), () -> "the source of assets gave null for " + quoted(name))) {
             long size = opened instanceof Sized file ? file.size : Long.MAX_VALUE;
             require(size == Long.MAX_VALUE || size <= largestTogether, "is larger than the " + largestTogether + " bytes that such a file may have here");
             MessageDigest digest = sha256();
@@ -335,7 +335,9 @@ public final class Assets {
         synchronized <T> T decoded(Decoder<T> decoder) throws IOException {
             Object known = decoded.get(decoder);
             if (known == null) {
-                Map.Entry<T, String> made = decode(name, decoder);
+                // What is here already may have changed where it came from, or was found within another file.
+                byte[] content = bytes;
+                Map.Entry<T, String> made = decode(name, decoder, content == null ? source : same -> new Sized(new ByteArrayInputStream(content), content.length));
                 known = made.getKey();
                 digest = made.getValue();
                 decoded.put(decoder, known);

@@ -267,6 +267,15 @@ class AssetsTest {
     }
 
     @Test
+    void whatIsHereAlreadyIsDecodedWithoutItsSource() throws IOException {
+        Assets assets = Assets.none();
+        assets.supply("model.glb-oak.txt", new byte[] {'o', 'a', 'k', '\n'});
+        String decoded = assets.decoded("model.glb-oak.txt", (name, input, size) -> size + " " + new String(input.readAllBytes(), StandardCharsets.UTF_8));
+        assertThat(decoded).isEqualTo("4 oak\n");
+        assertThat(assets.digests()).containsExactly(Map.entry("model.glb-oak.txt", OAK_DIGEST));
+    }
+
+    @Test
     void whatCouldNotBeReadIsTriedAgain() throws IOException {
         Assets files = Assets.in(folder);
         assertThatThrownBy(() -> files.bytes("late.txt")).isInstanceOf(IOException.class);

@@ -14,6 +14,7 @@ final class Job implements Serializable {
     private final Map<String, byte[]> files;
     private final List<String> order;
     private final List<String> written;
+    private final String ending;
     private final String card;
     private final int side;
     private final Places places;
@@ -27,14 +28,16 @@ final class Job implements Serializable {
      * @param files that file, and those which it needs, by their names
      * @param order words for {@code render}, with the scene under its name
      * @param written words for {@code merge}
+     * @param ending that of the pictures' format
      * @param card as {@link cz.paprsek.cli.shard.Piecework#card}
      * @param side of tiles, in pixels
      */
-    Job(String scene, Map<String, byte[]> files, List<String> order, List<String> written, String card, int side, Places places) {
+    Job(String scene, Map<String, byte[]> files, List<String> order, List<String> written, String ending, String card, int side, Places places) {
         this.scene = scene;
         this.files = files;
         this.order = order;
         this.written = written;
+        this.ending = ending;
         this.card = card;
         this.side = side;
         this.places = places;
@@ -54,6 +57,10 @@ final class Job implements Serializable {
 
     List<String> written() {
         return written;
+    }
+
+    String ending() {
+        return ending;
     }
 
     String card() {

@@ -1,15 +1,19 @@
 package cz.paprsek.spark;
 
+import cz.paprsek.cli.shard.Span;
+import cz.paprsek.cli.value.SceneDigest;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.Serializable;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.UUID;
 import org.apache.hadoop.conf.Configuration;
+import org.apache.hadoop.fs.ChecksumFileSystem;
 import org.apache.hadoop.fs.FSDataInputStream;
-import org.apache.hadoop.fs.FSDataOutputStream;
 import org.apache.hadoop.fs.FileSystem;
 import org.apache.hadoop.fs.Path;
 
@@ -23,21 +27,24 @@ import org.apache.hadoop.fs.Path;
 record Places(String picture, String parts, Map<String, String> settings) implements Serializable {
     static final String FRAME = "{frame}";
     private static final long serialVersionUID = 1;
+    private static final int DIGITS = 16;
 
     /**
      * Those of a film, or a picture.
      *
      * @param output what the user gave
      * @param name of the scene, if the output is a directory
-     * @param key the same if the picture is
+     * @param what the same if the scene is, how it is rendered, and how pictures are written
      */
-    static Places of(String output, boolean isFilm, String name, String ending, String key, Configuration hadoop) {
+    static Places of(String output, Span span, String name, String ending, String what, Configuration hadoop) {
         String file = output.endsWith("/") ? output + name + "." + ending : output;
         int slash = file.lastIndexOf('/');
         int dot = file.lastIndexOf('.') > slash ? file.lastIndexOf('.') : file.length();
-        String numbered = !isFilm || file.contains(FRAME) ? file : file.substring(0, dot) + "-" + FRAME + file.substring(dot);
+        String numbered = span.isStill() || file.contains(FRAME) ? file : file.substring(0, dot) + "-" + FRAME + file.substring(dot);
         TreeMap<String, String> settings = new TreeMap<>();
         hadoop.forEach(entry -> settings.put(entry.getKey(), entry.getValue()));
+        // What is under way is another's if pictures have other names, or there are others of them: who is done first removes it.
+        String key = SceneDigest.ofText(what + "\n" + numbered + "\n" + span.first() + "-" + span.last()).substring(0, DIGITS);
         return new Places(numbered, file.substring(0, slash + 1) + "_paprsek-" + key, settings);
     }
 
@@ -45,9 +52,8 @@ record Places(String picture, String parts, Map<String, String> settings) implem
         Configuration hadoop = new Configuration(false);
         settings.forEach(hadoop::set);
         FileSystem system = new Path(picture.replace(FRAME, "0")).getFileSystem(hadoop);
-        // Or a local file system would have a file of checksums beside each; parts have digests of their own.
-        system.setWriteChecksum(false);
-        return system;
+        // A local file system would have a file of checksums beside each; parts have digests of their own.
+        return system instanceof ChecksumFileSystem checked ? checked.getRawFileSystem() : system;
     }
 
     /** What cannot be written should not come out an hour later. */
@@ -91,13 +97,11 @@ record Places(String picture, String parts, Map<String, String> settings) implem
      * @param number of the frame, as it stands in the name
      */
     void finish(int frame, String number, java.nio.file.Path made) throws IOException {
-        FileSystem system = system();
         Path file = new Path(picture.replace(FRAME, number));
         put(made, file);
-        try (FSDataOutputStream mark = system.create(mark(frame), true)) {
-            mark.write((system.getFileStatus(file).getLen() + " " + file).getBytes(StandardCharsets.UTF_8));
-        }
-        system.delete(folder(frame), true);
+        java.nio.file.Path mark = Files.writeString(made.resolveSibling(made.getFileName() + ".done"), Files.size(made) + " " + file);
+        put(mark, mark(frame));
+        system().delete(folder(frame), true);
     }
 
     /** Whether the picture of a frame is there, and nobody has replaced it by a shorter or longer one. */
@@ -118,7 +122,7 @@ record Places(String picture, String parts, Map<String, String> settings) implem
 
     private void put(java.nio.file.Path from, Path to) throws IOException {
         FileSystem system = system();
-        Path beside = new Path(to.getParent(), "_" + to.getName() + "." + Long.toHexString(ProcessHandle.current().pid()) + "." + Thread.currentThread().getId() + ".tmp");
+        Path beside = new Path(to.getParent(), "_" + to.getName() + "." + UUID.randomUUID() + ".tmp");
         try {
             system.copyFromLocalFile(false, true, new Path(from.toUri()), beside);
             // Not every file system replaces one by another; who comes second brings the same bytes.

@@ -1,16 +1,16 @@
 package cz.paprsek.spark;
 
+import cz.paprsek.cli.Embedded;
+import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Piecework;
 import cz.paprsek.cli.shard.Span;
 import cz.paprsek.io.Failures;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import org.apache.spark.SparkConf;
@@ -34,6 +34,14 @@ public final class SparkRender {
     /** The driver remembers every task of a stage. */
     private static final int MOST_TASKS = 50_000;
 
+    private static final String HELP = """
+            Usage: spark-submit --class cz.paprsek.spark.SparkRender rt-spark.jar SCENE -o OUTPUT [--side PIXELS]
+                   [--format FORMAT] [--bits N] [--uncompressed] [WORDS OF RENDER]
+            OUTPUT is a name in any file system that the cluster's Hadoop knows, or a directory, which ends in /.
+            --side says how many pixels tiles have along each side, a multiple of 32. The other words are those of
+            'paprsek render', without --shard, --resume, --time, --mistake and --denoise:
+            """;
+
     private SparkRender() {}
 
     /** Exits as {@code paprsek render} does: 0 if all is done, 2 for wrong usage, 3 for a scene that is not valid, 1 if a task has failed as often as Spark lets it. */
@@ -42,10 +50,16 @@ public final class SparkRender {
     }
 
     private static int run(List<String> all) {
+        if (all.contains("--help") || all.contains("-h")) {
+            System.out.println(HELP);
+            return Embedded.run(System.out, new PrintWriter(System.err, true, StandardCharsets.UTF_8), List.of("render", "--help"));
+        }
         try {
             Words words = Words.of(all);
-            return run(words, Workshop.ordered(words.order(), words.order()));
-        } catch (IllegalArgumentException wrong) {
+            Piecework piecework = Workshop.ordered(words.order(), words.order());
+            words.check();
+            return run(words, piecework);
+        } catch (IllegalArgumentException | WrongUsage wrong) {
             return failed(String.valueOf(wrong.getMessage()), WRONG_USAGE);
         } catch (Workshop.Refused refused) {
             return failed(String.valueOf(refused.getMessage()), refused.code());
@@ -55,12 +69,12 @@ public final class SparkRender {
     }
 
     private static int run(Words words, Piecework piecework) throws IOException {
-        try (JavaSparkContext spark = new JavaSparkContext(new SparkConf().setIfMissing("spark.app.name", "paprsek " + piecework.scene()))) {
+        try (JavaSparkContext spark = new JavaSparkContext(settings(piecework))) {
             Span span = piecework.span();
             boolean isLong = span.count() >= (long) FRAMES_EACH * spark.defaultParallelism();
             int side = words.side().orElseGet(() -> piecework.side(isLong ? 1 : (long) TILES_EACH * spark.defaultParallelism()));
             int tiles = piecework.tiles(side).size();
-            Places places = Places.of(words.output(), !span.isStill(), withoutEnding(piecework.scene()), words.ending(), key(piecework.card() + words.written()), spark.hadoopConfiguration());
+            Places places = Places.of(words.output(), span, withoutEnding(piecework.scene()), words.ending(), piecework.card() + words.written(), spark.hadoopConfiguration());
             places.prepare();
             Broadcast<Job> job = spark.broadcast(job(words, piecework, side, places));
             LongAccumulator made = spark.sc().longAccumulator("tiles rendered");
@@ -77,6 +91,11 @@ public final class SparkRender {
             // Spark's own exceptions are not declared where Java can see them.
             return failed(cause(failure), FAILED);
         }
+    }
+
+    private static SparkConf settings(Piecework piecework) {
+        // Kryo cannot read records, whatever the cluster prefers.
+        return new SparkConf().setIfMissing("spark.app.name", "paprsek " + piecework.scene()).set("spark.serializer", "org.apache.spark.serializer.JavaSerializer");
     }
 
     private static void frames(JavaSparkContext spark, Broadcast<Job> job, LongAccumulator made, Span span, int tiles) {
@@ -114,20 +133,12 @@ public final class SparkRender {
         }
         Map<String, byte[]> files = piecework.files();
         files.put(name, Files.readAllBytes(scene));
-        return new Job(name, files, new ArrayList<>(Words.elsewhere(words.order(), scene.toString(), name)), new ArrayList<>(words.written()), piecework.card(), side, places);
+        return new Job(name, files, new ArrayList<>(Words.elsewhere(words.order(), scene.toString(), name)), new ArrayList<>(words.written()), words.ending(), piecework.card(), side, places);
     }
 
     private static String withoutEnding(Path scene) {
         String name = String.valueOf(scene.getFileName());
         return name.contains(".") ? name.substring(0, name.lastIndexOf('.')) : name;
-    }
-
-    private static String key(String text) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(text.getBytes(StandardCharsets.UTF_8))).substring(0, 16);
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
-        }
     }
 
     /** The first line of what Spark tells: a stack of it follows. */
@@ -136,7 +147,7 @@ public final class SparkRender {
     }
 
     private static int failed(String sentence, int code) {
-        System.err.println(sentence);
+        (code == DONE ? System.out : System.err).println(sentence);
         return code;
     }
 }

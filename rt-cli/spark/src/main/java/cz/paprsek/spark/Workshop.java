@@ -3,9 +3,12 @@ package cz.paprsek.spark;
 import cz.paprsek.cli.Embedded;
 import cz.paprsek.cli.shard.Piecework;
 import cz.paprsek.render.Tile;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -61,11 +64,12 @@ final class Workshop {
      * @throws Refused if it is refused
      */
     static Piecework ordered(List<String> known, List<String> words) throws IOException {
+        ByteArrayOutputStream results = new ByteArrayOutputStream();
         StringWriter told = new StringWriter();
         Piecework piecework = new Piecework(known);
-        int code = Embedded.order(new PrintWriter(told), words, piecework);
+        int code = Embedded.order(results, new PrintWriter(told), words, piecework);
         if (!piecework.isOrdered()) {
-            throw new Refused(told.toString(), code);
+            throw new Refused(results.toString(StandardCharsets.UTF_8) + told, code);
         }
         return piecework;
     }
@@ -126,8 +130,8 @@ final class Workshop {
             for (Tile tile : tiles) {
                 Path part = Piecework.part(own, frame, tile);
                 Files.createDirectories(part.getParent());
-                if (!job.places().fetch(frame, name(part), part)) {
-                    throw new IOException(name(part) + " of frame " + frame + " has gone");
+                if (!isFetched(frame, part)) {
+                    return;
                 }
             }
             merge(frame, own);
@@ -136,18 +140,32 @@ final class Workshop {
         }
     }
 
+    /** Fetches a part that must be there; false if another attempt at the frame has finished it meanwhile, which removes its parts. */
+    private boolean isFetched(int frame, Path part) throws IOException {
+        IOException failure = new IOException(name(part) + " of frame " + frame + " has gone");
+        try {
+            if (job.places().fetch(frame, name(part), part)) {
+                return true;
+            }
+        } catch (IOException brokenOff) {
+            failure = brokenOff;
+        }
+        if (!job.places().isFinished(frame)) {
+            throw failure;
+        }
+        return false;
+    }
+
     private void merge(int frame, Path parts) throws IOException {
         Path made = Files.createDirectory(parts.resolve("made"));
-        String picture = job.places().picture();
-        String ending = picture.substring(picture.lastIndexOf('.') + 1);
         boolean isFilm = !piecework.span().isStill();
-        List<String> words = new ArrayList<>(List.of("merge", parts.toString(), "-o", made.resolve((isFilm ? Places.FRAME : "0") + "." + ending).toString(), "--quiet"));
+        List<String> words = new ArrayList<>(List.of("merge", parts.toString(), "-o", made.resolve((isFilm ? Places.FRAME : "0") + "." + job.ending()).toString(), "--quiet"));
         if (isFilm) {
             words.addAll(List.of("--frames", frame + "-" + frame));
         }
         words.addAll(job.written());
         StringWriter told = new StringWriter();
-        int code = Embedded.run(new PrintWriter(told), words);
+        int code = Embedded.run(OutputStream.nullOutputStream(), new PrintWriter(told), words);
         if (code != 0) {
             throw new Refused(told.toString(), code);
         }

@@ -111,7 +111,7 @@ class SparkTest {
     private Map<String, String> whole(String... words) throws Exception {
         List<String> all = new ArrayList<>(List.of("render", scene.toString(), "--quiet", "-o", folder.resolve("whole/film.png").toString()));
         all.addAll(List.of(words));
-        assertThat(Embedded.run(new PrintWriter(System.err, true, StandardCharsets.UTF_8), all)).isZero();
+        assertThat(Embedded.run(OutputStream.nullOutputStream(), new PrintWriter(System.err, true, StandardCharsets.UTF_8), all)).isZero();
         return digests(folder.resolve("whole"));
     }
 

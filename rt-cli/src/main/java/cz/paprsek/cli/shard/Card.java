@@ -10,10 +10,6 @@ import cz.paprsek.render.Tile;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.List;
 
 /**
@@ -48,7 +44,7 @@ public record Card(String program, String settings, double exposure, Tone tone, 
      */
     public static Card of(Scene scene, boolean isFilm, Assets assets, RenderOptions options, ImageOptions how, boolean legend) {
         String content = isFilm ? SceneDigest.of(scene, assets, "film " + scene.recipe().text()) : SceneDigest.of(scene, assets);
-        String settings = HexFormat.of().formatHex(sha256().digest(options.withThreads(1).toString().getBytes(StandardCharsets.UTF_8)));
+        String settings = SceneDigest.ofText(options.withThreads(1).toString());
         List<String> planes = options.layers().stream().flatMap(layer -> layer.planes(scene.lights()).stream()).toList();
         return new Card(how.origin().program(), how.origin().settings(), how.exposure(), how.tone(), options.mode(), options.numbers(), legend, options.transparent(), options.region(), planes, content, settings);
     }
@@ -109,13 +105,5 @@ public record Card(String program, String settings, double exposure, Tone tone, 
     static Tile tile(Fields fields, String key) throws IOException {
         int[] numbers = fields.numbers(key, 4);
         return new Tile(numbers[0], numbers[1], numbers[2], numbers[3]);
-    }
-
-    static MessageDigest sha256() {
-        try {
-            return MessageDigest.getInstance("SHA-256");
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
-        }
     }
 }

@@ -1,5 +1,6 @@
 package cz.paprsek.cli.shard;
 
+import cz.paprsek.cli.value.SceneDigest;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.Layers;
 import cz.paprsek.io.AtomicFile;
@@ -54,7 +55,7 @@ final class PartFile {
     static void write(Path file, PartHead head, Image image, Layers layers) throws IOException {
         // There are thousands of them in a folder, which is swept once for all.
         AtomicFile.writeUnswept(file, target -> {
-            MessageDigest digest = Card.sha256();
+            MessageDigest digest = SceneDigest.sha256();
             // Small pieces would take the digest longer than all of them together.
             DataOutputStream out = new DataOutputStream(new BufferedOutputStream(new DigestOutputStream(target, digest), 1 << 14));
             byte[] text = head.text().getBytes(StandardCharsets.UTF_8);
@@ -124,7 +125,7 @@ final class PartFile {
      * @throws IOException as {@link #head}, or if the content is not what was written
      */
     static PartHead read(Path file, Pixels pixels) throws IOException {
-        MessageDigest digest = Card.sha256();
+        MessageDigest digest = SceneDigest.sha256();
         try (InputStream opened = Files.newInputStream(file); BufferedInputStream buffered = new BufferedInputStream(opened, 1 << 16)) {
             DataInputStream input = new DataInputStream(new BufferedInputStream(new DigestInputStream(new Before(buffered, Files.size(file) - DIGEST), digest), 1 << 14));
             PartHead head = head(input, Files.size(file));

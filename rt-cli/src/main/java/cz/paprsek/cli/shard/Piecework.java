@@ -1,5 +1,6 @@
 package cz.paprsek.cli.shard;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.shard.Deal.Piece;
 import cz.paprsek.cli.shard.PartFile.Pixels;
@@ -11,7 +12,6 @@ import cz.paprsek.render.Renderer;
 import cz.paprsek.render.Tile;
 import java.io.IOException;
 import java.io.InterruptedIOException;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -28,13 +28,22 @@ import java.util.function.BooleanSupplier;
  * @see ShardWork
  */
 public final class Piecework implements Sharing {
-    /** How many frames stay prepared: more than one, as the threads of a machine do not all go to the next at once. */
+    /** How many pixels the sides of tiles have at most: twice those of the largest picture. */
+    public static final int LARGEST_SIDE = 65536;
+    /** How many frames stay prepared at least: more than one, as the threads of a machine do not all go to the next at once. */
     private static final int FRAMES_KEPT = 3;
+    private static final Assets.Decoder<byte[]> AS_THEY_ARE = (name, input, size) -> input.readAllBytes();
     private static final Shard ALL = new Shard(1, 1);
 
     private final List<String> words;
-    private final Map<Integer, RenderScene> prepared = new LinkedHashMap<>();
+    /** By frame; what was not wanted for the longest time comes first. */
+    private final Map<Integer, Ready> prepared = new LinkedHashMap<>(16, 0.75f, true);
+    private int working;
+    private int mostWorking;
     private Optional<Order> taken = Optional.empty();
+
+    /** What the tiles of a frame have in common. */
+    private record Ready(RenderScene scene, Told told) {}
 
     /** @param words as {@link PartHead} has them */
     public Piecework(List<String> words) {
@@ -80,10 +89,8 @@ public final class Piecework implements Sharing {
         Map<String, byte[]> files = new TreeMap<>();
         order().scene().recipe().included().forEach((name, text) -> files.put(name, text.getBytes(StandardCharsets.UTF_8)));
         for (String name : order().assets().digests().keySet()) {
-            ByteBuffer content = order().assets().bytes(name);
-            byte[] bytes = new byte[content.remaining()];
-            content.get(bytes);
-            files.put(name, bytes);
+            // Meshes may be larger than other files.
+            files.put(name, order().assets().decoded(name, AS_THEY_ARE));
         }
         return files;
     }
@@ -96,14 +103,23 @@ public final class Piecework implements Sharing {
     /**
      * The tiles of a frame, neighbours after each other.
      *
-     * @param side how many pixels their sides have, but at the edges: a multiple of 32
-     * @throws IllegalArgumentException if it is none
+     * @param side as {@link #requireSide}
      */
     public List<Tile> tiles(int side) {
-        if (side < Grid.SIDE || side % Grid.SIDE != 0) {
-            throw new IllegalArgumentException("the side of a tile is a multiple of " + Grid.SIDE + " pixels, not " + side);
+        return Grid.tiles(order().card().region(), requireSide(side));
+    }
+
+    /**
+     * Returns the side of tiles.
+     *
+     * @param side how many pixels it has, but at the edges of the picture: a multiple of 32, at most {@value #LARGEST_SIDE}
+     * @throws IllegalArgumentException if it is none
+     */
+    public static int requireSide(int side) {
+        if (side < Grid.SIDE || side > LARGEST_SIDE || side % Grid.SIDE != 0) {
+            throw new IllegalArgumentException("the side of a tile is a multiple of " + Grid.SIDE + " pixels, from " + Grid.SIDE + " to " + LARGEST_SIDE + ", not " + side);
         }
-        return Grid.tiles(order().card().region(), side);
+        return side;
     }
 
     /** The largest side of tiles with which there are as many of them as wished for, if there can be. */
@@ -141,23 +157,37 @@ public final class Piecework implements Sharing {
                 return cancelled.getAsBoolean();
             }
         };
-        RenderResult result = Renderer.render(scene(frame), order().options().withRegion(tile).withThreads(1), monitor);
+        Ready ready = begun(frame);
+        RenderResult result;
+        try {
+            result = Renderer.render(ready.scene(), order().options().withRegion(tile).withThreads(1), monitor);
+        } finally {
+            ended();
+        }
         if (result.outcome() != RenderResult.Outcome.DONE) {
             throw new InterruptedIOException("interrupted");
         }
         new PartsFolder(folder).prepare(frame);
-        PartHead head = new PartHead(order().card(), Told.of(order().footage().written(frame).origin()), frame, tile, span(), ALL, words);
+        PartHead head = new PartHead(order().card(), ready.told(), frame, tile, span(), ALL, words);
         PartFile.write(part(folder, frame, tile), head, result.image(), result.layers());
     }
 
-    /** What is prepared of a frame, by the first thread that needs it. */
-    private synchronized RenderScene scene(int frame) {
-        RenderScene known = prepared.get(frame);
+    /** A thread begins a tile: what is prepared of its frame, by the first that needs it. */
+    private synchronized Ready begun(int frame) {
+        Ready known = prepared.get(frame);
         if (known == null) {
-            known = order().footage().scene(frame);
+            known = new Ready(order().footage().scene(frame), Told.of(order().footage().written(frame).origin()));
             prepared.put(frame, known);
-            prepared.keySet().stream().findFirst().filter(oldest -> prepared.size() > FRAMES_KEPT).ifPresent(prepared::remove);
         }
+        working++;
+        mostWorking = Math.max(mostWorking, working);
+        // Each thread may be at a frame of its own, and there are no more of them than were ever at work at once.
+        int kept = Math.max(FRAMES_KEPT, mostWorking + 1);
+        prepared.keySet().stream().findFirst().filter(oldest -> prepared.size() > kept).ifPresent(prepared::remove);
         return known;
+    }
+
+    private synchronized void ended() {
+        working--;
     }
 }
