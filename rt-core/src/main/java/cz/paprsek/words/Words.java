@@ -92,14 +92,15 @@ public final class Words {
                 .map(text -> text.substring(0, 1).toLowerCase(Locale.ROOT) + text.substring(1));
     }
 
-    /** What a body is called, from the outermost operation inwards, such as {@code difference "bowl" › sphere "hollow"}. */
+    /** What a body is called, from the outermost operation inwards, such as {@code difference "bowl" › sphere "hollow"}; of what is repeated also which copy it is. */
     public String surface(InScene<? extends ScenePath> surface) {
         Scene scene = surface.scene();
         if (surface.part() instanceof ScenePath.LightAt at) {
             String name = scene.lights().get(at.index()).name();
             return of("light", name.isEmpty() ? "#" + (at.index() + 1) : "\"" + name + "\"");
         }
-        return ((BodyAt) surface.part()).way().map(step -> kind(step.in(scene).shape()) + " " + step.nameOrNumber(scene))
+        return ((BodyAt) surface.part()).way().map(step -> kind(step.in(scene).shape()) + " " + step.nameOrNumber(scene)
+                + CopyOf.of(scene, step).stream().map(copy -> ", " + copy.text(this)).collect(Collectors.joining()))
                 .collect(Collectors.joining(" › "));
     }
 

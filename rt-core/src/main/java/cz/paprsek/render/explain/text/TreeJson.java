@@ -19,6 +19,8 @@ import cz.paprsek.scene.InScene;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.words.CopyOf;
+import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 
@@ -115,9 +117,11 @@ public final class TreeJson {
     }
 
     private static Json body(Scene scene, BodyAt at) {
-        return new Json()
+        Json json = new Json()
                 .withNumbers("path", at.numbers().stream().mapToDouble(Integer::doubleValue).toArray())
                 .withTexts("names", at.way().map(step -> step.label(scene)).toList());
+        List<Json> copies = at.way().flatMap(step -> CopyOf.of(scene, step).stream()).map(copy -> new Json().with("number", copy.number()).with("of", copy.count())).toList();
+        return copies.isEmpty() ? json : json.with("copies", copies);
     }
 
     private static Json of(Material material) {

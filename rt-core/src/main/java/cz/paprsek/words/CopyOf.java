@@ -1,0 +1,50 @@
+package cz.paprsek.words;
+
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Which copy of what is repeated a body is. Those with a name are told apart, which ends with the number of the copy, from 0, in brackets.
+ *
+ * @param number from 1
+ * @param count how many there are
+ */
+public record CopyOf(int number, int count) {
+    private static final Pattern NUMBERED = Pattern.compile("(.*)\\[(\\d{1,9})]");
+
+    /** Of repeats within each other the outermost first; empty for what is no copy. */
+    public static List<CopyOf> of(Scene scene, BodyAt at) {
+        List<CopyOf> found = new ArrayList<>();
+        if (!scene.recipe().text().contains("<repeat")) {
+            return found;
+        }
+        Matcher own = NUMBERED.matcher(at.in(scene).name());
+        while (own.matches()) {
+            found.add(0, new CopyOf(Integer.parseInt(own.group(2)) + 1, count(scene, at, own.group(1) + "[")));
+            own = NUMBERED.matcher(own.group(1));
+        }
+        return found;
+    }
+
+    private static int count(Scene scene, BodyAt at, String beginning) {
+        List<String> siblings = at.depth() == 0 ? scene.objects().stream().map(one -> one.name()).toList()
+                : at.parent().in(scene).operands().stream().map(one -> one.name()).toList();
+        int most = 0;
+        for (String name : siblings) {
+            int end = name.startsWith(beginning) ? name.indexOf(']', beginning.length()) : -1;
+            if (end > 0 && NUMBERED.matcher(name.substring(0, end + 1)).matches()) {
+                most = Math.max(most, Integer.parseInt(name.substring(beginning.length(), end)) + 1);
+            }
+        }
+        return most;
+    }
+
+    /** As in {@code copy 5 of 24}. */
+    String text(Words words) {
+        return words.of("copy", number, count);
+    }
+}
