@@ -9,11 +9,15 @@ import cz.paprsek.scene.Scene.Recipe.Parameter;
 import cz.paprsek.scene.SceneDatabase;
 import cz.paprsek.text.Numbers;
 import java.nio.ByteBuffer;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
+import java.util.ArrayList;
 import java.util.HexFormat;
+import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -51,7 +55,7 @@ class RepeatedScenesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"gear", "brick", "chess-set", "stair", "forest"})
+    @ValueSource(strings = {"gear", "brick", "chess-set", "sign", "stair", "forest"})
     void oneSliderMakesAnotherSceneOfAtMostFortyLines(String name) throws Exception {
         Path file = Path.of("../scenes", name + ".xml");
         assertThat(Files.readAllLines(file)).hasSizeLessThanOrEqualTo(40);
@@ -68,5 +72,28 @@ class RepeatedScenesTest {
             Scene scene = SceneFiles.read(Path.of("../scenes", name + ".xml"));
             assertThat(DATABASE.get(scene.name())).isEqualTo(scene);
         }
+    }
+
+    @Test
+    void everySliderMakesASceneAtBothItsEnds() throws Exception {
+        List<String> refused = new ArrayList<>();
+        List<Scene> scenes = new ArrayList<>(DATABASE.scenes());
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(Path.of("../scenes"), "*.xml")) {
+            for (Path file : files) {
+                scenes.addAll(SceneFiles.readAll(file));
+            }
+        }
+        for (Scene scene : scenes) {
+            for (Parameter parameter : scene.recipe().parameters()) {
+                for (OptionalDouble end : List.of(parameter.least(), parameter.most())) {
+                    try {
+                        SceneFiles.with(scene, end.isPresent() ? Map.of(parameter.name(), Numbers.text(end.getAsDouble())) : Map.of());
+                    } catch (SceneFileException why) {
+                        refused.add(scene.name() + " with " + parameter.name() + " " + end + ": " + why.problems().get(0).message());
+                    }
+                }
+            }
+        }
+        assertThat(refused).isEmpty();
     }
 }

@@ -87,6 +87,8 @@ final class ParametersPane extends TitledPane {
                         edit.begin();
                     } else {
                         edit.commit();
+                        // What was refused on the way is not what there is.
+                        model.scene().recipe().parameters().stream().filter(one -> one.name().equals(name)).forEach(this::show);
                     }
                 });
                 row.below(field, slider);
