@@ -250,6 +250,22 @@ public final class SceneFiles {
         return Settled.around(scene, bodies, Maker.REPEAT, attributes);
     }
 
+    /**
+     * A scene, the same as it is, in which a body is made by a definition: in its place is the use of that.
+     *
+     * @param body by its numbers, as in {@link Maker}
+     * @param name of the definition, with a number if there is one of that name
+     * @throws IllegalArgumentException if it is made by a definition already, or cannot be by one
+     */
+    public static Scene defined(Scene scene, List<Integer> body, String name) {
+        return Settled.defined(scene, body, name);
+    }
+
+    /** A scene with another use of a definition after one, that of the maker of this number, so far from it along x. */
+    public static Scene usedAgain(Scene scene, int maker, double aside) {
+        return Settled.usedAgain(scene, maker, aside);
+    }
+
     /** A scene with a recipe that makes just what it has now: formulas stay where their values have stayed. */
     public static Scene settled(Scene scene) {
         return Settled.of(Objects.requireNonNull(scene, "scene"));

@@ -104,6 +104,27 @@ final class Settled {
         return like(scene, remade(settled, script.around(bodies, element, attributes)));
     }
 
+    /** The scene, the same as it is, with a definition of a body, which is used where the body stands. */
+    static Scene defined(Scene scene, List<Integer> body, String name) {
+        Scene settled = of(scene);
+        Making how = Making.of(settled.recipe(), Map.of());
+        Script script = Script.ofAny(SceneFiles.format(settled).getBytes(StandardCharsets.UTF_8), how.files(), SceneFiles.LARGEST).orElseThrow();
+        Scene before = scene.withRecipe(Recipe.NONE);
+        for (boolean isMoved : new boolean[] {true, false}) {
+            Scene made = like(scene, remade(settled, script.defined(body, name, isMoved)));
+            if (made.withRecipe(Recipe.NONE).equals(before)) {
+                return made;
+            }
+        }
+        throw new IllegalArgumentException("as a definition this body would be another one");
+    }
+
+    /** The scene with another use of a definition beside one. */
+    static Scene usedAgain(Scene scene, int maker, double aside) {
+        Scene settled = of(scene);
+        return like(scene, remade(settled, script(settled.recipe()).usedAgain(maker, aside)));
+    }
+
     private static Scene remade(Scene scene, String text) {
         try {
             return only(script(new Recipe(text, scene.recipe().included(), List.of())));

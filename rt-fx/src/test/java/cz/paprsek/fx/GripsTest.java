@@ -12,6 +12,7 @@ import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.SpotLight;
@@ -21,8 +22,15 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import javafx.geometry.Point2D;
+import javafx.scene.Node;
 import javafx.scene.control.TextField;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
@@ -30,12 +38,28 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.paint.Color;
 import org.junit.jupiter.api.Test;
 
-/** The numbers of cameras and lights, pulled in the projections. The picture is twice as wide as high; the camera, at z = 4, looks at the origin. */
+/** The numbers of cameras, lights and repeats, pulled in the projections; parameters by their sliders, and definitions. The picture is twice as wide as high; the camera, at z = 4, looks at the origin. */
 class GripsTest extends InProjections {
     private static final Camera CAMERA = Camera.lookingAt(new Vec3(0, 0, 4), Vec3.ZERO);
     private static final Scene SCENE = Scene.EMPTY.withSettings(new RenderSettings(200, 100, 5, 1)).withCamera(CAMERA)
             .plus(Light.at(-3, 5, 3)).plus(SceneObject.of(new Sphere(1)).named("ball"));
     private static final double TAN_HALF = Math.tan(Math.toRadians(22.5));
+
+    private static final Scene ROW = parsed("""
+            <scene xmlns="urn:paprsek:scene:1">
+              <param name="n" value="4" min="1" max="9" step="1"/>
+              <param name="d" value="3" min="1" max="9"/>
+              <camera position="0 2 19" target="0 0 0"/>
+              <repeat name="ball" count="{n}" position="{d} 0 {d*0}"><sphere radius="1"/></repeat>
+            </scene>""");
+
+    private static Scene parsed(String text) {
+        try {
+            return SceneFiles.parse(text);
+        } catch (SceneFileException e) {
+            throw new IllegalStateException(e);
+        }
+    }
 
     @Override
     Scene scene() {
@@ -156,6 +180,70 @@ class GripsTest extends InProjections {
         assertThat(world(pivot).minus(pivot).length()).isLessThan(1e-9);
         editor.menu("object-pivot");
         assertThat(body().pivot()).isEqualTo(Placement.MIDDLE);
+    }
+
+    @Test
+    void handlesOfARepeatChangeItsNumbersInTheFile() {
+        ProjectionPane front = editor.projection("front");
+        editor.gui.act(() -> editor.model().open(ROW));
+        editor.gui.act(() -> editor.model().select(ScenePath.body(0)));
+        editor.gui.act(front::fitAll);
+        editor.gui.act(() -> front.zoom(0.5));
+        drag(front, new Vec3(10.5, 0, 0), new Vec3(16.5, 0, 0));
+        assertThat(editor.model().scene().objects()).as("two more").hasSize(6);
+        assertThat(fileText()).contains("count=\"6\"", "position=\"{d} 0 {d*0}\"");
+        drag(front, new Vec3(3, 0, 0), new Vec3(3, 2, 0));
+        assertThat(position(ScenePath.body(1)).y()).isCloseTo(2, within(0.1));
+        assertThat(position(ScenePath.body(5)).y()).isCloseTo(10, within(0.5));
+        assertThat(fileText()).contains("count=\"6\"", " {d*0}\"").doesNotContain(" 0 {d*0}\"");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(editor.model().scene()).isSameAs(ROW);
+    }
+
+    @Test
+    void theSliderOfASignsParameterMakesAnotherSign() throws Exception {
+        Scene sign = SceneFiles.read(Path.of("../scenes/sign.xml"));
+        editor.gui.act(() -> editor.model().open(sign));
+        editor.gui.act(() -> editor.model().select());
+        Node slider = editor.gui.node("#parameter-slider-size");
+        double width = slider.getLayoutBounds().getWidth();
+        double middle = slider.getLayoutBounds().getHeight() / 2;
+        // From 0.8 of 0.3–0.9 to its begin.
+        editor.gui.drag(slider, width * 0.83, middle, 2, middle);
+        assertThat(editor.model().scene().recipe().parameters().get(0).formula()).isEqualTo("0.3");
+        Scene wanted = SceneFiles.read(Path.of("../scenes/sign.xml"), Map.of("size", "0.3"));
+        assertThat(editor.model().scene().objects()).isEqualTo(wanted.objects());
+        assertThat(fileText()).contains("name=\"size\" value=\"0.3\"", "size=\"{1.3*size}\"");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(editor.model().scene()).as("one step").isSameAs(sign);
+    }
+
+    @Test
+    void whatIsSelectedBecomesADefinitionAndIsUsedAgain() throws Exception {
+        Scene scene = parsed("""
+                <scene xmlns="urn:paprsek:scene:1"><camera position="0 2 9" target="0 0 0"/><disc radius="9"/>
+                <difference name="bowl" position="1 0.1 0" rotation="0 0 33"><sphere radius="1"/><block min="-2 0 -2" max="2 2 2"/></difference></scene>""");
+        editor.gui.act(() -> editor.model().open(scene));
+        editor.gui.act(() -> editor.model().select(ScenePath.body(1)));
+        editor.menu("object-define");
+        Scene defined = editor.model().scene();
+        assertThat(defined.withRecipe(Recipe.NONE)).as("the same picture").isEqualTo(scene.withRecipe(Recipe.NONE));
+        assertThat(fileText()).contains("<define name=\"bowl\">", "<instance of=\"bowl\" name=\"bowl\" position=\"1 0.1 0\" rotation=\"0 0 33\"");
+        editor.menu("object-another");
+        assertThat(editor.model().scene().objects()).hasSize(3);
+        Path file = folder.resolve("bowls.xml");
+        editor.dialogs.save = Optional.of(file);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        editor.gui.until("saved", () -> Files.exists(file));
+        assertThat(Files.readString(file)).contains("<define name=\"bowl\">").containsPattern("(?s)<instance of=\"bowl\".*<instance of=\"bowl\"");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(editor.model().scene()).isSameAs(scene);
+    }
+
+    private String fileText() {
+        return SceneFiles.format(editor.model().scene());
     }
 
     private void type(String field, String text) {

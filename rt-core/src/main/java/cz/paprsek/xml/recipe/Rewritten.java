@@ -6,9 +6,13 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /** Elements of a file with others in the place of some. */
 final class Rewritten {
+    /** What the use of a definition says of where it is, in the place of the body. */
+    static final Set<String> OF_USE = Set.of("name", "position", "rotation", "scale", "pivot", "hidden");
+
     private Rewritten() {}
 
     /** With others in the places of some at any depth; none for those that go. */
@@ -48,6 +52,32 @@ final class Rewritten {
         Node first = bodies.get(0);
         others.put(first, List.of(new Node(element, all, bodies, "", first.origin(), first.at())));
         return of(scene, others);
+    }
+
+    /**
+     * A definition of a body, and its use where the body stands.
+     *
+     * @param used which of the body's attributes become those of its use
+     */
+    static Node defined(Node scene, Node body, String name, Set<String> used) {
+        List<Attr> uses = new ArrayList<>(List.of(attribute("of", name)));
+        List<Attr> own = new ArrayList<>();
+        body.attributes().forEach(one -> (used.contains(one.name()) ? uses : own).add(one));
+        Node inside = new Node(body.name(), own, body.children(), body.content(), body.origin(), body.at());
+        Node definition = new Node(Node.DEFINE, List.of(attribute("name", name)), List.of(inside), "", body.origin(), body.at());
+        Node use = new Node(Node.INSTANCE, uses, List.of(), "", body.origin(), body.at());
+        Node around = scene.children().stream().filter(child -> holds(child, body)).findFirst().orElseThrow();
+        IdentityHashMap<Node, List<Node>> others = new IdentityHashMap<>();
+        others.put(body, List.of(use));
+        Node changed = around.equals(body) ? use : of(around, others);
+        others.clear();
+        others.put(around, List.of(definition, changed));
+        return of(scene, others);
+    }
+
+    /** Whether one is the other, or around it. */
+    static boolean holds(Node node, Node other) {
+        return node.equals(other) || node.children().stream().anyMatch(child -> holds(child, other));
     }
 
     /** Whether all stand in the same element. */

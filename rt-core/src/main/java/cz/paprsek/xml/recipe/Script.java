@@ -43,6 +43,7 @@ public final class Script {
     private final Moment moment;
     private final Set<String> used = new TreeSet<>();
     private final Set<String> known = new TreeSet<>();
+    private final Set<String> defined = new TreeSet<>();
     private final IncludedFiles files;
     private final long mostCharacters;
     private @Nullable Node only;
@@ -157,6 +158,7 @@ public final class Script {
         Node scene = found.scene();
         only = scene;
         names = found.names();
+        defined.addAll(found.definitions().keySet());
         scene.children().forEach(child -> checkAnimated(child, found.names().params().keySet()));
         new Expansion(scene, out, found.names(), found.definitions(), found.materials(), mistakes, mostCharacters).scene(scene, isRoot);
         recipes.add(scene.isPlain() ? Recipe.NONE : new Recipe(NodeText.of(scene), found.included(), parameters));
@@ -264,6 +266,40 @@ public final class Script {
             throw new IllegalArgumentException("what is to be repeated must stand side by side, in the scene or in one operation");
         }
         return NodeText.of(Rewritten.around(scene, nodes, element, attributes));
+    }
+
+    /**
+     * The text of the scene with a definition of a body, which is used where the body stands.
+     *
+     * @param body by its numbers, as in {@link Maker}
+     * @param wanted what the definition is called, unless there is one of that name; then it has a number as well
+     * @param isMoved whether the definition stands at the origin, and its use where the body stood
+     * @throws IllegalArgumentException if the body is no element of the file
+     */
+    public String defined(List<Integer> body, String wanted, boolean isMoved) {
+        Node scene = Objects.requireNonNull(only);
+        Map<List<Integer>, Node> sites = Makers.sites(out);
+        Node node = sites.get(body);
+        if (node == null || (body.size() > 1 && node.equals(sites.get(body.subList(0, body.size() - 1)))) || !Rewritten.holds(scene, node)) {
+            throw new IllegalArgumentException("this body is made by a definition, and cannot be one of its own");
+        }
+        String name = wanted;
+        for (int i = 2; defined.contains(name); i++) {
+            name = wanted + "-" + i;
+        }
+        return NodeText.of(Rewritten.defined(scene, node, name, isMoved ? Rewritten.OF_USE : Set.of("name")));
+    }
+
+    /** The text of the scene with another use of a definition after one of its {@link #makers()}, without its name, so far from it along x. */
+    public String usedAgain(int maker, double aside) {
+        Node scene = Objects.requireNonNull(only);
+        Node node = Makers.nodes(scene).get(maker);
+        String[] place = node.attribute("position").map(Attr::text).orElse("0 0 0").strip().split("\\s+(?![^{]*})", -1);
+        place[0] = place[0].startsWith("{") ? "{" + place[0].substring(1, place[0].length() - 1) + " + " + Numbers.text(aside) + "}"
+                : Numbers.parsed(place[0]).stream().mapToObj(x -> Numbers.text(x + aside)).findFirst().orElse(place[0]);
+        IdentityHashMap<Node, List<Node>> others = new IdentityHashMap<>();
+        others.put(node, List.of(node, Rewritten.with(Rewritten.with(node, "position", String.join(" ", place)), "name", "")));
+        return NodeText.of(Rewritten.of(scene, others));
     }
 
     /**

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.command;
 
+import cz.paprsek.formula.Maker;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Label;
@@ -122,6 +123,27 @@ public final class Edits {
     private void repeat(String name, Map<String, String> attributes) {
         List<BodyAt> bodies = Places.outermost(model.selection());
         edit(Label.of(Edit.CHANGE, name), state -> state.withScene(SceneFiles.repeated(state.scene(), bodies.stream().map(BodyAt::numbers).toList(), attributes)));
+    }
+
+    /** Makes a definition of what is selected, and uses it in its place: the picture stays. */
+    void define() {
+        Places.bodies(model.selection()).stream().findFirst().ifPresent(at -> edit(Label.of(Edit.CHANGE, texts.of("object.define")), state -> {
+            String name = at.in(state.scene()).name();
+            return state.withScene(SceneFiles.defined(state.scene(), at.numbers(), name.isEmpty() ? texts.kind(at.in(state.scene()).shape()) : name));
+        }));
+    }
+
+    /** Uses the definition that what is selected is made by once more, beside it. */
+    void another() {
+        used().ifPresent(maker -> edit(Label.of(Edit.ADD, maker.attribute("of")), state -> {
+            double aside = wide(List.of(new BodyAt(maker.originals().get(0))));
+            return state.withScene(SceneFiles.usedAgain(state.scene(), maker.number(), aside));
+        }));
+    }
+
+    /** The use of a definition that what is selected is made by, innermost. */
+    Optional<Maker> used() {
+        return Places.bodies(model.selection()).stream().findFirst().flatMap(at -> model.copies().of(at).stream().filter(maker -> !maker.isRepeat()).findFirst());
     }
 
     /** How far apart copies of bodies stand without touching: their width, and a little more. */

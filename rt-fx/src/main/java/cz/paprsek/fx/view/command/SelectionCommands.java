@@ -44,6 +44,8 @@ public final class SelectionCommands {
     private final Command repeat;
     private final Command repeatRound;
     private final Command mirror;
+    private final Command define;
+    private final Command another;
     private final Command turntable;
     private final Command pivot;
     private final Command leaveOut;
@@ -83,6 +85,8 @@ public final class SelectionCommands {
         repeat = command("object.repeat", bodies, () -> edits.repeat(false)).keys("Shortcut+Shift+R");
         repeatRound = command("object.repeat-round", bodies, () -> edits.repeat(true));
         mirror = command("object.mirror", bodies, edits::mirror);
+        define = command("object.define", items -> items.size() == 1 && bodies.test(items), edits::define);
+        another = command("object.another", items -> bodies.test(items) && edits.used().isPresent(), edits::another);
         turntable = command("object.turntable", bodies, edits::turntable);
         pivot = either(command("object.pivot", bodies, edits::pivot), edits::hasPivot, "object.pivot-middle");
         blink = command("object.blink", bodies, () -> onBlink.run()).keys("Shortcut+B");
@@ -135,7 +139,7 @@ public final class SelectionCommands {
 
     /** Names, operations, lights and cameras, hiding and locking. */
     public List<MenuItem> objectItems() {
-        List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve, repeat, repeatRound, mirror, turntable, pivot));
+        List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve, repeat, repeatRound, mirror, define, another, turntable, pivot));
         items.add(new ArrangeCommands(edits).menu());
         items.addAll(new ArrangeCommands(edits).operandItems());
         items.add(new SeparatorMenuItem());
