@@ -107,9 +107,9 @@ public record Encounter(
     }
 
     /**
-     * Where in a triangle of a mesh.
+     * Where in a triangle of a mesh, or of relief.
      *
-     * @param number of the triangle, from 0, in the order of the file
+     * @param number of the triangle, from 0, in the order of the file; of relief there are two in each square of four points, row by row from −z on
      * @param part the name of the file's part that it belongs to; empty if that has none
      * @param shares how much of each of its three corners is in the point, 0–1, together 1
      */
@@ -125,7 +125,7 @@ public record Encounter(
      *
      * @param surface whose: an object's, or within an operation that of a primitive
      * @param face which of its faces
-     * @param triangle which triangle of a mesh; empty for what is not made of triangles
+     * @param triangle which triangle of a mesh or of relief; empty for what is not made of triangles
      * @param flipped whether a difference turned the surface inside out: it is the wall of a hole
      * @param fromInside whether the ray comes from inside the body, or on the −z side of a flat figure
      * @param distance from the ray's origin

@@ -2,11 +2,13 @@ package cz.paprsek.shape.height;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.ray.Line;
 import cz.paprsek.shape.placed.InBox;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
+import java.util.Optional;
 
 /**
  * A field of heights in the world: all that lies below its triangles and above y = 0. Its own space is that of the grid.
@@ -183,6 +185,22 @@ final class PlacedHeights extends InBox {
             double fz = Math.max(0, Math.min(1, toLocal.pointZ(hit.px, hit.py, hit.pz) - z));
             bend(-mixed(isLower, x, z, fx, fz, true), -mixed(isLower, x, z, fx, fz, false), hit);
         }
+    }
+
+    /** Its corners are that of its cell with the least x and z, the one between, and the opposite one; numbers go cell by cell, row by row from −z on. */
+    @Override
+    public Optional<Corners> corners(int face, Hit hit) {
+        if (face < FIRST) {
+            return Optional.empty();
+        }
+        int cell = (face - FIRST) / 2;
+        double fx = Math.max(0, Math.min(1, toLocal.pointX(hit.px, hit.py, hit.pz) - cell % (heights.columns - 1)));
+        int row = cell / (heights.columns - 1);
+        double fz = Math.max(0, Math.min(1, toLocal.pointZ(hit.px, hit.py, hit.pz) - row));
+        // The lower one is where fx is the greater.
+        double opposite = Math.min(fx, fz);
+        double most = Math.max(fx, fz);
+        return Optional.of(new Corners(face - FIRST, "", new Vec3(1 - most, most - opposite, opposite)));
     }
 
     /** The slope at a place of a triangle, between those of its corners. */

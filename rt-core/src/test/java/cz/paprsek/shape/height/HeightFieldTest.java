@@ -6,6 +6,12 @@ import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.explain.Encounter;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Extrude;
 import cz.paprsek.shape.Mesh;
@@ -320,5 +326,40 @@ class HeightFieldTest {
         assertThatThrownBy(() -> new Heights(2, 2, new float[] {0, Float.NaN, 0, 0}, 1)).hasMessage("heights must be finite numbers, 0 or above, but one is NaN");
         assertThatThrownBy(() -> HeightField.of(" ", SIZE)).hasMessage("height-field file must not be blank");
         assertThatThrownBy(() -> HeightField.of("a.png", new Vec3(1, 0, 1))).hasMessageStartingWith("height-field extent must be");
+    }
+
+    @Test
+    void explanationsTellTheTriangleAndWhereInIt() {
+        int columns = 5;
+        int rows = 4;
+        Heights heights = random(new Random(8), columns, rows);
+        Scene scene = Scene.EMPTY.withSettings(new RenderSettings(24, 16, 2, 1)).withCamera(Camera.lookingAt(new Vec3(0.3, 4, 1.5), Vec3.ZERO)).plus(SceneObject.of(HeightField.of(heights, SIZE)));
+        RenderScene prepared = RenderScene.of(scene);
+        int told = 0;
+        for (int i = 0; i < 24 * 16; i++) {
+            Encounter.Place place = prepared.explain(i % 24, i / 24).rays().get(0).encounter().map(Encounter::place).orElse(null);
+            if (place == null || place.triangle().isEmpty()) {
+                assertThat(place == null || Math.abs(place.normal().y()) < 1e-9).as("walls have none").isTrue();
+                continue;
+            }
+            told++;
+            Encounter.Triangle triangle = place.triangle().get();
+            int cell = triangle.number() / 2;
+            int x = cell % (columns - 1);
+            int z = cell / (columns - 1);
+            boolean isLower = triangle.number() % 2 == 0;
+            Vec3 a = corner(heights, x, z);
+            Vec3 b = isLower ? corner(heights, x + 1, z) : corner(heights, x, z + 1);
+            Vec3 c = corner(heights, x + 1, z + 1);
+            Vec3 share = triangle.shares();
+            assertThat(a.times(share.x()).plus(b.times(share.y())).plus(c.times(share.z())).minus(place.point()).length()).isLessThan(1e-9);
+            assertThat(Math.min(share.x(), Math.min(share.y(), share.z()))).isBetween(0.0, 1.0);
+            assertThat(Math.abs(b.minus(a).cross(c.minus(a)).normalized().dot(place.normal()))).isCloseTo(1, within(1e-12));
+        }
+        assertThat(told).isGreaterThan(100);
+    }
+
+    private static Vec3 corner(Heights heights, int x, int z) {
+        return new Vec3(SIZE.x() * (x / (heights.columns() - 1.0) - 0.5), SIZE.y() * heights.at(x, z), SIZE.z() * (z / (heights.rows() - 1.0) - 0.5));
     }
 }
