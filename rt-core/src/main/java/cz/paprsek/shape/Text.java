@@ -41,6 +41,8 @@ public record Text(
         Content content) implements Solid {
     /** The font if none is named. */
     public static final String USUAL_FONT = "sans";
+    /** Those that are shipped. */
+    public static final List<String> FONTS = Fonts.NAMES;
     private static final int MOST_LETTERS = 1000;
 
     public Text {

@@ -24,6 +24,9 @@ interface Dialogs {
     /** Asks for a file of triangles that the scene is to have; empty if the user thought better of it. */
     Optional<Path> meshToOpen(Optional<Path> folder);
 
+    /** Asks for a font that the scene is to have; empty if the user thought better of it. */
+    Optional<Path> fontToOpen(Path folder);
+
     /** Asks whether a picture or mesh from elsewhere is to be copied into the scene's folder. */
     boolean isToCopy(Path picture, Path folder);
 

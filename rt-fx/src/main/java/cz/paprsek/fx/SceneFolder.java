@@ -10,14 +10,18 @@ import java.util.Objects;
 import java.util.Optional;
 import javafx.stage.Window;
 
-/** Finds pictures and meshes in the scene's folder or below, where scenes have them; one from elsewhere can be copied there. */
+/** Finds pictures, meshes and fonts in the scene's folder or below, where scenes have them; one from elsewhere can be copied there. */
 record SceneFolder(Document document, Dialogs dialogs, Texts texts) implements FileFinder {
 
     @Override
     public Optional<String> find(Kind kind, Window owner) {
-        Path scene = document.sourceProperty().get().orElseThrow(() -> new IllegalArgumentException(texts.of(kind == Kind.MESH ? "mesh.unsaved" : "picture.unsaved"))).file();
+        Path scene = document.sourceProperty().get().orElseThrow(() -> new IllegalArgumentException(texts.of(kind == Kind.PICTURE ? "picture.unsaved" : "mesh.unsaved"))).file();
         Path folder = Objects.requireNonNull(scene.toAbsolutePath().getParent());
-        Optional<Path> chosen = kind == Kind.MESH ? dialogs.meshToOpen(Optional.of(folder)) : dialogs.pictureToOpen(folder);
+        Optional<Path> chosen = switch (kind) {
+            case MESH -> dialogs.meshToOpen(Optional.of(folder));
+            case PICTURE -> dialogs.pictureToOpen(folder);
+            case FONT -> dialogs.fontToOpen(folder);
+        };
         if (chosen.isEmpty()) {
             return Optional.empty();
         }

@@ -82,6 +82,17 @@ final class SystemDialogs implements Dialogs {
     }
 
     @Override
+    public Optional<Path> fontToOpen(Path folder) {
+        FileChooser chooser = new FileChooser();
+        chooser.setTitle(texts.get().of("sheet.choose-font"));
+        if (Files.isDirectory(folder)) {
+            chooser.setInitialDirectory(folder.toFile());
+        }
+        chooser.getExtensionFilters().addAll(new ExtensionFilter(texts.get().of("dialog.fonts"), "*.ttf"), new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
+        return Optional.ofNullable(chooser.showOpenDialog(owner)).map(File::toPath);
+    }
+
+    @Override
     public boolean isToCopy(Path picture, Path folder) {
         ButtonType copy = new ButtonType(texts.get().of("dialog.copy.yes"), ButtonData.YES);
         ButtonType no = new ButtonType(texts.get().of("dialog.copy.no"), ButtonData.CANCEL_CLOSE);

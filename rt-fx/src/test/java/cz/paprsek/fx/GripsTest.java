@@ -22,6 +22,7 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.Text;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Files;
@@ -31,6 +32,8 @@ import java.util.Map;
 import java.util.Optional;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
+import javafx.scene.control.ComboBox;
+import javafx.scene.control.Labeled;
 import javafx.scene.control.TextField;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
@@ -240,6 +243,36 @@ class GripsTest extends InProjections {
         editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
         editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
         assertThat(editor.model().scene()).isSameAs(scene);
+    }
+
+    @Test
+    void aTextHasOneOfTheFontsOrThatOfAFile() throws Exception {
+        editor.gui.act(() -> editor.model().open(parsed("<scene xmlns='urn:paprsek:scene:1'><camera position='0 2 9' target='0 0 0'/><text value='Ab' size='1' depth='0.2'/></scene>")));
+        editor.gui.act(() -> editor.model().select(ScenePath.body(0)));
+        ComboBox<?> fonts = (ComboBox<?>) editor.gui.node("#shape-font");
+        editor.gui.act(fonts::requestFocus);
+        editor.gui.keys(KeyCode.SPACE);
+        editor.gui.keys(KeyCode.DOWN);
+        editor.gui.keys(KeyCode.DOWN);
+        editor.gui.keys(KeyCode.ENTER);
+        assertThat(font()).isEqualTo("serif");
+        editor.gui.act(() -> fonts.getSelectionModel().selectLast());
+        editor.gui.until("why not", () -> editor.gui.stage().getScene().getRoot().lookupAll(".refusal").stream().anyMatch(node -> ((Labeled) node).getText().startsWith("Save the scene first")));
+        assertThat(fonts.getValue()).as("still").isEqualTo("serif");
+        Path file = folder.resolve("letters.xml");
+        editor.dialogs.save = Optional.of(file);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        editor.gui.until("saved", () -> Files.exists(file));
+        editor.dialogs.chosen = Optional.of(Files.copy(Path.of("../rt-core/src/main/resources/cz/paprsek/shape/font/sans-bold.ttf"), folder.resolve("own.ttf")));
+        editor.gui.act(() -> fonts.getSelectionModel().selectLast());
+        assertThat(font()).isEqualTo("own.ttf");
+        editor.gui.until("shown", () -> "own.ttf".equals(fonts.getValue()));
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(font()).isEqualTo("serif");
+    }
+
+    private String font() {
+        return ((Text) body().shape()).font();
     }
 
     private String fileText() {

@@ -47,6 +47,12 @@ final class TestDialogs implements Dialogs {
     }
 
     @Override
+    public Optional<Path> fontToOpen(Path folder) {
+        asked.add("font in " + folder.getFileName());
+        return chosen;
+    }
+
+    @Override
     public boolean isToCopy(Path file, Path folder) {
         asked.add("copy " + file.getFileName());
         return copies;

@@ -32,6 +32,8 @@ public record Trait(Kind kind, Unit unit, double least, double most, double step
         FLAG,
         /** A line of text. */
         TEXT,
+        /** One of the fonts that are shipped, or of a file. */
+        FONT,
         /** Words separated by blanks. */
         WORDS,
         /** The name of a picture's file, relative to the scene's folder. */

@@ -7,6 +7,7 @@ import static cz.paprsek.attribute.Kind.DISC_ANGLE;
 import static cz.paprsek.attribute.Kind.EXPONENT;
 import static cz.paprsek.attribute.Kind.FILE;
 import static cz.paprsek.attribute.Kind.FISHEYE;
+import static cz.paprsek.attribute.Kind.FONT;
 import static cz.paprsek.attribute.Kind.FOVY;
 import static cz.paprsek.attribute.Kind.INTENSITY;
 import static cz.paprsek.attribute.Kind.LIGHT_SAMPLES;
@@ -49,6 +50,7 @@ final class Traits {
             entry(OCTAVES, whole(OCTAVES)),
             entry(SEED, whole(SEED)),
             entry(FILE, Trait.of(Kind.FILE)),
+            entry(FONT, Trait.of(Kind.FONT)),
             entry(STOPS, Trait.of(Kind.NUMBER).range(-STOPS.most(), STOPS.most()).stepping(0.5)),
             entry(POSITIVE_SCALE, Trait.of(Kind.FACTORS)),
             entry(ROTATION, Trait.of(Kind.VECTOR).in(Unit.DEGREES).stepping(5)),

@@ -3,11 +3,11 @@ package cz.paprsek.fx.view.command;
 import java.util.Optional;
 import javafx.stage.Window;
 
-/** Asks for a picture or a mesh that a scene is to have. */
+/** Asks for a picture, a mesh or a font that a scene is to have. */
 @FunctionalInterface
 public interface FileFinder {
     /** What is looked for. */
-    enum Kind { PICTURE, MESH }
+    enum Kind { PICTURE, MESH, FONT }
 
     /**
      * Asks, and waits for the answer.

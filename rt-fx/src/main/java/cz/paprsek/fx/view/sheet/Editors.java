@@ -5,8 +5,15 @@ import cz.paprsek.fx.model.property.Alternatives;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.shape.Text;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 import javafx.scene.Node;
 import javafx.scene.control.ToggleButton;
@@ -60,6 +67,7 @@ final class Editors {
             case FLAG -> beside(row, new FlagEditor(id(property), text, property::read, value -> edit.change(scene -> property.write(scene, value))));
             case TEXT -> beside(row, new TextEditor(id(property), edit, scene -> property.read(scene).map(Object::toString).orElse(""),
                     property::write));
+            case FONT -> beside(row, fonts(property, edit, mixed));
             case WORDS -> beside(row, new TextEditor(id(property), edit,
                     scene -> property.read(scene).map(words -> String.join(" ", words((List<?>) words))).orElse(""),
                     (scene, line) -> property.write(scene, line.isBlank() ? List.of() : List.of(line.strip().split("\\s+")))));
@@ -82,6 +90,28 @@ final class Editors {
                 kind -> texts.of("alternative." + kind.getSimpleName().toLowerCase(Locale.ROOT)),
                 scene -> Alternatives.of(property.type()), property::kind,
                 kind -> edit.change(scene -> Alternatives.choose(property, scene, kind)));
+    }
+
+    /** Those that are shipped, that of a file which the text has, and one to be chosen. */
+    private PropertyEditor fonts(Property property, PropertyEdit edit, String mixed) {
+        AtomicReference<PropertyEditor> itself = new AtomicReference<>();
+        Function<Scene, Optional<String>> read = scene -> property.read(scene).map(Object::toString);
+        ChoiceEditor<String> editor = new ChoiceEditor<>(id(property), mixed,
+                font -> font.isEmpty() ? texts.of("font.file") : Text.FONTS.contains(font) ? texts.of("font." + font) : font,
+                scene -> Stream.of(Text.FONTS.stream(), read.apply(scene).stream(), Stream.of("")).flatMap(all -> all).distinct().toList(), read,
+                font -> font(property, edit, font, Objects.requireNonNull(itself.get())));
+        itself.set(editor);
+        return editor;
+    }
+
+    private void font(Property property, PropertyEdit edit, String font, PropertyEditor editor) {
+        try {
+            Optional<String> chosen = font.isEmpty() ? finder.find(FileFinder.Kind.FONT, editor.node().getScene().getWindow()) : Optional.of(font);
+            chosen.ifPresent(name -> edit.change(scene -> property.write(scene, name)));
+        } catch (IllegalArgumentException refused) {
+            edit.refuse(refused);
+        }
+        editor.show(edit.scene());
     }
 
     private static List<String> words(List<?> words) {
