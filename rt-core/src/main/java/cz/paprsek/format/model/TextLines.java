@@ -2,8 +2,6 @@ package cz.paprsek.format.model;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.charset.Charset;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
@@ -13,8 +11,6 @@ import java.util.Arrays;
 public final class TextLines {
     private static final int BUFFER = 1 << 16;
     private static final int LONGEST_LINE = 1 << 24;
-    private static final long EXACT = 1L << 53;
-    private static final double[] POWERS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
     private final InputStream input;
     private final boolean areJoined;
@@ -88,9 +84,12 @@ public final class TextLines {
                 // The usual byte, of which there are millions.
                 byte[] bytes = buffer;
                 int end = filled;
-                do {
+                while (scan + Digits.MOST <= end && Digits.areWithinLine(bytes, scan)) {
+                    scan += Digits.MOST;
+                }
+                while (scan < end && ((bytes[scan] - '\n') & 0xFF) > 3) {
                     scan++;
-                } while (scan < end && ((bytes[scan] - '\n') & 0xFF) > 3);
+                }
             } else if (b == '\n' || b == '\r') {
                 ended++;
                 isAfterReturn = b == '\r';
@@ -203,14 +202,7 @@ public final class TextLines {
     }
 
     private String text(int from, int to) {
-        return decoded(buffer, from, to);
-    }
-
-    /** Text of an unknown encoding. */
-    public static String decoded(byte[] bytes, int from, int to) {
-        String text = new String(bytes, from, to - from, StandardCharsets.UTF_8);
-        Charset other = StandardCharsets.ISO_8859_1;
-        return text.indexOf('\uFFFD') < 0 ? text : new String(bytes, from, to - from, other);
+        return Transcoded.decoded(buffer, from, to);
     }
 
     /** The next word of the line as a finite decimal number. */
@@ -238,23 +230,17 @@ public final class TextLines {
         if (first == '-' || first == '+') {
             at++;
         }
-        int digitsFrom = at;
-        long digits = 0;
-        int digit;
-        while (at < end && (digit = bytes[at] - '0') >= 0 && digit <= 9) {
-            digits = digits * 10 + digit;
-            at++;
-        }
-        int read = at - digitsFrom;
+        int past = Digits.end(bytes, at, end);
+        long digits = Digits.read(0, bytes, at, past);
+        int read = past - at;
         int power = 0;
+        at = past;
         if (at < end && bytes[at] == '.') {
-            int fractionFrom = ++at;
-            while (at < end && (digit = bytes[at] - '0') >= 0 && digit <= 9) {
-                digits = digits * 10 + digit;
-                at++;
-            }
-            power = fractionFrom - at;
+            past = Digits.end(bytes, ++at, end);
+            digits = Digits.read(digits, bytes, at, past);
+            power = at - past;
             read -= power;
+            at = past;
         }
         wordStart = from;
         if (at < end && !isBlank(bytes[at])) {
@@ -266,8 +252,7 @@ public final class TextLines {
         if (read == 0) {
             throw notANumber(what);
         }
-        // Eighteen digits fit into a long; fifteen, and powers of ten up to 22, are exact, so that one division or product is rounded once.
-        double value = read > 18 || digits > EXACT || power > 22 || power < -22 ? parsed(what) : power < 0 ? digits / POWERS[-power] : digits * POWERS[power];
+        double value = Digits.areExact(read, digits, power) ? Digits.scaled(digits, power) : parsed(what);
         return first == '-' ? -Math.abs(value) : value;
     }
 
@@ -366,6 +351,11 @@ public final class TextLines {
         wordStart = at;
         wordEnd = at;
         return at < lineEnd;
+    }
+
+    /** A letter after what has been read of the line, or 0 if there is none. */
+    public int ahead(int index) {
+        return wordEnd + index < lineEnd ? buffer[wordEnd + index] & 0xFF : 0;
     }
 
     /** How many bytes the word has. */

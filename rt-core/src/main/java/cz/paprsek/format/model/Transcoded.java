@@ -21,6 +21,12 @@ public final class Transcoded extends InputStream {
         reader = new InputStreamReader(input, charset);
     }
 
+    /** Text of an unknown encoding: UTF-8 or, where that makes no sense, Latin-1. */
+    public static String decoded(byte[] bytes, int from, int to) {
+        String text = new String(bytes, from, to - from, StandardCharsets.UTF_8);
+        return text.indexOf('\uFFFD') < 0 ? text : new String(bytes, from, to - from, StandardCharsets.ISO_8859_1);
+    }
+
     /** The text as UTF-8 or some other encoding that has ASCII in it, without a byte-order mark. */
     public static InputStream utf8(InputStream input) throws IOException {
         PushbackInputStream peeked = new PushbackInputStream(input, 3);

@@ -1,5 +1,6 @@
 package cz.paprsek.format.obj;
 
+import cz.paprsek.format.model.Digits;
 import java.io.InterruptedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
@@ -28,11 +29,8 @@ final class Block {
     /** How many zeros stand behind the last line. */
     static final int PADDING = Digits.MOST;
 
-    private static final long EXACT = 1L << 53;
     /** In place of where something ends: it is to be read word by word. */
     private static final int NONE = -1;
-    private static final long[] TENS = {1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000};
-    private static final double[] POWERS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
     /** Up to the length whole lines, behind which there are as many zeros as {@link #PADDING} says. */
     private byte[] bytes;
@@ -87,21 +85,9 @@ final class Block {
     int beginOf(int line) {
         int begin = 0;
         for (int i = 0; i < line; i++) {
-            begin = afterEnd(endOf(begin));
+            begin = LineEnds.next(bytes, begin);
         }
         return begin;
-    }
-
-    int endOf(int from) {
-        int i = from;
-        while (bytes[i] != '\n' && bytes[i] != '\r') {
-            i++;
-        }
-        return i;
-    }
-
-    int afterEnd(int end) {
-        return bytes[end] == '\r' && bytes[end + 1] == '\n' ? end + 2 : end + 1;
     }
 
     /** Reads it, unless another thread does, or has done so; false then. */
@@ -180,7 +166,7 @@ final class Block {
                 }
                 numberCount = kept;
             }
-            next = afterJoined(begin);
+            next = LineEnds.nextUnjoined(bytes, begin, length);
             if (first != '#' && first != '\n' && first != '\r') {
                 code(OTHER);
                 code(line);
@@ -188,7 +174,7 @@ final class Block {
                 code(next);
                 run = 0;
             }
-            line += ends(begin, next);
+            line += LineEnds.count(bytes, begin, next);
             nextFace = -1;
         }
         lines = line;
@@ -196,23 +182,6 @@ final class Block {
 
     private static boolean isBlank(byte b) {
         return b == ' ' || b == '\t';
-    }
-
-    /** Where the line after this one begins, which a backslash may have joined with others. */
-    private int afterJoined(int begin) {
-        int end = endOf(begin);
-        while (end > begin && bytes[end - 1] == '\\' && afterEnd(end) < length) {
-            end = endOf(afterEnd(end));
-        }
-        return afterEnd(end);
-    }
-
-    private int ends(int from, int to) {
-        int count = 0;
-        for (int i = from; i < to; i = afterEnd(endOf(i))) {
-            count++;
-        }
-        return count;
     }
 
     private void code(int code) {
@@ -226,10 +195,10 @@ final class Block {
     private int vertex(int from) {
         int at = number(number(number(from)));
         if (at == NONE || isEnd(at)) {
-            return at == NONE ? NONE : afterEnd(blanks(at));
+            return at == NONE ? NONE : LineEnds.after(bytes, blanks(at));
         }
         at = number(number(number(at)));
-        return at != NONE && isEnd(at) ? afterEnd(blanks(at)) : NONE;
+        return at != NONE && isEnd(at) ? LineEnds.after(bytes, blanks(at)) : NONE;
     }
 
     private int three(int from) {
@@ -241,7 +210,7 @@ final class Block {
         int at = number(from);
         if (at != NONE && isEnd(at)) {
             put(0);
-            return afterEnd(blanks(at));
+            return LineEnds.after(bytes, blanks(at));
         }
         return afterRest(number(at));
     }
@@ -271,7 +240,7 @@ final class Block {
                 return NONE;
             }
         }
-        return afterEnd(i);
+        return LineEnds.after(bytes, i);
     }
 
     private void put(double value) {
@@ -308,12 +277,11 @@ final class Block {
         if (places == 0 || (after != ' ' && after != '\n' && after != '\r' && after != '\t')) {
             return unusual(first);
         }
-        // Fifteen digits are exact, and so are powers of ten up to 22: the quotient is rounded once.
-        long all = whole * TENS[places] + Digits.value(word, places);
-        if (all > EXACT) {
+        long all = Digits.followed(whole, word, places);
+        if (!Digits.areExact(0, all, 0)) {
             return unusual(first);
         }
-        double size = all / POWERS[places];
+        double size = Digits.scaled(all, -places);
         put(b[first] == '-' ? -size : size);
         return i;
     }
@@ -351,9 +319,8 @@ final class Block {
         if (count == 0 || (b[i] != ' ' && b[i] != '\n' && b[i] != '\r' && b[i] != '\t')) {
             return NONE;
         }
-        // Eighteen digits fit into a long.
-        double size = count > 18 || digits > EXACT || power > 22 || power < -22 ? Double.parseDouble(new String(b, begin, i - begin, StandardCharsets.ISO_8859_1))
-                : power < 0 ? digits / POWERS[-power] : digits * POWERS[power];
+        double size = Digits.areExact(count, digits, power) ? Digits.scaled(digits, power)
+                : Double.parseDouble(new String(b, begin, i - begin, StandardCharsets.ISO_8859_1));
         put(b[first] == '-' ? -size : size);
         return size <= Float.MAX_VALUE ? i : NONE;
     }
@@ -390,7 +357,7 @@ final class Block {
             }
         }
         codes[head] = 4 * corners + form;
-        return corners < 3 ? NONE : afterEnd(at);
+        return corners < 3 ? NONE : LineEnds.after(bytes, at);
     }
 
     /** The number of a corner, which may be counted back from here. */

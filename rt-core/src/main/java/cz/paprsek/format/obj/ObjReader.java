@@ -81,7 +81,7 @@ public final class ObjReader {
                 int next = at + (code >> 2) * WIDTHS[code & 3];
                 if (!plainFace(codes, at, code)) {
                     int begin = block.beginOf(face);
-                    other(block, before + face, begin, block.afterEnd(block.endOf(begin)));
+                    other(block, before + face, begin, LineEnds.next(block.bytes(), begin));
                 }
                 at = next;
                 face++;

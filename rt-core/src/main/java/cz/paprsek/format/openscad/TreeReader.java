@@ -1,7 +1,7 @@
 package cz.paprsek.format.openscad;
 
 import cz.paprsek.format.model.FormatFault;
-import cz.paprsek.format.model.TextLines;
+import cz.paprsek.format.model.Transcoded;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -118,7 +118,7 @@ final class TreeReader {
         while (at < text.length && (isWordLetter(text[at]) || text[at] == '-' || text[at] == '+' || text[at] == '.')) {
             at++;
         }
-        String word = TextLines.decoded(text, start, at);
+        String word = Transcoded.decoded(text, start, at);
         return switch (word) {
             case "true" -> new Value.Flag(true);
             case "false" -> new Value.Flag(false);
@@ -138,7 +138,7 @@ final class TreeReader {
         StringBuilder said = new StringBuilder();
         while (at < text.length && text[at] != '"') {
             if (text[at] == '\\' && at + 1 < text.length) {
-                said.append(TextLines.decoded(text, start, at));
+                said.append(Transcoded.decoded(text, start, at));
                 start = ++at;
             }
             if (text[at] == '\n') {
@@ -149,7 +149,7 @@ final class TreeReader {
         if (at >= text.length) {
             throw fault("the file ends within a text");
         }
-        return said.append(TextLines.decoded(text, start, at++)).toString();
+        return said.append(Transcoded.decoded(text, start, at++)).toString();
     }
 
     /** @param said what may stand here */
@@ -162,7 +162,7 @@ final class TreeReader {
 
     private FormatFault unexpected(String wanted) {
         char c = letter();
-        return fault("here must be " + wanted + ", but is " + (c == 0 ? "the end" : FormatFault.quoted(TextLines.decoded(text, at, Math.min(text.length, at + 20)).lines().findFirst().orElse(""))));
+        return fault("here must be " + wanted + ", but is " + (c == 0 ? "the end" : FormatFault.quoted(Transcoded.decoded(text, at, Math.min(text.length, at + 20)).lines().findFirst().orElse(""))));
     }
 
     private FormatFault fault(String sentence) {
@@ -175,7 +175,7 @@ final class TreeReader {
         while (at < text.length && isWordLetter(text[at])) {
             at++;
         }
-        return TextLines.decoded(text, start, at);
+        return Transcoded.decoded(text, start, at);
     }
 
     /** Whether a body or an operation may begin so: the only child of one before it, which needs no braces. */

@@ -1,7 +1,7 @@
 package cz.paprsek.format.ply;
 
 import cz.paprsek.format.model.FormatFault;
-import cz.paprsek.format.model.TextLines;
+import cz.paprsek.format.model.Transcoded;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
@@ -86,7 +86,7 @@ record Header(Optional<Boolean> isLittle, List<Element> elements, long lines, lo
                 }
                 text[length++] = (byte) b;
             }
-            return TextLines.decoded(text, 0, length).strip();
+            return Transcoded.decoded(text, 0, length).strip();
         }
 
         private int next() throws IOException {

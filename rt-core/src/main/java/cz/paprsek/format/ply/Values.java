@@ -37,10 +37,16 @@ abstract class Values {
 
         @Override
         double next(Property.Kind kind) throws IOException {
-            if (!lines.wordAnywhere()) {
-                throw new EOFException();
+            while (!lines.beginWord()) {
+                if (!lines.next()) {
+                    throw new EOFException();
+                }
             }
-            return lines.is("nan") || lines.is("-nan") ? Double.NaN : lines.number("a property");
+            int letter = lines.ahead(lines.ahead(0) == '-' ? 1 : 0) | 32;
+            if (letter == 'n' && lines.word() && (lines.is("nan") || lines.is("-nan"))) {
+                return Double.NaN;
+            }
+            return letter == 'n' ? lines.number("a property") : lines.nextNumber("a property");
         }
 
         @Override
