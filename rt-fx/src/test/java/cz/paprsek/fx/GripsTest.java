@@ -1,6 +1,7 @@
 package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.model.Label;
@@ -229,6 +230,7 @@ class GripsTest extends InProjections {
                 <difference name="bowl" position="1 0.1 0" rotation="0 0 33"><sphere radius="1"/><block min="-2 0 -2" max="2 2 2"/></difference></scene>""");
         editor.gui.act(() -> editor.model().open(scene));
         editor.gui.act(() -> editor.model().select(ScenePath.body(1)));
+        assertThatThrownBy(() -> editor.menu("object-another")).hasStackTraceContaining("is disabled");
         editor.menu("object-define");
         Scene defined = editor.model().scene();
         assertThat(defined.withRecipe(Recipe.NONE)).as("the same picture").isEqualTo(scene.withRecipe(Recipe.NONE));

@@ -86,7 +86,7 @@ public final class SelectionCommands {
         repeatRound = command("object.repeat-round", bodies, () -> edits.repeat(true));
         mirror = command("object.mirror", bodies, edits::mirror);
         define = command("object.define", items -> items.size() == 1 && bodies.test(items), edits::define);
-        another = command("object.another", items -> bodies.test(items) && edits.used().isPresent(), edits::another);
+        another = Command.of("object.another", edits.texts(), edits::another).disabledIf(Bindings.createBooleanBinding(() -> edits.used().isEmpty(), edits.model().stateProperty()));
         turntable = command("object.turntable", bodies, edits::turntable);
         pivot = either(command("object.pivot", bodies, edits::pivot), edits::hasPivot, "object.pivot-middle");
         blink = command("object.blink", bodies, () -> onBlink.run()).keys("Shortcut+B");
