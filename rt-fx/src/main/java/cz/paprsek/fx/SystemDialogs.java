@@ -12,9 +12,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import javafx.application.Platform;
 import javafx.event.Event;
 import javafx.event.EventHandler;
@@ -33,6 +35,8 @@ import javafx.stage.WindowEvent;
 
 /** The questions as dialogs of the system and of JavaFX. */
 final class SystemDialogs implements Dialogs {
+    private static final String SCENE = "*.xml";
+
     private final Window owner;
     private final Supplier<Texts> texts;
 
@@ -43,14 +47,14 @@ final class SystemDialogs implements Dialogs {
 
     @Override
     public Optional<Path> fileToOpen(Optional<Path> folder) {
-        FileChooser chooser = chooser(texts.get().of("dialog.open"));
+        FileChooser chooser = chooser(texts.get().of("dialog.open"), toOpen(texts.get()));
         folder.filter(Files::isDirectory).ifPresent(path -> chooser.setInitialDirectory(path.toFile()));
         return Optional.ofNullable(chooser.showOpenDialog(owner)).map(File::toPath);
     }
 
     @Override
     public Optional<Path> fileToSave(Optional<Path> suggestion) {
-        FileChooser chooser = chooser(texts.get().of("dialog.save"));
+        FileChooser chooser = chooser(texts.get().of("dialog.save"), toSave(texts.get()));
         suggestion.ifPresent(path -> {
             chooser.setInitialFileName(String.valueOf(path.getFileName()));
             Optional.ofNullable(path.getParent()).filter(Files::isDirectory).ifPresent(folder -> chooser.setInitialDirectory(folder.toFile()));
@@ -103,16 +107,30 @@ final class SystemDialogs implements Dialogs {
         return ask(alert).filter(copy::equals).isPresent();
     }
 
-    private FileChooser chooser(String title) {
+    private static FileChooser chooser(String title, List<ExtensionFilter> filters) {
         FileChooser chooser = new FileChooser();
         chooser.setTitle(title);
-        chooser.getExtensionFilters().addAll(
-                new ExtensionFilter(texts.get().of("dialog.scenes"), "*.xml"), new ExtensionFilter(texts.get().of("dialog.models"), endings(format -> true)), new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
+        chooser.getExtensionFilters().addAll(filters);
         return chooser;
     }
 
+    /** What is shown of a folder to open something there: all that can be opened, at first. */
+    static List<ExtensionFilter> toOpen(Texts texts) {
+        List<String> models = endings(format -> true);
+        List<String> both = Stream.concat(Stream.of(SCENE), models.stream()).toList();
+        return List.of(new ExtensionFilter(texts.of("dialog.both"), both), new ExtensionFilter(texts.of("dialog.scenes"), SCENE),
+                new ExtensionFilter(texts.of("dialog.models"), models), new ExtensionFilter(texts.of("dialog.all"), "*.*"));
+    }
+
+    /** Only scenes are saved. */
+    static List<ExtensionFilter> toSave(Texts texts) {
+        return List.of(new ExtensionFilter(texts.of("dialog.scenes"), SCENE), new ExtensionFilter(texts.of("dialog.all"), "*.*"));
+    }
+
+    /** In small letters and in large ones, between which some systems tell. */
     private static List<String> endings(Predicate<ForeignFormat> which) {
-        return Arrays.stream(ForeignFormat.values()).filter(which).flatMap(format -> format.endings().stream()).map(ending -> "*." + ending).toList();
+        return Arrays.stream(ForeignFormat.values()).filter(which).flatMap(format -> format.endings().stream())
+                .flatMap(ending -> Stream.of("*." + ending, "*." + ending.toUpperCase(Locale.ROOT))).toList();
     }
 
     @Override

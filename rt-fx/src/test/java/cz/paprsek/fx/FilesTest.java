@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
@@ -25,6 +26,7 @@ import java.util.Optional;
 import java.util.Set;
 import javafx.scene.control.ListView;
 import javafx.scene.input.KeyCode;
+import javafx.stage.FileChooser;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -47,6 +49,14 @@ class FilesTest {
     @AfterEach
     void close() {
         editor.close();
+    }
+
+    /** Whoever looks for a model sees it without asking for another kind of file, also one that is called PART.STL; only scenes are saved. */
+    @Test
+    void modelsAreAmongWhatCanBeOpened() {
+        Texts texts = Texts.in(Locale.ENGLISH);
+        assertThat(SystemDialogs.toOpen(texts).get(0).getExtensions()).contains("*.xml", "*.stl", "*.STL", "*.obj", "*.ply", "*.gltf", "*.glb", "*.nff", "*.csg");
+        assertThat(SystemDialogs.toSave(texts)).extracting(FileChooser.ExtensionFilter::getDescription).containsExactly("Scenes", texts.of("dialog.all"));
     }
 
     @Test
