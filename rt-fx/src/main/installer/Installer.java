@@ -97,7 +97,7 @@ class Installer {
             command.addAll(List.of("--java-options", "--enable-native-access=ALL-UNNAMED"));
         }
         if (both || WINDOWS || MAC) {
-            Path line = Files.writeString(OUT.resolve("paprsek.properties"), "main-jar=rt-cli.jar\nmain-class=cz.paprsek.cli.Main\nwin-console=true\njava-options=-XX:MaxGCPauseMillis=50 --add-modules=jdk.incubator.vector\n");
+            Path line = Files.writeString(OUT.resolve("paprsek.properties"), "main-jar=rt-cli.jar\nmain-class=cz.paprsek.cli.Main\nwin-console=true\njava-options=-XX:MaxGCPauseMillis=50\n");
             command.addAll(List.of("--add-launcher", "paprsek=" + line));
         }
         run(command.toArray(String[]::new));

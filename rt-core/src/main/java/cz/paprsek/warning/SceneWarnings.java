@@ -261,7 +261,7 @@ public final class SceneWarnings {
 
     /** Whether there is more to be seen inside of a body than the body. */
     private boolean isRoom(BodyAt body, Surface placed) {
-        return placed.bounds().isFinite() && IntStream.range(0, scene.objects().size()).filter(i -> i != body.index() && isThere(scene.objects().get(i).shape()))
+        return placed.bounds().isFinite() && IntStream.range(0, scene.objects().size()).filter(i -> i != body.index() && isThere(scene.objects().get(i).shape()) && isSeen(ScenePath.body(i)))
                 .mapToObj(i -> ScenePath.body(i).placed(scene).bounds()).anyMatch(bounds -> bounds.isFinite() && placed.contains(bounds.middle()));
     }
 

@@ -36,8 +36,9 @@ public record CopyOf(int number, int count) {
         int most = 0;
         for (String name : siblings) {
             int end = name.startsWith(beginning) ? name.indexOf(']', beginning.length()) : -1;
-            if (end > 0 && NUMBERED.matcher(name.substring(0, end + 1)).matches()) {
-                most = Math.max(most, Integer.parseInt(name.substring(beginning.length(), end)) + 1);
+            Matcher copy = NUMBERED.matcher(name.substring(0, end + 1));
+            if (copy.matches() && copy.group(1).length() + 1 == beginning.length()) {
+                most = Math.max(most, Integer.parseInt(copy.group(2)) + 1);
             }
         }
         return most;

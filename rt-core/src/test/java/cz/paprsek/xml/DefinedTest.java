@@ -60,6 +60,8 @@ class DefinedTest {
         assertThat(two.objects()).hasSize(2);
         assertThat(two.objects().get(1).placement().position()).isEqualTo(new Vec3(3.5, 0.1, 0));
         assertThat(two.objects().get(1).shape()).isEqualTo(before.objects().get(0).shape());
+        Scene three = SceneFiles.usedAgain(two, 0, -2.5);
+        assertThat(three.objects().subList(0, 2)).as("all others keep their numbers").isEqualTo(two.objects());
     }
 
     @Test

@@ -298,8 +298,15 @@ public final class Script {
         place[0] = place[0].startsWith("{") ? "{" + place[0].substring(1, place[0].length() - 1) + " + " + Numbers.text(aside) + "}"
                 : Numbers.parsed(place[0]).stream().mapToObj(x -> Numbers.text(x + aside)).findFirst().orElse(place[0]);
         IdentityHashMap<Node, List<Node>> others = new IdentityHashMap<>();
-        others.put(node, List.of(node, Rewritten.with(Rewritten.with(node, "position", String.join(" ", place)), "name", "")));
+        // Behind all others, whose numbers stay.
+        Node last = siblings(scene, node).stream().filter(Node::isBody).reduce((first, second) -> second).orElse(node);
+        others.put(last, List.of(last, Rewritten.with(Rewritten.with(node, "position", String.join(" ", place)), "name", "")));
         return NodeText.of(Rewritten.of(scene, others));
+    }
+
+    private static List<Node> siblings(Node parent, Node node) {
+        return parent.children().contains(node) ? parent.children()
+                : parent.children().stream().map(child -> siblings(child, node)).filter(found -> !found.isEmpty()).findFirst().orElse(List.of());
     }
 
     /**
