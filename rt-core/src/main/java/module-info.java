@@ -38,7 +38,6 @@ module cz.paprsek.core {
     exports cz.paprsek.pov to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.query.text to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.render.explain.text to cz.paprsek.cli, cz.paprsek.fx;
-    exports cz.paprsek.render.join to cz.paprsek.cli;
     exports cz.paprsek.render.live to cz.paprsek.fx;
     exports cz.paprsek.shape.placed to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.sheet to cz.paprsek.cli, cz.paprsek.fx;
@@ -49,6 +48,7 @@ module cz.paprsek.core {
     exports cz.paprsek.text to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.warning to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.words to cz.paprsek.cli, cz.paprsek.fx;
+    exports cz.paprsek.xml.typing to cz.paprsek.fx;
 
     opens cz.paprsek.xml.bind to jakarta.xml.bind, org.glassfish.jaxb.core, org.glassfish.jaxb.runtime;
 }

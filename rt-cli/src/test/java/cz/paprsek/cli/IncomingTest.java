@@ -36,7 +36,7 @@ class IncomingTest {
     }
 
     /** A call that finds something on its standard input. */
-    static Run fed(byte[] input, Object... arguments) {
+    private static Run fed(byte[] input, Object... arguments) {
         InputStream before = System.in;
         try {
             System.setIn(new ByteArrayInputStream(input));

@@ -75,7 +75,7 @@ public final class DatabaseFile {
         try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
             DatabaseFile file = open(path);
             SceneDatabase changed = change.apply(file.database);
-            return changed.equals(file.database) ? file : file.write(changed, texts);
+            return changed.equals(file.database) && texts.stream().noneMatch(OriginalText::isTyped) ? file : file.write(changed, texts);
         }
     }
 
@@ -93,7 +93,7 @@ public final class DatabaseFile {
         try (FileLock lock = FileLock.of(path, PATIENCE_MILLIS)) {
             DatabaseFile file = Arrays.equals(digest(path), digest) ? this : open(path);
             SceneDatabase changed = change.apply(file.database);
-            return changed.equals(file.database) ? file : file.write(changed, texts);
+            return changed.equals(file.database) && texts.stream().noneMatch(OriginalText::isTyped) ? file : file.write(changed, texts);
         }
     }
 

@@ -49,12 +49,27 @@ public final class OriginalText {
     private final String file;
     private final byte[] bytes;
     private final Contents contents;
+    /** Whether somebody has written it for a scene as it is, so that it counts for more than what is there. */
+    private final boolean isTyped;
 
     /** @param file its name, for messages */
     OriginalText(String file, byte[] bytes, Contents contents) {
+        this(file, bytes, contents, false);
+    }
+
+    private OriginalText(String file, byte[] bytes, Contents contents, boolean isTyped) {
         this.file = file;
         this.bytes = bytes;
         this.contents = contents;
+        this.isTyped = isTyped;
+    }
+
+    OriginalText typed() {
+        return new OriginalText(file, bytes, contents, true);
+    }
+
+    boolean isTyped() {
+        return isTyped;
     }
 
     /**
@@ -102,6 +117,8 @@ public final class OriginalText {
      * @param scene which of the scenes here, from 0
      */
     public Problem naming(int scene, String named, String message) {
+        Objects.requireNonNull(named, "named");
+        Objects.requireNonNull(message, "message");
         Place place = text().map(text -> text.places().naming(scene, named)).orElse(new Place(1, 1));
         return new Problem(file, place.line(), place.column(), message);
     }
@@ -129,9 +146,13 @@ public final class OriginalText {
         return new OriginalText(file, recorded.getLast().bytes(), contents);
     }
 
-    /** The text of a new file. */
-    static OriginalText of(Scene scene) {
-        return new OriginalText("", SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8), new Contents(List.of(scene), false));
+    /**
+     * The text of a new file.
+     *
+     * @throws IllegalArgumentException as {@link SceneFiles#format}
+     */
+    public static OriginalText of(Scene scene) {
+        return new OriginalText("", SceneFiles.format(Objects.requireNonNull(scene, "scene")).getBytes(StandardCharsets.UTF_8), new Contents(List.of(scene), false));
     }
 
     /** The text of a new database. */
@@ -217,14 +238,14 @@ public final class OriginalText {
             String alone = "<?xml version=\"" + text.version() + "\" encoding=\"UTF-8\"?>" + text.lineBreak() + excerpt.get().alone(text.lineBreak());
             byte[] own = alone.getBytes(StandardCharsets.UTF_8);
             if (says(own, List.of(scene))) {
-                return new OriginalText(file, own, new Contents(List.of(scene), false));
+                return new OriginalText(file, own, new Contents(List.of(scene), false), isTyped);
             }
         }
         return of(scene);
     }
 
     private Form written(Scene wanted, Form form, List<OriginalText> from) {
-        return contents.scenes().contains(wanted) ? form
+        return contents.scenes().contains(wanted) && from.stream().noneMatch(OriginalText::isTyped) ? form
                 : from.stream().flatMap(text -> text.excerpt(wanted).stream()).findFirst().map(form::as).orElse(form);
     }
 

@@ -1,12 +1,14 @@
 package cz.paprsek.xml;
 
 import cz.paprsek.io.FileLock;
+import cz.paprsek.math.Require;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * A scene and the text of the file that it was read from. What is saved is that text, changed where the scene has changed: comments, order,
@@ -56,6 +58,22 @@ public final class SceneFile {
         return new SceneFile(path, scene, text, DatabaseFile.newDigest().digest(text.bytes()));
     }
 
+    /**
+     * A file that is not there yet, for a scene that has a text.
+     *
+     * @throws IllegalArgumentException if that is not the text of one scene
+     */
+    public static SceneFile of(Path path, OriginalText text) {
+        Objects.requireNonNull(path, "path");
+        Require.that(text.contents().scenes().size() == 1, "a file of its own needs the text of one scene");
+        return new SceneFile(path, text.contents().scenes().get(0), text, new byte[0]);
+    }
+
+    /** The same file, to be saved with another text than it was opened with. */
+    public SceneFile withText(OriginalText typed) {
+        return new SceneFile(path, scene, Objects.requireNonNull(typed, "typed"), digest);
+    }
+
     public Path path() {
         return path;
     }
@@ -82,6 +100,7 @@ public final class SceneFile {
      */
     @SuppressWarnings("try") // The lock is held, not used.
     public SceneFile save(Scene changed) throws SceneFileException, IOException {
+        Objects.requireNonNull(changed, "changed");
         DatabaseFile.requireFile(path);
         try (FileLock lock = FileLock.of(path, DatabaseFile.PATIENCE_MILLIS)) {
             if (!Files.exists(path) || Arrays.equals(DatabaseFile.digest(path), digest)) {
@@ -103,6 +122,8 @@ public final class SceneFile {
      * @throws IllegalArgumentException as {@link SceneFiles#format}
      */
     public SceneFile saveAs(Scene changed, Path elsewhere) throws IOException {
+        Objects.requireNonNull(changed, "changed");
+        Objects.requireNonNull(elsewhere, "elsewhere");
         byte[] bytes = text.with(List.of(changed), List.of());
         SceneFiles.write(elsewhere, bytes);
         return new SceneFile(elsewhere, changed, text, DatabaseFile.newDigest().digest(bytes));

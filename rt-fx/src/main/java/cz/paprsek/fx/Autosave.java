@@ -4,6 +4,8 @@ import cz.paprsek.fx.model.file.Document;
 import cz.paprsek.fx.model.file.KeptText;
 import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
+import cz.paprsek.fx.model.typing.Manuscript;
+import cz.paprsek.fx.model.typing.Page;
 import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
@@ -22,6 +24,7 @@ final class Autosave {
     private static final Duration INTERVAL = Duration.seconds(15);
 
     private final Document document;
+    private final Manuscript manuscript;
     private final Recovery recovery;
     private final Consumer<String> onFault;
     private final ExecutorService writer = Executors.newSingleThreadExecutor(work -> {
@@ -31,9 +34,11 @@ final class Autosave {
     });
     private final Timeline timer = new Timeline(new KeyFrame(INTERVAL, event -> keepIfNew()));
     private @Nullable Scene kept;
+    private Optional<String> keptText = Optional.empty();
 
-    Autosave(Document document, Recovery recovery, Consumer<String> onFault) {
+    Autosave(Document document, Manuscript manuscript, Recovery recovery, Consumer<String> onFault) {
         this.document = document;
+        this.manuscript = manuscript;
         this.recovery = recovery;
         this.onFault = onFault;
         timer.setCycleCount(Timeline.INDEFINITE);
@@ -43,15 +48,19 @@ final class Autosave {
     /** Keeps a copy now if there is something unsaved that no copy has. */
     void keepIfNew() {
         Scene scene = document.model().scene();
-        if (!document.model().unsavedProperty().get() || document.model().gesturingProperty().get() || scene.equals(kept)) {
+        Optional<String> written = Optional.of(manuscript.page()).filter(Page::isHeld).map(Page::text);
+        boolean isUnsaved = document.model().unsavedProperty().get() || written.isPresent();
+        if (!isUnsaved || document.model().gesturingProperty().get() || (scene.equals(kept) && written.equals(keptText))) {
             return;
         }
         kept = scene;
+        keptText = written;
         Optional<SceneSource> source = document.sourceProperty().get();
         KeptText text = document.text();
         writer.execute(() -> {
             try {
                 recovery.keep(source, scene, text);
+                recovery.keepText(source, written);
             } catch (IOException | IllegalArgumentException e) {
                 Platform.runLater(() -> onFault.accept(Failures.sentence(e)));
             }

@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.fx.model.file.Settings;
 import cz.paprsek.fx.model.motion.Clock;
+import cz.paprsek.fx.model.typing.Manuscript;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.explain.TreeChooser;
@@ -22,6 +23,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import javafx.animation.KeyFrame;
 import javafx.animation.Timeline;
 import javafx.beans.property.BooleanProperty;
@@ -45,6 +48,12 @@ final class Editor implements Notices {
     private final EditorModel model = new EditorModel(Scene.EMPTY);
     private final Clock clock = new Clock(model);
     private final Document document = new Document(model);
+    private final Manuscript manuscript = new Manuscript(model, () -> document.text().original(), new Manuscript.Worker() {
+        @Override
+        public <T> void run(Callable<T> work, Consumer<T> done, Consumer<Throwable> failed) {
+            Background.run("paprsek-text", work, done, failed);
+        }
+    });
     private final Settings settings;
     private final FileActions files;
     private final Autosave autosave;
@@ -75,8 +84,8 @@ final class Editor implements Notices {
         this.texts = new SimpleObjectProperty<>(Texts.in(settings.get("language").map(Locale::forLanguageTag).orElse(system)));
         this.dialogs = asking.make(stage, texts::get);
         Recovery recovery = new Recovery(folder);
-        this.files = new FileActions(document, settings, recovery, dialogs, this, texts::get, this::showLibrary);
-        this.autosave = new Autosave(document, recovery, this::say);
+        this.files = new FileActions(document, settings, recovery, dialogs, this, texts::get, this::showLibrary, manuscript);
+        this.autosave = new Autosave(document, manuscript, recovery, this::say);
         this.renders = new RenderWindow(this, dialogs);
         this.library = new LibraryWindow(this, document, dialogs);
         this.mistakes = new MistakesWindow(this);
@@ -92,6 +101,7 @@ final class Editor implements Notices {
             settings.set("theme", now.name());
         });
         model.unsavedProperty().addListener((property, old, now) -> showTitle());
+        manuscript.heldProperty().addListener((property, old, now) -> showTitle());
         document.sourceProperty().addListener((property, old, now) -> showTitle());
         stage.focusedProperty().addListener((property, old, now) -> lookAtDisk());
         stage.setOnCloseRequest(this::closing);
@@ -113,6 +123,11 @@ final class Editor implements Notices {
     /** Which time of the scene is looked at. */
     Clock clock() {
         return clock;
+    }
+
+    /** The text of the scene, to be written in. */
+    Manuscript manuscript() {
+        return manuscript;
     }
 
     Document document() {
@@ -309,7 +324,7 @@ final class Editor implements Notices {
 
     private void showTitle() {
         String name = document.sourceProperty().get().map(SceneSource::title).orElseGet(() -> texts().of("window.untitled"));
-        stage.setTitle((model.unsavedProperty().get() ? "● " : "") + name + " – Paprsek");
+        stage.setTitle((model.unsavedProperty().get() || manuscript.heldProperty().get() ? "● " : "") + name + " – Paprsek");
     }
 
     private void lookAtDisk() {

@@ -9,6 +9,7 @@ import cz.paprsek.fx.model.file.KeptText;
 import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.fx.model.file.Settings;
+import cz.paprsek.fx.model.typing.Manuscript;
 import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.io.Failures;
@@ -23,6 +24,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
@@ -41,10 +43,11 @@ final class FileActions {
     private final Notices notices;
     private final Supplier<Texts> texts;
     private final Consumer<DatabaseFile> onDatabase;
+    private final Manuscript manuscript;
 
     /** @param onDatabase takes a database whose first scene was opened */
     FileActions(Document document, Settings settings, Recovery recovery, Dialogs dialogs, Notices notices, Supplier<Texts> texts,
-            Consumer<DatabaseFile> onDatabase) {
+            Consumer<DatabaseFile> onDatabase, Manuscript manuscript) {
         this.document = document;
         this.settings = settings;
         this.recovery = recovery;
@@ -52,6 +55,7 @@ final class FileActions {
         this.notices = notices;
         this.texts = texts;
         this.onDatabase = onDatabase;
+        this.manuscript = manuscript;
     }
 
     /** Starts from a template or example. */
@@ -193,15 +197,19 @@ final class FileActions {
     }
 
     private void restore(Optional<SceneSource> source, Path copy) {
-        Background.run("paprsek-restore", () -> SceneFiles.read(copy), scene -> {
-            document.recovered(source, scene);
+        Background.run("paprsek-restore", () -> Map.entry(SceneFiles.read(copy), Recovery.textBeside(copy)), left -> {
+            document.recovered(source, left.getKey());
+            left.getValue().ifPresent(written -> {
+                manuscript.restore(written);
+                notices.say(texts.get().of("xml.restored"));
+            });
             delete(copy);
         }, fault -> failed(copy, fault));
     }
 
     private void delete(Path copy) {
         try {
-            Files.deleteIfExists(copy);
+            Recovery.delete(copy);
         } catch (IOException e) {
             notices.say(Failures.sentence(copy.toString(), e));
         }
@@ -230,7 +238,19 @@ final class FileActions {
         return save(SceneSource.file(chosen.get()));
     }
 
+    /** What is written in the scene's text belongs to it; if that is not valid, nothing is saved before the user has said so. */
     private boolean save(SceneSource source) {
+        if (manuscript.flush()) {
+            return write(source);
+        }
+        manuscript.page().problems().stream().findFirst().ifPresent(problem -> notices.ask(
+                texts.get().of("xml.held", problem.line(), texts.get().sentence(problem.message())), List.of(
+                        new MessageBar.Choice("xml-go-there", texts.get().of("xml.go-there"), manuscript::point),
+                        new MessageBar.Choice("xml-save-without", texts.get().of("xml.save-without"), () -> write(source)))));
+        return false;
+    }
+
+    private boolean write(SceneSource source) {
         Optional<SceneSource> before = document.sourceProperty().get();
         try {
             document.save(source);
@@ -284,7 +304,7 @@ final class FileActions {
 
     /** Whether this scene may be left: nothing is unsaved, or the user saves it or gives it up. */
     boolean mayLeave() {
-        if (!document.model().unsavedProperty().get()) {
+        if (!document.model().unsavedProperty().get() && !manuscript.heldProperty().get()) {
             return true;
         }
         String title = document.sourceProperty().get().map(SceneSource::title).orElseGet(() -> texts.get().of("window.untitled"));

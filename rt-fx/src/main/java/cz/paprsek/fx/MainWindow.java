@@ -24,6 +24,7 @@ import cz.paprsek.fx.view.texts.Measures;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.fx.view.tree.ObjectTree;
 import cz.paprsek.fx.view.welcome.WelcomePane;
+import cz.paprsek.fx.view.xml.XmlPane;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.warning.SceneWarning;
 import java.io.File;
@@ -31,6 +32,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javafx.application.Platform;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.WeakChangeListener;
 import javafx.scene.Node;
@@ -62,9 +64,12 @@ final class MainWindow {
     /** What the warnings are about. */
     private EditorState warned;
     private final Columns columns;
+    private final XmlPane xml;
     private Optional<LessonPane> lesson = Optional.empty();
     /** Held here, because the editor, which outlives the window, holds it weakly. */
     private final ChangeListener<Object> showLesson = (property, old, now) -> showLesson();
+    /** Held here likewise. */
+    private final ChangeListener<Object> showXml = (property, old, now) -> showXml(true);
     /** Held here, because the model, which outlives the window, holds it weakly. */
     private final ChangeListener<Object> showSelection = (property, old, now) -> showSelection();
 
@@ -106,6 +111,9 @@ final class MainWindow {
         views.explaining().onProperty().addListener((property, old, now) -> columns.explain(now ? Optional.of(views.explaining().pane()) : Optional.empty()));
         editor.lessons().currentProperty().addListener(new WeakChangeListener<>(showLesson));
         showLesson();
+        xml = new XmlPane(editor.manuscript(), model, texts);
+        editor.manuscript().openProperty().addListener(new WeakChangeListener<>(showXml));
+        showXml(false);
         root.addEventHandler(KeyEvent.KEY_PRESSED, views.explaining()::key);
         whole.setId("main-window");
         whole.getStylesheets().add(String.valueOf(MainWindow.class.getResource("editor.css")));
@@ -113,9 +121,17 @@ final class MainWindow {
         root.setCenter(columns.root());
         root.setBottom(new VBox(problems, warningList, status));
         status.followRender(editor.renders().statusProperty());
-        UndoKeys.reach(model, root);
+        UndoKeys.reach(() -> {
+            if (!xml.undo()) {
+                model.undo();
+            }
+        }, () -> {
+            if (!xml.redo()) {
+                model.redo();
+            }
+        }, root);
         sheet.setOnFieldGone(views::takeKeys);
-        new FocusOrder(List.of(views::grid, views::timeline, () -> tree, () -> palette, columns::last, columns::lesson, () -> problems, () -> warningList), views::takeKeys).reach(root);
+        new FocusOrder(List.of(views::grid, views::timeline, () -> tree, () -> palette, columns::text, columns::last, columns::lesson, () -> problems, () -> warningList), views::takeKeys).reach(root);
         views.setOnPointed(status::showCursor, texts);
         model.stateProperty().addListener(new WeakChangeListener<>(showSelection));
         showSelection();
@@ -210,6 +226,14 @@ final class MainWindow {
         lesson.ifPresent(LessonPane::close);
         lesson = editor.lessons().currentProperty().get().map(held -> new LessonPane(held, editor.lessons(), editor.model(), editor.texts(), views.explaining()::explain));
         columns.teach(lesson.map(pane -> pane));
+    }
+
+    private void showXml(boolean takesKeys) {
+        boolean isOpen = editor.manuscript().openProperty().get();
+        columns.write(isOpen ? Optional.of(xml) : Optional.empty());
+        if (takesKeys) {
+            Platform.runLater(isOpen ? xml::takeKeys : views::takeKeys);
+        }
     }
 
     void close() {

@@ -173,12 +173,16 @@ final class Menus {
         timeline.setId("view-menu-timeline");
         timeline.setAccelerator(KeyCombination.valueOf("Shortcut+Shift+T"));
         timeline.selectedProperty().bindBidirectional(editor.clock().openProperty());
+        CheckMenuItem xml = new CheckMenuItem(texts.of("view-menu.xml"));
+        xml.setId("view-menu-xml");
+        xml.setAccelerator(KeyCombination.valueOf("Shortcut+Shift+X"));
+        xml.selectedProperty().bindBidirectional(editor.manuscript().openProperty());
         return menu("menu.view",
                 maximize("view-menu.top", 0, "Shortcut+1"), maximize("view-menu.camera", 1, "Shortcut+2"),
                 maximize("view-menu.front", 2, "Shortcut+3"), maximize("view-menu.right", 3, "Shortcut+4"), free, look, cut, new SeparatorMenuItem(),
                 command("view-menu.zoom-in", () -> views.zoom(pane -> pane.zoom(1.25))).keys("Shortcut+Plus").menuItem(),
                 command("view-menu.zoom-out", () -> views.zoom(pane -> pane.zoom(0.8))).keys("Shortcut+Minus").menuItem(), fitAll.menuItem(),
-                command("view-menu.fit-selection", views::fitSelection).keys("Shortcut+Shift+0").menuItem(), new SeparatorMenuItem(), timeline, explain,
+                command("view-menu.fit-selection", views::fitSelection).keys("Shortcut+Shift+0").menuItem(), new SeparatorMenuItem(), xml, timeline, explain,
                 command("view-menu.present", views::present).keys("Shortcut+Shift+E").menuItem(),
                 views.cameras().menu(), new SeparatorMenuItem(), theme, language);
     }

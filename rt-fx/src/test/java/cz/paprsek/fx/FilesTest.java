@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.file.Recovery;
 import cz.paprsek.fx.model.file.SceneSource;
+import cz.paprsek.fx.model.typing.Manuscript;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
@@ -49,6 +50,40 @@ class FilesTest {
     @AfterEach
     void close() {
         editor.close();
+    }
+
+    /** What is written in the text of the scene stands in the file as it was written; what is not valid is neither lost nor saved unasked. */
+    @Test
+    void whatIsWrittenInTheTextIsSavedByteForByte() throws IOException {
+        String text = "<!-- exam 3 -->\r\n<scene xmlns='urn:paprsek:scene:1'>\r\n  <camera direction=\"0 0 -1\" position='0 0 5'/>\r\n  <sphere radius=\"1.0\"/> <!-- cm -->\r\n</scene>\r\n";
+        Path file = Files.writeString(folder.resolve("exam.xml"), text);
+        editor.gui.act(() -> editor.editor.files().open(file));
+        editor.gui.until("the scene is there", () -> editor.gui.stage().getTitle().startsWith("exam.xml"));
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.X);
+        Manuscript manuscript = editor.editor.manuscript();
+        editor.gui.until("the text is there", () -> manuscript.page().text().contains("cm"));
+        editor.gui.act(() -> manuscript.write(manuscript.page().text().replace("cm", "mm").replace("1.0", "2.50")));
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        String written = text.replace("cm", "mm").replace("1.0", "2.50");
+        assertThat(Files.readString(file)).isEqualTo(written);
+        editor.gui.act(() -> manuscript.write(manuscript.page().text().replace("2.50", "2.50 3")));
+        assertThat(editor.gui.stage().getTitle()).startsWith("●");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        assertThat(editor.text("#message")).startsWith("The text has a mistake in line 4");
+        assertThat(Files.readString(file)).isEqualTo(written);
+        assertThat(Gui.on(() -> editor.editor.files().mayLeave())).as("the user stays").isFalse();
+        Recovery recovery = new Recovery(folder.resolve("settings"));
+        editor.gui.act(() -> editor.editor.fault(new IllegalStateException("a crash")));
+        Path copy = recovery.place(Optional.of(SceneSource.file(file)));
+        editor.gui.until("kept aside", () -> Files.exists(copy.resolveSibling(copy.getFileName() + "-text")));
+        assertThat(Recovery.textBeside(copy)).contains(written.replace("2.50", "2.50 3").replace("\r", ""));
+        editor.gui.click("#xml-save-without");
+        assertThat(Files.readString(file)).isEqualTo(written);
+        assertThat(manuscript.page().text()).contains("2.50 3");
+        editor.gui.act(manuscript::giveUp);
+        editor.gui.act(editor.model()::undo);
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        assertThat(Files.readString(file)).isEqualTo(text);
     }
 
     /** Whoever looks for a model sees it without asking for another kind of file, also one that is called PART.STL; only scenes are saved. */

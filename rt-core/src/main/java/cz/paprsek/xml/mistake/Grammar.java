@@ -36,19 +36,35 @@ public final class Grammar {
     private final Map<String, Content> contents = new LinkedHashMap<>();
     /** By the name of a simple type: what completes "must be …". */
     private final Map<String, String> expected = new LinkedHashMap<>();
+    /** By the name of a simple type: all values it has, if they are words. */
+    private final Map<String, List<String>> words = new LinkedHashMap<>();
 
     /** One for all files: it is made when the first of them has a problem, and never changes. */
     private static final class OfScenes {
-        private static final Grammar GRAMMAR = new Grammar();
+        private static final Grammar GRAMMAR = new Grammar(SceneFormat.schema());
+    }
+
+    /** Made when it is asked for. */
+    private static final class OfWritten {
+        private static final Grammar GRAMMAR = new Grammar(SceneFormat.schemaWithFormulas());
     }
 
     public static Grammar ofScenes() {
         return OfScenes.GRAMMAR;
     }
 
-    private Grammar() {
-        Element schema = parse();
-        elements(schema, "simpleType").forEach(type -> expected.put(type.getAttribute("name"), documentation(type)));
+    /** Of files as they are written by hand, with parameters, repetition and the like. */
+    public static Grammar ofWritten() {
+        return OfWritten.GRAMMAR;
+    }
+
+    private Grammar(String text) {
+        Element schema = parse(text);
+        for (Element type : elements(schema, "simpleType")) {
+            expected.put(type.getAttribute("name"), documentation(type));
+            words.put(type.getAttribute("name"), elements(type, "restriction").stream().flatMap(one -> elements(one, "enumeration").stream())
+                    .map(one -> one.getAttribute("value")).toList());
+        }
         for (Element type : elements(schema, "complexType")) {
             Content content = new Content();
             collect(type, content, schema);
@@ -81,8 +97,13 @@ public final class Grammar {
     }
 
     /** What completes the sentence "must be …" for a simple type. */
-    String expected(String type) {
+    public String expected(String type) {
         return expected.getOrDefault(type, "something else");
+    }
+
+    /** All values of a simple type that are words; none if it has others. */
+    public List<String> words(String type) {
+        return words.getOrDefault(type, List.of());
     }
 
     /** The names of all elements there are. */
@@ -134,11 +155,11 @@ public final class Grammar {
         return qualified.substring(qualified.indexOf(':') + 1);
     }
 
-    private static Element parse() {
+    private static Element parse(String text) {
         try {
             DocumentBuilderFactory factory = DocumentBuilderFactory.newInstance();
             factory.setNamespaceAware(true);
-            return factory.newDocumentBuilder().parse(new InputSource(new StringReader(SceneFormat.schema()))).getDocumentElement();
+            return factory.newDocumentBuilder().parse(new InputSource(new StringReader(text))).getDocumentElement();
         } catch (Exception e) {
             throw new IllegalStateException("the schema in the program's own jar is damaged", e);
         }

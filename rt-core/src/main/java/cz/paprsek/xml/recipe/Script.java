@@ -332,6 +332,11 @@ public final class Script {
         return WrittenFormulas.of(out);
     }
 
+    /** Where in this file what is in the scene stands, in bytes, by what it is: not what comes of files that are included. */
+    public Map<ScenePath, Integer> sites() {
+        return Sites.of(Objects.requireNonNull(only), out);
+    }
+
     /** What is wrong; then there is no text. */
     public List<Wrong> mistakes() {
         return mistakes.found().stream().map(one -> new Wrong(one.file(), one.line(), one.column(), one.message())).toList();

@@ -65,8 +65,14 @@ public final class Encoding {
         return text;
     }
 
+    /** Whether the first bytes of a file tell it, whatever it declares. */
+    public static boolean isTold(byte[] file) {
+        int first = file.length < 4 ? 0 : ByteBuffer.wrap(file).getInt() >>> 16;
+        return first == 0xfeff || first == 0xfffe || first == 0x003c || first == 0x3c00 || first == 0;
+    }
+
     /** The text as it is in the file; characters that its encoding does not have as references. */
-    byte[] fromUtf8(byte[] text) {
+    public byte[] fromUtf8(byte[] text) {
         if (charset.equals(StandardCharsets.UTF_8)) {
             return text;
         }

@@ -151,7 +151,7 @@ final class Patcher {
             if (j < from.length) {
                 Element element = elements.get(origin);
                 staying.add(element);
-                if (!before.get(origin).equals(after.get(j))) {
+                if (!before.get(origin).equals(after.get(j)) || after.get(j).excerpt().isPresent()) {
                     patch(element, before.get(origin), after.get(j), depth + 1);
                     scene = outer;
                 } else if (element.name().equals("scene")) {

@@ -7,6 +7,7 @@ import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.SceneFiles;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -43,6 +44,7 @@ public final class EditorModel {
     private Map<Optional<ScenePath>, List<Written>> formulas = Map.of();
     private Copies copies = Copies.NONE;
     private @Nullable Scene saved;
+    private Optional<OriginalText> savedText = Optional.empty();
     private @Nullable Gesture gesture;
 
     /** Begins with a scene that counts as saved. */
@@ -213,6 +215,7 @@ public final class EditorModel {
         history.clear();
         EditorState read = withMeshes(EditorState.of(fresh));
         saved = read.scene();
+        savedText = Optional.empty();
         openings.set(openings.get() + 1);
         show(read);
     }
@@ -226,13 +229,14 @@ public final class EditorModel {
 
     /** Takes another scene in the place of this one as a step that can be undone, and which counts as saved: the file changed on disk. */
     public void reload(Label label, Scene fresh) {
-        edit(label, old -> fresh);
+        editState(label, old -> old.withScene(fresh).withTyped(Optional.empty()));
         saved(fresh);
     }
 
     /** Takes note that a scene has been saved; the history stays. */
     public void saved(Scene value) {
         saved = value;
+        savedText = state().typed();
         show(state());
     }
 
@@ -288,7 +292,7 @@ public final class EditorModel {
         boolean selectsOthers = !List.copyOf(next.selection()).equals(List.copyOf(selection.get()));
         state.set(next);
         history.tell();
-        unsaved.set(!next.scene().equals(saved));
+        unsaved.set(!next.scene().equals(saved) || !next.typed().equals(savedText));
         scene.set(next.scene());
         if (selectsOthers) {
             selection.set(next.selection());
@@ -316,6 +320,7 @@ public final class EditorModel {
 
     /** Selecting alone is no step. */
     private static boolean isStep(EditorState before, EditorState after) {
-        return !before.scene().equals(after.scene()) || !before.hidden().equals(after.hidden()) || !before.locked().equals(after.locked());
+        return !before.scene().equals(after.scene()) || !before.hidden().equals(after.hidden()) || !before.locked().equals(after.locked())
+                || !before.typed().equals(after.typed());
     }
 }

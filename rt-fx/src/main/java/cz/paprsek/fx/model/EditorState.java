@@ -5,6 +5,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.scene.ScenePath.CameraAt;
+import cz.paprsek.xml.OriginalText;
 import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.Optional;
@@ -19,9 +20,10 @@ import java.util.stream.Collectors;
  * @param selection in the order of selecting
  * @param hidden what the editor does not show; files and renders have it all the same
  * @param locked what cannot be picked or moved in the editor
+ * @param typed the text that the scene's file starts from, if somebody has written in it since it was opened
  * @param eye which of the scene's cameras is looked through, counted from 0; the scene does not know. One that is not there means the first
  */
-public record EditorState(Scene scene, Set<ScenePath> selection, Set<ScenePath> hidden, Set<ScenePath> locked, int eye) {
+public record EditorState(Scene scene, Set<ScenePath> selection, Set<ScenePath> hidden, Set<ScenePath> locked, Optional<OriginalText> typed, int eye) {
 
     public EditorState {
         selection = existing(scene, selection);
@@ -32,28 +34,32 @@ public record EditorState(Scene scene, Set<ScenePath> selection, Set<ScenePath> 
 
     /** A scene of which nothing is selected, hidden or locked. */
     public static EditorState of(Scene scene) {
-        return new EditorState(scene, Set.of(), Set.of(), Set.of(), 0);
+        return new EditorState(scene, Set.of(), Set.of(), Set.of(), Optional.empty(), 0);
     }
 
     public EditorState withScene(Scene value) {
-        return new EditorState(value, selection, hidden, locked, eye);
+        return new EditorState(value, selection, hidden, locked, typed, eye);
     }
 
     public EditorState withSelection(Set<? extends ScenePath> value) {
-        return new EditorState(scene, new LinkedHashSet<>(value), hidden, locked, eye);
+        return new EditorState(scene, new LinkedHashSet<>(value), hidden, locked, typed, eye);
     }
 
     public EditorState withHidden(Set<ScenePath> value) {
-        return new EditorState(scene, selection, value, locked, eye);
+        return new EditorState(scene, selection, value, locked, typed, eye);
     }
 
     public EditorState withLocked(Set<ScenePath> value) {
-        return new EditorState(scene, selection, hidden, value, eye);
+        return new EditorState(scene, selection, hidden, value, typed, eye);
+    }
+
+    public EditorState withTyped(Optional<OriginalText> value) {
+        return new EditorState(scene, selection, hidden, locked, value, eye);
     }
 
     /** Looking through another camera, counted from 0: the scene stays as it is. */
     public EditorState through(int value) {
-        return value == eye ? this : new EditorState(scene, selection, hidden, locked, value);
+        return value == eye ? this : new EditorState(scene, selection, hidden, locked, typed, value);
     }
 
     /** The camera that is looked through. */
@@ -69,7 +75,7 @@ public record EditorState(Scene scene, Set<ScenePath> selection, Set<ScenePath> 
     /** Another scene, with each item taken to where it is now; one without a place is dropped. */
     public EditorState moved(Scene value, Function<ScenePath, Optional<ScenePath>> place) {
         int looking = place.apply(ScenePath.camera(eye)).filter(CameraAt.class::isInstance).map(item -> ((CameraAt) item).index()).orElse(0);
-        return new EditorState(value, moved(selection, place), moved(hidden, place), moved(locked, place), looking);
+        return new EditorState(value, moved(selection, place), moved(hidden, place), moved(locked, place), typed, looking);
     }
 
     /** Whether an item, or an operation around it, is hidden. */

@@ -11,7 +11,7 @@ public record Label(Edit edit, String subject) {
     /** Kinds of edit. */
     public enum Edit {
         ADD, DELETE, DUPLICATE, PASTE, CUT, MOVE, ROTATE, RESIZE, REORDER, RENAME, CHANGE, COMBINE, DISSOLVE, GROUP, HIDE, SHOW, LOCK, UNLOCK,
-        CAMERA, RELOAD
+        CAMERA, RELOAD, WRITE
     }
 
     public static Label of(Edit edit) {

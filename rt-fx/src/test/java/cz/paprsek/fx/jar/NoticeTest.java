@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 
 /** The jar of the editor names whose classes are in it, and under which licence. */
 class NoticeTest {
-    private static final Pattern JAR = Pattern.compile("(.+?)-([0-9][0-9.]*)(?:-[a-z].*)?\\.jar");
+    private static final Pattern JAR = Pattern.compile("(.+?)-([0-9][0-9.]*(?:-M[0-9]+)?)(?:-[a-z].*)?\\.jar");
     private static final List<String> FOR_TESTS = List.of("junit-", "opentest4j-", "apiguardian-api-", "assertj-", "byte-buddy-", "archunit", "slf4j-api-", "openjfx-monocle-", "surefire", "common-java5-", "rt-");
 
     @Test

@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFile;
 import cz.paprsek.xml.SceneFileException;
 import java.io.File;
 import java.io.IOException;
@@ -41,7 +42,7 @@ public final class Document {
 
     /** The text that the scene has where it is kept; none if it has never been saved. */
     public KeptText text() {
-        return text;
+        return text.with(model.state().typed());
     }
 
     /** Takes a scene that was read from its source. */
@@ -94,11 +95,12 @@ public final class Document {
     public void save(SceneSource to) throws IOException, SceneFileException {
         Scene scene = model.scene();
         Assets there = source.get().filter(place -> place.isBeside(to)).isPresent() ? model.assets() : taken(scene, to);
-        SceneSource.Kept written = to.write(scene, source.get().equals(Optional.of(to)) ? known : Optional.empty(), text);
+        SceneSource.Kept written = to.write(scene, source.get().equals(Optional.of(to)) ? known : Optional.empty(), text());
         source.set(Optional.of(written.source()));
         stamp = FileStamp.of(to.file());
         known = Optional.of(written.scene());
-        text = written.text();
+        // Undoing what was written leads back to the text that was opened.
+        text = model.state().typed().isPresent() ? written.text().with(text.file().map(SceneFile::text)) : written.text();
         model.setAssets(there);
         model.saved(scene);
     }

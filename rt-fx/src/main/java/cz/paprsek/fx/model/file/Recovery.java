@@ -1,8 +1,11 @@
 package cz.paprsek.fx.model.file;
 
+import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFile;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -42,14 +45,41 @@ public final class Recovery {
         }
         if (text.file().isPresent()) {
             text.file().get().saveAs(scene, place);
+        } else if (text.typed().isPresent()) {
+            SceneFile.of(place, text.typed().get()).saveAs(scene, place);
         } else {
             SceneFiles.write(scene, place);
         }
     }
 
+    /** Keeps what is written in the scene's text and not in the scene beside the copy; forgets it if there is nothing of that. */
+    public void keepText(Optional<SceneSource> source, Optional<String> written) throws IOException {
+        Path place = textOf(place(source));
+        if (written.isPresent()) {
+            AtomicFile.write(place, out -> out.write(written.get().getBytes(StandardCharsets.UTF_8)));
+        } else {
+            Files.deleteIfExists(place);
+        }
+    }
+
+    /** What was written beside a copy. */
+    public static Optional<String> textBeside(Path copy) throws IOException {
+        return Files.exists(textOf(copy)) ? Optional.of(Files.readString(textOf(copy))) : Optional.empty();
+    }
+
     /** Forgets the copy, because the scene was saved or given up. */
     public void discard(Optional<SceneSource> source) throws IOException {
-        Files.deleteIfExists(place(source));
+        delete(place(source));
+    }
+
+    /** Deletes a copy, and what was written beside it. */
+    public static void delete(Path copy) throws IOException {
+        Files.deleteIfExists(copy);
+        Files.deleteIfExists(textOf(copy));
+    }
+
+    private static Path textOf(Path copy) {
+        return copy.resolveSibling(copy.getFileName() + "-text");
     }
 
     /** A copy of a scene from a source that a process left which is no more; empty if there is none. */

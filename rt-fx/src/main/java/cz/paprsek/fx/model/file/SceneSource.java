@@ -81,7 +81,7 @@ public record SceneSource(Path file, Optional<String> inDatabase) {
             return there.isPresent() ? database.replace(inDatabase.get(), named) : database.plus(named);
         };
         Optional<DatabaseFile> before = text.database().filter(database -> database.path().equals(file));
-        OriginalText[] from = text.file().map(SceneFile::text).stream().toArray(OriginalText[]::new);
+        OriginalText[] from = text.typed().map(typed -> typed.alone(named)).or(() -> text.file().map(SceneFile::text)).stream().toArray(OriginalText[]::new);
         DatabaseFile written = before.isPresent() ? before.get().update(change, from) : DatabaseFile.update(file, change, from);
         return new Kept(inDatabase(file, named.name()), named, KeptText.of(written));
     }
@@ -90,6 +90,9 @@ public record SceneSource(Path file, Optional<String> inDatabase) {
         if (text.file().isPresent()) {
             SceneFile before = text.file().get();
             return known.isPresent() && before.path().equals(file) ? before.save(scene) : before.saveAs(scene, file);
+        }
+        if (text.typed().isPresent()) {
+            return SceneFile.of(file, text.typed().get()).saveAs(scene, file);
         }
         return text.database().isPresent() ? SceneFile.create(file, scene, text.database().get().text()) : SceneFile.create(file, scene);
     }

@@ -7,7 +7,10 @@ import javafx.scene.Group;
 import javafx.scene.Node;
 import javafx.scene.control.SplitPane;
 
-/** What stands beside each other in the window: a lesson if one is held, palette and tree, the views, and sheet or explanation. In a narrow window a lesson takes the place of palette and tree. */
+/**
+ * What stands beside each other in the window: a lesson if one is held, palette and tree, the views, the text of the scene if
+ * that is shown, and sheet or explanation. In a narrow window lesson and text take the place of palette and tree.
+ */
 public final class Columns {
     private static final double NARROW = 1200;
 
@@ -18,6 +21,7 @@ public final class Columns {
     private final Node sheet;
     private Optional<Node> lesson = Optional.empty();
     private Optional<Node> explanation = Optional.empty();
+    private Optional<Node> text = Optional.empty();
     private boolean isNarrow;
 
     /**
@@ -34,7 +38,7 @@ public final class Columns {
             boolean is = now.doubleValue() < NARROW;
             if (is != isNarrow) {
                 isNarrow = is;
-                if (lesson.isPresent()) {
+                if (lesson.isPresent() || text.isPresent()) {
                     arrange();
                 }
             }
@@ -56,6 +60,17 @@ public final class Columns {
         return lesson.orElse(none);
     }
 
+    /** The scene as text; something that holds nothing if that is not shown. */
+    public Node text() {
+        return text.orElse(none);
+    }
+
+    /** Shows the scene as text beside the views, or not any more. */
+    public void write(Optional<Node> shown) {
+        text = shown;
+        arrange();
+    }
+
     /** Shows an explanation in the place of the sheet, or the sheet again. */
     public void explain(Optional<Node> shown) {
         explanation = shown;
@@ -68,14 +83,39 @@ public final class Columns {
         arrange();
     }
 
+    /** Where columns end if the text is one of them. */
+    private double[] beside(boolean hasLeft) {
+        List<Double> widths = new ArrayList<>();
+        lesson.ifPresent(shown -> widths.add(0.25));
+        if (hasLeft) {
+            widths.add(0.12);
+        }
+        widths.addAll(List.of(0.32, 0.3, 0.26));
+        double all = widths.stream().mapToDouble(Double::doubleValue).sum();
+        double at = 0;
+        double[] ends = new double[widths.size() - 1];
+        for (int i = 0; i < ends.length; i++) {
+            at += widths.get(i) / all;
+            ends[i] = at;
+        }
+        return ends;
+    }
+
     private void arrange() {
         List<Node> items = new ArrayList<>();
         lesson.ifPresent(items::add);
-        if (lesson.isEmpty() || !isNarrow) {
+        boolean hasLeft = !isNarrow || (lesson.isEmpty() && text.isEmpty());
+        if (hasLeft) {
             items.add(left);
         }
-        items.addAll(List.of(views, last()));
+        items.add(views);
+        text.ifPresent(items::add);
+        items.add(last());
         root.getItems().setAll(items);
+        if (text.isPresent()) {
+            root.setDividerPositions(beside(hasLeft));
+            return;
+        }
         boolean isExplained = explanation.isPresent();
         if (lesson.isEmpty()) {
             root.setDividerPositions(isExplained ? new double[] {0.14, 0.6} : new double[] {0.17, 0.77});

@@ -19,7 +19,7 @@ import java.util.ResourceBundle;
  */
 public final class Texts {
     /** The files, in the folder {@code texts}. */
-    static final List<String> PARTS = List.of("common", "window", "sheet", "picture", "explain", "lesson", "library", "find", "motion");
+    static final List<String> PARTS = List.of("common", "window", "sheet", "picture", "explain", "lesson", "library", "find", "motion", "xml");
     /** The languages, the first being that of the files without a language in their name. */
     public static final List<Locale> LANGUAGES = List.of(Locale.ENGLISH, Locale.forLanguageTag("cs"));
 

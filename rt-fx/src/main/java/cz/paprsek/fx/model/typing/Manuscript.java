@@ -1,0 +1,223 @@
+package cz.paprsek.fx.model.typing;
+
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Label;
+import cz.paprsek.io.Failures;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.OriginalText;
+import cz.paprsek.xml.Problem;
+import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneText;
+import cz.paprsek.xml.SceneText.Stand;
+import java.io.IOException;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.property.ReadOnlyIntegerProperty;
+import javafx.beans.property.ReadOnlyIntegerWrapper;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleBooleanProperty;
+
+/**
+ * The text of the scene, in which may be written: it follows the scene, and what is written becomes a step of the scene's history as soon as it is valid. Until
+ * then it is held here, whatever becomes of the scene. For JavaFX's thread only.
+ */
+public final class Manuscript {
+    private final EditorModel model;
+    private final Supplier<Optional<OriginalText>> kept;
+    private final Worker worker;
+    private final BooleanProperty open = new SimpleBooleanProperty();
+    private final ReadOnlyObjectWrapper<Page> page = new ReadOnlyObjectWrapper<>(Page.NONE);
+    private final ReadOnlyBooleanWrapper held = new ReadOnlyBooleanWrapper();
+    private final ReadOnlyIntegerWrapper points = new ReadOnlyIntegerWrapper();
+    /** The text of the scene; empty while nobody looks at it. */
+    private Optional<SceneText> base = Optional.empty();
+    private boolean isBusy;
+    private boolean isStale;
+
+    /** Does what takes long elsewhere, and tells on JavaFX's thread what has come of it. */
+    public interface Worker {
+        <T> void run(Callable<T> work, Consumer<T> done, Consumer<Throwable> failed);
+    }
+
+    private record Read(SceneText text, List<Stand> stands) {}
+
+    /** @param kept the text that the scene has where it is kept */
+    public Manuscript(EditorModel model, Supplier<Optional<OriginalText>> kept, Worker worker) {
+        this.model = model;
+        this.kept = kept;
+        this.worker = worker;
+        model.stateProperty().addListener((property, old, now) -> {
+            if (!old.scene().equals(now.scene()) || !old.typed().equals(now.typed())) {
+                follow();
+            }
+        });
+        model.openingsProperty().addListener((property, old, now) -> {
+            base = Optional.empty();
+            page.set(Page.NONE);
+        });
+        page.addListener((property, old, now) -> held.set(now.isHeld()));
+        open.addListener((property, old, now) -> follow());
+    }
+
+    /** Whether anybody looks at it. */
+    public BooleanProperty openProperty() {
+        return open;
+    }
+
+    public ReadOnlyObjectProperty<Page> pageProperty() {
+        return page.getReadOnlyProperty();
+    }
+
+    public Page page() {
+        return page.get();
+    }
+
+    /** Shows where it is not valid. */
+    public void point() {
+        open.set(true);
+        points.set(points.get() + 1);
+    }
+
+    /** How often it was asked where it is not valid. */
+    public ReadOnlyIntegerProperty pointsProperty() {
+        return points.getReadOnlyProperty();
+    }
+
+    /** Whether anything in it is not in the scene. */
+    public ReadOnlyBooleanProperty heldProperty() {
+        return held.getReadOnlyProperty();
+    }
+
+    /** Takes a text that was written before, and is not in the scene. */
+    public void restore(String text) {
+        SceneText now = SceneText.of(kept.get(), model.scene());
+        base = Optional.of(now);
+        page.set(new Page(text, Change.between(now.characters(), text), List.of(), false, now.stands()));
+        open.set(true);
+        check();
+    }
+
+    /** Takes what has become of the text by typing. */
+    public void write(String text) {
+        base.ifPresent(now -> {
+            Change written = Change.between(now.characters(), text);
+            Page old = page();
+            page.set(new Page(text, written, written.isNone() ? List.of() : old.problems(), old.isCrossed() && !written.isNone(), old.stands()));
+        });
+    }
+
+    /** Gives up what is not in the scene. */
+    public void giveUp() {
+        base.ifPresent(now -> write(now.characters()));
+    }
+
+    /** Puts what is written into the scene if it is valid, else finds out what is wrong with it; when somebody has stopped typing. */
+    public void check() {
+        if (page().isHeld() && base.isPresent()) {
+            SceneText from = base.get();
+            String text = page().text();
+            worker.run(() -> from.typed(text, model.assets()), typed -> {
+                if (base.filter(from::equals).isPresent() && page().text().equals(text)) {
+                    take(typed);
+                } else {
+                    check();
+                }
+            }, fault -> {
+                if (page().text().equals(text)) {
+                    refused(fault);
+                }
+            });
+        }
+    }
+
+    /** As {@link #check}, at once; false if it is not valid. */
+    public boolean flush() {
+        if (page().isHeld() && base.isPresent()) {
+            try {
+                take(base.get().typed(page().text(), model.assets()));
+            } catch (SceneFileException | IOException | IllegalArgumentException fault) {
+                refused(fault);
+            }
+        }
+        return !page().isHeld();
+    }
+
+    private void take(SceneText typed) {
+        try {
+            Page old = page();
+            base = Optional.of(typed);
+            page.set(new Page(typed.characters(), Change.between("", ""), List.of(), false, old.stands()));
+            model.editState(Label.of(Label.Edit.WRITE, "XML"), state -> Followed.to(state, typed.scene()).withTyped(Optional.of(typed.kept())));
+        } catch (IllegalArgumentException fault) {
+            refused(fault);
+        }
+    }
+
+    private void refused(Throwable fault) {
+        List<Problem> problems = fault instanceof SceneFileException wrong ? wrong.problems()
+                : List.of(new Problem("text", 1, 1, fault instanceof IOException unreadable ? Failures.sentence(unreadable) : String.valueOf(fault.getMessage())));
+        Page old = page();
+        page.set(new Page(old.text(), old.written(), problems, old.isCrossed(), old.stands()));
+    }
+
+    private void follow() {
+        if (!open.get() && !page().isHeld()) {
+            base = Optional.empty();
+        } else if (isBusy) {
+            isStale = true;
+        } else {
+            isBusy = true;
+            Scene scene = model.scene();
+            Optional<OriginalText> from = kept.get();
+            int opening = model.openingsProperty().get();
+            worker.run(() -> {
+                SceneText text = SceneText.of(from, scene);
+                return new Read(text, text.stands());
+            }, read -> {
+                isBusy = false;
+                if (opening == model.openingsProperty().get()) {
+                    followed(read);
+                }
+                again();
+            }, fault -> {
+                isBusy = false;
+                again();
+            });
+        }
+    }
+
+    private void again() {
+        if (isStale) {
+            isStale = false;
+            follow();
+        }
+    }
+
+    private void followed(Read read) {
+        String now = read.text().characters();
+        Page old = page();
+        Optional<Change> elsewhere = base.map(before -> Change.between(before.characters(), now));
+        base = Optional.of(read.text());
+        Optional<Change> still = !old.isHeld() ? Optional.empty() : elsewhere.flatMap(other -> other.isNone() ? Optional.of(old.written()) : old.written().behind(other));
+        if (!old.isHeld()) {
+            page.set(new Page(now, Change.between("", ""), List.of(), false, read.stands()));
+        } else if (still.isPresent()) {
+            page.set(new Page(still.get().applied(now), still.get(), old.problems(), old.isCrossed(), read.stands()));
+        } else {
+            page.set(new Page(old.text(), Change.between(now, old.text()), old.problems(), true, read.stands()));
+        }
+    }
+
+    /** The names that what is written there may have. */
+    public Scene scene() {
+        return Objects.requireNonNull(model.scene());
+    }
+}
