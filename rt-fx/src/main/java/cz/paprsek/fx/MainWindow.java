@@ -89,7 +89,7 @@ final class MainWindow {
         problems = new ProblemList("problem", texts.of("window.close-message"), texts::sentence);
         warningList = new ProblemList("warning", texts.of("window.close-message"), texts::sentence);
         ObjectTree tree = new ObjectTree(model, texts, commands);
-        PropertySheet sheet = new PropertySheet(model, texts, editor.proportional(), editor.fileFinder());
+        PropertySheet sheet = new PropertySheet(model, texts, editor.proportional(), editor.fileFinder(), editor.clock());
         SceneMeshes meshes = editor.meshes(edits);
         AddPalette palette = new AddPalette(model, texts, views::sight, edits, meshes::choose, meshes::chooseHeights);
         FinderPane finder = new FinderPane(() -> findable(edits), texts.of("find.prompt"), texts.of("find.nothing"));

@@ -28,6 +28,8 @@ public final class Clock {
 
     private final EditorModel model;
     private final ReadOnlyObjectWrapper<OptionalDouble> seconds = new ReadOnlyObjectWrapper<>(OptionalDouble.empty());
+    /** What was looked at until an edit that could not be seen then. */
+    private OptionalDouble left = OptionalDouble.empty();
     private final BooleanProperty open = new SimpleBooleanProperty();
     private Optional<Span> chosen = Optional.empty();
     private Scene film = Scene.EMPTY;
@@ -82,8 +84,14 @@ public final class Clock {
         return seconds.get().orElse(0);
     }
 
+    /** For which time keys are set: that which is looked at, or was until an edit that could not be seen then; or 0. */
+    public double keyTime() {
+        return seconds.get().orElse(left.orElse(0));
+    }
+
     /** Looks at a time. */
     public void look(double time) {
+        left = OptionalDouble.empty();
         seconds.set(OptionalDouble.of(Math.max(0, time)));
     }
 
@@ -94,6 +102,7 @@ public final class Clock {
 
     /** Looks at the scene as it is written. */
     public void rest() {
+        left = OptionalDouble.empty();
         seconds.set(OptionalDouble.empty());
     }
 
@@ -194,7 +203,8 @@ public final class Clock {
             EditorState before = shownOf == old && shown != null ? shown : at(old, seconds.get()).state();
             // Formulas and all else that is not seen may differ: what counts is what is.
             if (before.scene().equals(shown().scene())) {
-                rest();
+                left = seconds.get();
+                seconds.set(OptionalDouble.empty());
             }
         }
     }

@@ -41,7 +41,8 @@ public record Spot(Optional<ScenePath> place, List<String> elements) {
         return isPart || (formula.attribute().equals(last) && formula.index() == Math.min(number, formula.count() - 1));
     }
 
-    private static String file(String component) {
+    /** What files call a component. */
+    static String file(String component) {
         String name = ElementTable.hyphenated(component);
         return OTHERWISE.getOrDefault(name, name);
     }

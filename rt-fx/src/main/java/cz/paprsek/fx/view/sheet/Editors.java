@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.model.property.Alternatives;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.view.command.FileFinder;
@@ -26,8 +27,10 @@ final class Editors {
     private final Texts texts;
     private final BooleanProperty proportional;
     private final FileFinder finder;
+    private final Clock clock;
 
-    Editors(EditorModel model, Texts texts, BooleanProperty proportional, FileFinder finder) {
+    Editors(EditorModel model, Texts texts, BooleanProperty proportional, FileFinder finder, Clock clock) {
+        this.clock = clock;
         this.finder = finder;
         this.model = model;
         this.texts = texts;
@@ -39,10 +42,20 @@ final class Editors {
      *
      * @param row the row
      * @param editor the editor in it
+     * @param key sets keys of it, if there can be such
      */
-    record Entry(Node row, PropertyEditor editor) {}
+    record Entry(SheetRow row, PropertyEditor editor, Optional<KeyButton> key) {}
 
     Entry entry(Property property) {
+        Entry plain = plain(property);
+        return switch (property.trait().kind()) {
+            case NUMBER, WHOLE, SHARE, VECTOR, FACTORS, COLOR -> new Entry(plain.row, plain.editor,
+                    Optional.of(new KeyButton(clock, texts, property, new PropertyEdit(model, texts.of("timeline.keys-of", texts.of(property.label())), refusal -> plain.row.show(refusal.map(texts::sentence))), plain.row)));
+            default -> plain;
+        };
+    }
+
+    private Entry plain(Property property) {
         String text = texts.of(property.label());
         SheetRow row = new SheetRow(text);
         PropertyEdit edit = new PropertyEdit(model, text, refusal -> row.show(refusal.map(texts::sentence)));
@@ -80,7 +93,7 @@ final class Editors {
             case ALTERNATIVE -> beside(row, alternatives(property, edit, mixed));
             case MATERIAL -> {
                 MaterialEditor editor = new MaterialEditor(model, edit, texts, property);
-                yield new Entry(row.below(editor.node(), editor.buttons()), editor);
+                yield new Entry(row.below(editor.node(), editor.buttons()), editor, Optional.empty());
             }
         };
     }
@@ -129,11 +142,11 @@ final class Editors {
     }
 
     private static Entry beside(SheetRow row, PropertyEditor editor) {
-        return new Entry(row.beside(editor.node()), editor);
+        return new Entry(row.beside(editor.node()), editor, Optional.empty());
     }
 
     private static Entry below(SheetRow row, PropertyEditor editor, Node... atEnd) {
-        return new Entry(row.below(editor.node(), atEnd), editor);
+        return new Entry(row.below(editor.node(), atEnd), editor, Optional.empty());
     }
 
     private static String id(Property property) {

@@ -32,6 +32,7 @@ final class MaterialsPane extends TitledPane {
     private final Button delete;
     private final VBox properties = new VBox();
     private final List<PropertyEditor> shown = new ArrayList<>();
+    private final List<KeyButton> keys = new ArrayList<>();
     private Optional<String> chosen = Optional.empty();
     private Optional<Section> section = Optional.empty();
 
@@ -74,14 +75,22 @@ final class MaterialsPane extends TitledPane {
             rebuild();
         }
         shown.forEach(editor -> editor.show(scene));
+        showKeys(scene);
+    }
+
+    /** Shows which attributes have keys at the time that is looked at. */
+    void showKeys(Scene scene) {
+        keys.forEach(key -> key.show(scene));
     }
 
     private void rebuild() {
         properties.getChildren().clear();
         shown.clear();
+        keys.clear();
         section.ifPresent(known -> known.properties().stream().map(editors::entry).forEach(entry -> {
             properties.getChildren().add(entry.row());
             shown.add(entry.editor());
+            entry.key().ifPresent(keys::add);
         }));
     }
 

@@ -2,12 +2,14 @@ package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.model.property.Section;
 import cz.paprsek.fx.model.property.Sections;
 import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.fx.view.texts.Titles;
+import cz.paprsek.scene.Scene;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -21,6 +23,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
+import javafx.scene.control.TitledPane;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.VBox;
 
@@ -42,6 +45,7 @@ public final class PropertySheet extends BorderPane {
     private final MakersPane makers;
     /** Held here, for the model, which outlives the window's content, holds it weakly. */
     private final InvalidationListener onChange = property -> later();
+    private final InvalidationListener onTime = property -> showKeys();
     private List<Section> sections = List.of();
     private boolean isStale;
     private Runnable onFieldGone = () -> {};
@@ -49,10 +53,11 @@ public final class PropertySheet extends BorderPane {
     /**
      * @param proportional whether the three factors of a scale stay in proportion
      * @param finder asks for pictures
+     * @param clock says for which time keys are set
      */
-    public PropertySheet(EditorModel model, Texts texts, BooleanProperty proportional, FileFinder finder) {
+    public PropertySheet(EditorModel model, Texts texts, BooleanProperty proportional, FileFinder finder, Clock clock) {
         this.model = model;
-        editors = new Editors(model, texts, proportional, finder);
+        editors = new Editors(model, texts, proportional, finder, clock);
         titles = new Titles(texts);
         materials = new MaterialsPane(model, texts, editors);
         ready = new ReadyPane(model, texts);
@@ -71,6 +76,9 @@ public final class PropertySheet extends BorderPane {
         setCenter(scroll);
         UndoKeys.reach(model, this);
         model.stateProperty().addListener(new WeakInvalidationListener(onChange));
+        WeakInvalidationListener weak = new WeakInvalidationListener(onTime);
+        clock.secondsProperty().addListener(weak);
+        clock.openProperty().addListener(weak);
         refresh();
     }
 
@@ -100,6 +108,11 @@ public final class PropertySheet extends BorderPane {
         materials.show(state.scene());
         parameters.show(state.scene());
         makers.show(state.selection());
+    }
+
+    private void showKeys() {
+        panes.forEach(pane -> pane.showKeys(model.scene()));
+        materials.showKeys(model.scene());
     }
 
     private void rebuild(EditorState state) {
@@ -143,5 +156,35 @@ public final class PropertySheet extends BorderPane {
 
     private boolean isWithin(Node node) {
         return node == content || (node.getParent() != null && isWithin(node.getParent()));
+    }
+
+    /** A heading with the properties under it. */
+    private static final class SectionPane extends TitledPane {
+        private final List<PropertyEditor> editors = new ArrayList<>();
+        private final List<KeyButton> keys = new ArrayList<>();
+        private final VBox rows = new VBox();
+
+        SectionPane(String title, Section section, Editors factory) {
+            setText(title);
+            setAnimated(false);
+            getStyleClass().add("sheet-section");
+            rows.getStyleClass().add("sheet-rows");
+            section.properties().stream().map(factory::entry).forEach(entry -> {
+                rows.getChildren().add(entry.row());
+                editors.add(entry.editor());
+                entry.key().ifPresent(keys::add);
+            });
+            setContent(rows);
+        }
+
+        void show(Scene scene) {
+            editors.forEach(editor -> editor.show(scene));
+            showKeys(scene);
+        }
+
+        /** Shows which attributes have keys at the time that is looked at. */
+        void showKeys(Scene scene) {
+            keys.forEach(key -> key.show(scene));
+        }
     }
 }

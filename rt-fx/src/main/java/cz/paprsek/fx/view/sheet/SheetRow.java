@@ -34,6 +34,27 @@ final class SheetRow extends VBox {
         return label;
     }
 
+    /** Puts something small behind the label. */
+    void mark(Node sign) {
+        if (getChildren().get(0) instanceof HBox line) {
+            line.getChildren().add(line.getChildren().indexOf(label) + 1, sign);
+        }
+    }
+
+    /** Whether something is in it. */
+    boolean holds(Node node) {
+        Node at = node;
+        while (at != null && at != this) {
+            at = at.getParent();
+        }
+        return at == this;
+    }
+
+    /** Whether the last value was refused. */
+    boolean isRefused() {
+        return refusal.isVisible();
+    }
+
     /** Puts an editor beside the label, which takes two lines if its words need them. */
     SheetRow beside(Node editor) {
         label.setWrapText(true);

@@ -6,6 +6,7 @@ import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label.Edit;
+import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
@@ -31,7 +32,7 @@ import org.junit.jupiter.api.TestInstance.Lifecycle;
 class FormulasInSheetTest {
     private static final Scene START = scene();
     private final EditorModel model = new EditorModel(START);
-    private final Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.ENGLISH), new SimpleBooleanProperty(true), (kind, owner) -> Optional.empty()), 320, 900);
+    private final Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.ENGLISH), new SimpleBooleanProperty(true), (kind, owner) -> Optional.empty(), new Clock(model)), 320, 900);
 
     private static Scene scene() {
         try {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
@@ -52,7 +53,7 @@ class PropertySheetTest {
                     SceneObject.of(new Sphere(2)).named("moon").at(3, 0, 0).madeOf(Material.DEFAULT),
                     SceneObject.of(new Block(Vec3.ZERO, Vec3.ONE)).named("box").madeOf("steel"));
     private final EditorModel model = new EditorModel(START);
-    private final Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.ENGLISH), new SimpleBooleanProperty(true), (kind, owner) -> java.util.Optional.empty()), 320, 900);
+    private final Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.ENGLISH), new SimpleBooleanProperty(true), (kind, owner) -> java.util.Optional.empty(), new Clock(model)), 320, 900);
 
     @BeforeEach
     void selectTheBall() {

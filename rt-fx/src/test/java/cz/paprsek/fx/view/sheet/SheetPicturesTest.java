@@ -7,6 +7,7 @@ import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Examples;
+import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
@@ -59,7 +60,7 @@ class SheetPicturesTest {
     @ParameterizedTest
     @CsvSource({"en, LIGHT", "cs, DARK"})
     void noWordIsCutOff(String language, Theme theme) {
-        try (Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.forLanguageTag(language)), new SimpleBooleanProperty(true), (kind, owner) -> java.util.Optional.empty()), 300, 980)) {
+        try (Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.forLanguageTag(language)), new SimpleBooleanProperty(true), (kind, owner) -> java.util.Optional.empty(), new Clock(model)), 300, 980)) {
             gui.act(() -> theme.applyTo(gui.stage().getScene()));
             STATES.forEach((state, items) -> {
                 gui.act(() -> model.select(items));
