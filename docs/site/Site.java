@@ -1,11 +1,18 @@
+import cz.paprsek.asset.Assets;
 import cz.paprsek.image.ImageFiles;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -18,6 +25,8 @@ class Site {
     private static final Pattern EXAMPLE = Pattern.compile("```xml\n(<.*?)```\n", Pattern.DOTALL);
     private static final String PLACE = "<!-- here -->";
     private static final int WIDTH = 360;
+    /** What examples name lies where the shipped scenes are. */
+    private static final Assets FILES = Assets.beside(Path.of("scenes", "example.xml"));
 
     public static void main(String[] words) throws Exception {
         Path root = Path.of(words[0], "markdown");
@@ -40,12 +49,13 @@ class Site {
                 if (xml.contains(PLACE)) {
                     stage = xml;
                 } else if (!text.startsWith("\n![", example.end()) && (xml.startsWith("<scene") || !stage.isEmpty())) {
-                    Scene scene = SceneFiles.parse(xml.startsWith("<scene") ? xml : stage.replace(PLACE, xml));
+                    Scene scene = scene(xml.startsWith("<scene") ? xml : stage.replace(PLACE, xml));
                     int height = WIDTH * scene.settings().height() / scene.settings().width();
                     String name = link.replaceAll("\\.html$", "").replace('/', '-') + "-" + ++pictures + ".png";
                     Path picture = Path.of(words[0], "resources", "docs", "shown", name);
                     Files.createDirectories(picture.getParent());
-                    ImageFiles.write(Renderer.render(scene.withSettings(scene.settings().withSize(WIDTH, height))), picture);
+                    Scene small = scene.withSettings(scene.settings().withSize(WIDTH, height));
+                    ImageFiles.write(Renderer.render(RenderScene.of(small, FILES, RenderMonitor.NONE), RenderOptions.of(small), RenderMonitor.NONE).image(), picture);
                     shown = "\n![" + (xml.startsWith("<scene") ? "This scene" : xml.replaceAll("(?s)^<([\\w-]+).*", "$1")) + "](" + "../".repeat(link.split("/").length - 1) + "docs/shown/" + name + ")\n";
                 }
                 example.appendReplacement(with, Matcher.quoteReplacement(example.group() + shown));
@@ -54,6 +64,12 @@ class Site {
         }
         Files.writeString(Path.of(words[0], "resources", "search-index.js"), index.append("];\n"));
         System.out.println(pages.size() + " pages, " + pictures + " pictures");
+    }
+
+    /** At its first frame, if anything moves there. */
+    private static Scene scene(String xml) throws Exception {
+        Scene read = SceneFiles.contents(new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "example", Map.of(), FILES).scenes().get(0);
+        return SceneFiles.moves(read) ? SceneFiles.frames(read).apply(1) : read;
     }
 
     /** An entry for each section: page, heading, and its words. */

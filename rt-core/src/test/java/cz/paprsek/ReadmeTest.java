@@ -2,12 +2,14 @@ package cz.paprsek;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.image.Image;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Lens;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SphereLight;
 import cz.paprsek.xml.SceneFiles;
+import java.io.ByteArrayInputStream;
 import java.io.File;
 import java.io.IOException;
 import java.net.URI;
@@ -35,13 +37,15 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** What the README and the pages beside it show works as it stands there. */
 class ReadmeTest {
     private static final Path README = Path.of("../README.md");
+    /** Where the examples below a scene stand in it. */
+    private static final String STAGE = "<!-- here -->";
 
     static Stream<String> javaExamples() throws IOException {
         return blocks("java");
     }
 
     static Stream<String> sceneExamples() throws IOException {
-        return blocks("xml").filter(xml -> xml.startsWith("<scene"));
+        return blocks("xml").filter(xml -> xml.startsWith("<scene") && !xml.contains(STAGE));
     }
 
     private static boolean isDependency(String xml) {
@@ -119,15 +123,24 @@ class ReadmeTest {
         assertThat(SceneFiles.parse(xml).objects()).isNotEmpty();
     }
 
-    /** What the page of elements shows stands in the scene that it begins with, as the site renders it. */
+    /** What the page of elements shows stands in the scene above it, as the site renders it; whatever the schema knows is shown. */
     @Test
-    void everyElementShownIsValid() throws Exception {
+    void everyElementIsShownAndValid() throws Exception {
         String page = Files.readString(Path.of("../docs/elements.md"));
         List<String> shown = Pattern.compile("```xml\n(.*?)```", Pattern.DOTALL).matcher(page).results().map(result -> result.group(1)).toList();
-        assertThat(shown).hasSizeGreaterThan(20);
-        for (String element : shown.subList(1, shown.size())) {
-            assertThat(SceneFiles.parse(shown.get(0).replace("<!-- here -->", element)).objects()).as(element).hasSize(2);
+        assertThat(shown).hasSizeGreaterThan(70);
+        String stage = "";
+        for (String example : shown) {
+            if (example.contains(STAGE)) {
+                stage = example;
+                continue;
+            }
+            String scene = stage.replace(STAGE, example);
+            assertThat(SceneFiles.contents(new ByteArrayInputStream(scene.getBytes(StandardCharsets.UTF_8)), example, Map.of(), Assets.beside(Path.of("../scenes/example.xml"))).scenes()).hasSize(1);
         }
+        List<String> known = Pattern.compile("<(?:xs:)?element name=\"([\\w-]+)\"").matcher(SceneFiles.schema()).results().map(one -> one.group(1)).distinct()
+                .filter(name -> !name.matches("database|description")).toList();
+        assertThat(known).hasSizeGreaterThan(50).allSatisfy(name -> assertThat(page).containsPattern("<" + name + "[ >/]"));
     }
 
     @Test

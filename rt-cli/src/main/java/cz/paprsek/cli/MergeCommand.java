@@ -168,8 +168,8 @@ final class MergeCommand implements Callable<Integer> {
         Card card = survey.card().orElseThrow();
         View view = View.ofParts(card.mode(), card.legend());
         check(card, view, target);
-        if (Assembly.memory(card) > Memory.allowed()) {
-            return failed(folder + ": " + Memory.sentence("the picture of " + card.region().width() + "x" + card.region().height() + " pixels", Assembly.memory(card)));
+        if (Assembly.memory(survey) > Memory.allowed()) {
+            return failed(folder + ": " + Memory.sentence("the picture of " + card.region().width() + "x" + card.region().height() + " pixels", Assembly.memory(survey)));
         }
         Assembly whole = Assembly.of(survey, stop);
         Image image = view.finished(whole.image(), target.format());
@@ -189,7 +189,7 @@ final class MergeCommand implements Callable<Integer> {
     /** @throws WrongUsage if the format cannot hold what the parts have */
     private static void check(Card card, View view, Target target) {
         String ending = target.format().extension();
-        if (!card.planes().isEmpty() && target.format() != ImageFormat.EXR) {
+        if (!card.layers().isEmpty() && target.format() != ImageFormat.EXR) {
             throw new WrongUsage(ending + " has no layers, which these parts have; let the output end in .exr");
         }
         if (card.transparent() && !target.format().isTransparent()) {

@@ -180,6 +180,12 @@ final class RenderCommand implements Callable<Integer> {
                 + "those that are there already and whole are not made again. 'paprsek merge' puts them together to the same picture, to the last bit; 'paprsek plan' writes what clusters need."})
     private Optional<Shard> shard;
 
+    @Option(names = "--by", paramLabel = "WHAT", defaultValue = "tiles", description = {
+        "How the work of --shard is dealt out: ${COMPLETION-CANDIDATES}. By passes, parts are of 64 paths of each of their pixels, for light alone by the integrator path, of as many paths everywhere. Default: tiles."})
+    private By by = By.tiles;
+
+    private enum By { tiles, passes }
+
     @Mixin
     private TellingWishes telling;
 
@@ -217,7 +223,7 @@ final class RenderCommand implements Callable<Integer> {
         View view = view();
         view.check(targets);
         Progress.Maker progress = telling.isQuiet() ? Progress.Maker.SILENT : Progress.maker(terminal);
-        Optional<Sharing> share = shard.map(one -> sharing.orElseGet(() -> new ShardWork(one, Words.path(output.orElseThrow()), sharedWords())));
+        Optional<Sharing> share = shard.map(one -> sharing.orElseGet(() -> new ShardWork(one, Words.path(output.orElseThrow()), sharedWords(), isByPasses())));
         return new RenderBatch(terminal, stop, wishes, view, writing, resume, time, given.pictures(), reel, progress, Report.of(terminal, telling.isJson(), telling.isQuiet()), share).run(targets);
     }
 
@@ -235,7 +241,14 @@ final class RenderCommand implements Callable<Integer> {
         if (!mistakes.made().equals(Mistakes.NONE) && (mode != RenderMode.SHADED || region.isPresent() || resume || time.isPresent() || pixels.isTransparent() || pixels.haveLayers() || pixels.isDenoised())) {
             throw new WrongUsage("--mistake is for whole pictures of light, without --mode, --region, --resume, --time, --transparent, --aov and --denoise");
         }
+        if (isByPasses() && (shard.isEmpty() || sharing.isPresent())) {
+            throw new WrongUsage("--by says how the work of --shard is dealt out" + (sharing.isPresent() ? "; an engine deals it out by itself, in tiles and frames" : ", which is not there"));
+        }
         shard.ifPresent(one -> checkShared());
+    }
+
+    private boolean isByPasses() {
+        return by == By.passes;
     }
 
     private void checkShared() {
@@ -244,9 +257,6 @@ final class RenderCommand implements Callable<Integer> {
         }
         if (resume || time.isPresent() || !mistakes.made().equals(Mistakes.NONE)) {
             throw new WrongUsage("--shard is without --resume, which it does by itself, and without --time and --mistake");
-        }
-        if (pixels.isDenoised()) {
-            throw new WrongUsage("--denoise needs the whole picture, of which --shard makes a part");
         }
         if (bits.isPresent() || uncompressed || raw || format.flatMap(OutputFormat::film).isPresent()) {
             throw new WrongUsage("--bits, --uncompressed, --raw and films' formats are said when the parts are put together: paprsek merge DIR -o FILE");
@@ -305,7 +315,7 @@ final class RenderCommand implements Callable<Integer> {
     long shares(Scene read, int count) {
         try {
             RenderOptions options = view().applyTo(wishes().applyTo(Cameras.through(read, camera).settings()), ImageFormat.EXR);
-            return ShardWork.parts(options, film.frames().map(range -> new Span(range.first(), range.last())).orElse(Span.STILL), count);
+            return ShardWork.parts(options, film.frames().map(range -> new Span(range.first(), range.last())).orElse(Span.STILL), isByPasses(), count);
         } catch (IllegalArgumentException refused) {
             throw new WrongUsage(String.valueOf(refused.getMessage()));
         }

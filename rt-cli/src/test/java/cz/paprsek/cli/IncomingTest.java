@@ -36,7 +36,7 @@ class IncomingTest {
     }
 
     /** A call that finds something on its standard input. */
-    private static Run fed(byte[] input, Object... arguments) {
+    static Run fed(byte[] input, Object... arguments) {
         InputStream before = System.in;
         try {
             System.setIn(new ByteArrayInputStream(input));

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -81,8 +82,25 @@ class ModelsTest {
         assumeTrue(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0);
         for (Run run : List.of(Run.cli("validate", pipe), Run.cli("info", pipe), Run.cli("convert", pipe, folder.resolve("part.obj")), Run.cli("render", pipe, "-o", folder.resolve("n.png")))) {
             assertThat(run.code()).isEqualTo(3);
-            assertThat(run.err().lines()).containsExactly(pipe + ": this is a pipe or a device, through which files of other programs cannot come; write it to a file first");
+            assertThat(run.err().lines()).containsExactly(pipe + ": this is a pipe or a device, and files of other programs cannot come through a pipe; write it to a file first");
         }
+    }
+
+    /** Whoever saved it gave it the ending of another. */
+    @ParameterizedTest
+    @CsvSource(textBlock = """
+            a.stl, '# made by hand\n\nv 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n', OBJ
+            b.ply, 'o corner\nv 0 0 0\nv 3 0 0\nv 0 4 0\nf 1 2 3\n', OBJ
+            c.glb, 'solid corner\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 3 0 0\nvertex 0 4 0\nendloop\nendfacet\nendsolid\n', STL
+            """)
+    void aFileIsReadByWhatItHolds(String name, String text, String format) throws IOException {
+        String content = text.translateEscapes();
+        Run run = Run.cli("info", Files.writeString(folder.resolve(name), content));
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.out()).containsPattern("triangles +1, ");
+        Run fed = IncomingTest.fed(content.getBytes(StandardCharsets.UTF_8), "info", "-");
+        assertThat(fed.code()).isEqualTo(3);
+        assertThat(fed.err().lines()).singleElement().asString().startsWith("-: this looks like ").contains(format, "; files of other programs cannot come through a pipe; write it to a file first");
     }
 
     @Test

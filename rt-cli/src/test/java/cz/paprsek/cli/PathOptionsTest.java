@@ -52,7 +52,6 @@ class PathOptionsTest {
         assertThat(render(picture, "--denoise", "--region", "0,0,9,8").err()).contains("a denoiser needs the whole picture, not a region of it");
         assertThat(render(picture, "--denoise", "--samples", 100).err()).contains("whole passes: samples of a multiple of 64, not 100");
         assertThat(Run.cli("render", scene, "--denoise", "-o", picture).err()).contains("a denoiser is for integrator path");
-        assertThat(render(folder, "--denoise", "--shard", "1/2").err()).contains("--denoise needs the whole picture");
     }
 
     @Test

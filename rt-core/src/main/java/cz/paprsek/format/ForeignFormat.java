@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /** The formats of other programs that are read. */
 public enum ForeignFormat {
@@ -18,6 +19,9 @@ public enum ForeignFormat {
 
     /** How many bytes of a file tell what it is. */
     public static final int HEAD = 1024;
+
+    /** What is first in an OBJ file, after remarks. */
+    private static final Pattern OBJ_STATEMENT = Pattern.compile("(?:\\s|#[^\n]*\n)*+(?:mtllib|usemtl|o|g|s|v|vn|vt)[ \t]+[^\\s]");
 
     private final String label;
     /** With a blank between them. */
@@ -65,7 +69,10 @@ public enum ForeignFormat {
         }
         Optional<ForeignFormat> named = ofName(fileName);
         boolean isJson = text.replaceFirst("^\u00EF\u00BB\u00BF", "").stripLeading().startsWith("{");
-        boolean isOther = named.isPresent() && (named.get() == PLY || (named.get() == GLTF && !isJson));
-        return isOther && text.regionMatches(true, 0, "solid", 0, 5) ? Optional.of(STL) : named;
+        if (named.filter(format -> format == OBJ || !format.isMesh() || (format == GLTF && isJson)).isPresent()) {
+            return named;
+        }
+        boolean isSolid = text.regionMatches(true, 0, "solid", 0, 5);
+        return isSolid ? Optional.of(STL) : text.indexOf('\0') < 0 && OBJ_STATEMENT.matcher(text).lookingAt() ? Optional.of(OBJ) : named;
     }
 }

@@ -64,6 +64,8 @@ final class RenderJob implements Workers.Work {
     private @Nullable Throwable fault;
     private int faultColumn = NOWHERE;
     private int faultRow = NOWHERE;
+    /** What is told of it. */
+    private List<float[]> noise = List.of();
     private RenderResult.Stats total = RenderResult.Stats.NONE;
 
     RenderJob(RenderScene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
@@ -76,7 +78,7 @@ final class RenderJob implements Workers.Work {
         this.store = store;
         Tile region = options.region();
         image = options.transparent() ? Image.ofTransparent(region.width(), region.height()) : new Image(region.width(), region.height());
-        film = new Film(image, region.x(), region.y(), options.planes(scene.scene()).size(), options.kept(scene.scene()));
+        film = new Film(image, region.x(), region.y(), options.layerPlanes(scene.scene()).size(), options.kept(scene.scene()));
         depths = options.mode() == RenderMode.DEPTH
                 ? DepthRange.of(scene.world(), eye, RenderOptions.coarse(options.settings().width(), options.step()),
                         RenderOptions.coarse(options.settings().height(), options.step())) : DepthRange.NONE;
@@ -99,9 +101,12 @@ final class RenderJob implements Workers.Work {
     /** What else is known of its pixels. */
     Layers layers() {
         Layers layers = Layers.ofSize(image.width(), image.height());
-        List<String> planes = options.planes(scene.scene());
+        List<String> planes = options.layerPlanes(scene.scene());
         for (int i = 0; i < planes.size(); i++) {
             layers = layers.with(planes.get(i), film.plane(i));
+        }
+        for (int i = 0; i < noise.size(); i++) {
+            layers = layers.with(Denoiser.PLANES.get(i), noise.get(i));
         }
         return layers;
     }
@@ -223,10 +228,19 @@ final class RenderJob implements Workers.Work {
         }
     }
 
-    /** Takes the noise out of the picture, which is complete, if that is wished; false if it was stopped half-way, or failed. */
+    /** Takes the noise out of the picture, which is complete, or tells of it, if that is wished; false if it was stopped half-way, or failed. */
     boolean denoise(Workers workers) {
+        if (!options.isGuided()) {
+            return true;
+        }
         try {
-            return !options.denoised() || new Denoiser(film, image, options.paths(), options.kept(scene.scene()), this::cancelled).run(workers, options.threads());
+            Denoiser denoiser = new Denoiser(film, image, options.paths(), options.kept(scene.scene()), this::cancelled);
+            if (options.denoised()) {
+                return denoiser.run(workers, options.threads());
+            }
+            Optional<List<float[]>> told = denoiser.tell(workers, options.threads());
+            noise = told.orElse(noise);
+            return told.isPresent();
         } catch (RuntimeException | Error failed) {
             fail(failed);
             return false;
@@ -247,7 +261,7 @@ final class RenderJob implements Workers.Work {
         RenderSettings settings = options.settings();
         // What is shown of things seen is no light whose spread would tell how many rays it takes; what is shown of rays is.
         RenderSettings shown = options.mode().scale().isPresent() ? settings : settings.withSamples(settings.samples()).withFilter(PixelFilter.BOX);
-        List<Object> purpose = List.of(scene.world(), options.mode(), settings.withSize(1, 1), options.fixedSampler(), options.numbers(), depths, options.layers(), options.transparent(), options.denoised());
+        List<Object> purpose = List.of(scene.world(), options.mode(), settings.withSize(1, 1), options.fixedSampler(), options.numbers(), depths, options.layers(), options.transparent(), options.isGuided());
         if (!scene.instants().isEmpty()) {
             return exposure();
         }
@@ -268,7 +282,7 @@ final class RenderJob implements Workers.Work {
     private Integrator paths() {
         int depth = options.settings().maxDepth();
         return options.mode() != RenderMode.SHADED ? new PathCounts(scene.world(), options.mode(), depth, options.paths(), options.numbers())
-                : options.isWatched() ? new PathLayers(scene.world(), depth, options.paths(), options.layers(), options.transparent(), options.denoised()) : new Paths(scene.world(), depth, options.paths());
+                : options.isWatched() ? new PathLayers(scene.world(), depth, options.paths(), options.layers(), options.transparent(), options.isGuided()) : new Paths(scene.world(), depth, options.paths());
     }
 
     private synchronized void add(Integrator.Work work) {

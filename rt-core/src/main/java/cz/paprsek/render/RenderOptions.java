@@ -1,6 +1,7 @@
 package cz.paprsek.render;
 
 import cz.paprsek.math.Require;
+import cz.paprsek.render.denoise.Denoiser;
 import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.render.sample.Passes;
@@ -10,6 +11,7 @@ import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.Stream;
 
 /**
  * How to render.
@@ -24,18 +26,30 @@ import java.util.Objects;
  * @param layers what else is to be known of each pixel, each once
  * @param transparent whether the picture is to have opacity: nothing where nothing is hit, in place of the sky or background that is still seen in mirrors and through glass,
  *     and of a pixel that is hit in part its share
- * @param denoised whether noise is to be taken out of the finished picture, whole and of paths, in whole passes of {@value RenderSettings#USUAL_PATHS}; layers, and what is
- *     known of its errors, stay as they are
+ * @param noise what becomes of the noise of a picture of paths, in whole passes of {@value RenderSettings#USUAL_PATHS} if anything; layers, and what is known of its errors,
+ *     stay as they are
  */
 public record RenderOptions(RenderSettings settings, Tile region, RenderMode mode, int threads, boolean numbers, boolean fixedSampler, int step,
-        List<Layer> layers, boolean transparent, boolean denoised) {
+        List<Layer> layers, boolean transparent, Noise noise) {
     private static final String ONLY_JUDGED = " is of paths, and of pixels with samples A..B: no others are judged";
+
+    /** What becomes of noise. */
+    public enum Noise {
+        /** It stays. */
+        LEFT,
+        /** It stays, and what is to be known to take it out goes to planes of its own: of a part of a picture that is put together. */
+        TOLD,
+        /** It is taken out of the finished picture, which is whole. */
+        TAKEN_OUT
+    }
 
     /** @throws IllegalArgumentException if the region does not lie inside the picture */
     public RenderOptions {
         Objects.requireNonNull(settings, "settings");
         Objects.requireNonNull(region, "region");
         Objects.requireNonNull(mode, "mode");
+        Objects.requireNonNull(noise, "noise");
+        boolean denoised = noise != Noise.LEFT;
         Require.within("threads", threads, 1, 1024);
         Require.within("step", step, 1, RenderSettings.LARGEST_SIDE);
         layers = List.copyOf(layers);
@@ -52,13 +66,13 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
         Require.that(region.x() + region.width() <= columns && region.y() + region.height() <= rows,
                 "region " + region.x() + "," + region.y() + "," + region.width() + "," + region.height()
                         + " must lie inside the picture of " + columns + " × " + rows + " pixels");
-        Require.that(!denoised || (region.width() == columns && region.height() == rows), "a denoiser needs the whole picture, not a region of it");
+        Require.that(noise != Noise.TAKEN_OUT || (region.width() == columns && region.height() == rows), "a denoiser needs the whole picture, not a region of it");
     }
 
     /** The whole picture, on all processors. */
     public static RenderOptions of(RenderSettings settings) {
         return new RenderOptions(settings, new Tile(0, 0, settings.width(), settings.height()), RenderMode.SHADED,
-                Runtime.getRuntime().availableProcessors(), false, false, 1, List.of(), false, false);
+                Runtime.getRuntime().availableProcessors(), false, false, 1, List.of(), false, Noise.LEFT);
     }
 
     /** What the scene asks for. */
@@ -68,19 +82,34 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
 
     /** With others of the same size, for the same region. */
     public RenderOptions withSettings(RenderSettings other) {
-        return new RenderOptions(other, region, mode, threads, numbers, fixedSampler, step, layers, transparent, denoised);
+        return new RenderOptions(other, region, mode, threads, numbers, fixedSampler, step, layers, transparent, noise);
     }
 
     public RenderOptions withThreads(int count) {
-        return new RenderOptions(settings, region, mode, count, numbers, fixedSampler, step, layers, transparent, denoised);
+        return new RenderOptions(settings, region, mode, count, numbers, fixedSampler, step, layers, transparent, noise);
     }
 
     public RenderOptions withRegion(Tile part) {
-        return new RenderOptions(settings, part, mode, threads, numbers, fixedSampler, step, layers, transparent, denoised);
+        return new RenderOptions(settings, part, mode, threads, numbers, fixedSampler, step, layers, transparent, noise);
+    }
+
+    /** For a part of the picture, of which others make the rest: noise that is to be taken out of all of it is told. */
+    public RenderOptions ofPart(Tile part) {
+        return new RenderOptions(settings, part, mode, threads, numbers, fixedSampler, step, layers, transparent, noise == Noise.TAKEN_OUT ? Noise.TOLD : noise);
+    }
+
+    /** Whether noise is to be taken out once the picture is finished. */
+    public boolean denoised() {
+        return noise == Noise.TAKEN_OUT;
+    }
+
+    /** Whether anything is to be known that a denoiser goes by. */
+    boolean isGuided() {
+        return noise != Noise.LEFT;
     }
 
     public RenderOptions withMode(RenderMode shown) {
-        return new RenderOptions(settings, region, shown, threads, numbers, fixedSampler, step, layers, transparent, denoised);
+        return new RenderOptions(settings, region, shown, threads, numbers, fixedSampler, step, layers, transparent, noise);
     }
 
     /**
@@ -88,34 +117,34 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
      * counts, in all three channels alike.
      */
     public RenderOptions withNumbers() {
-        return new RenderOptions(settings, region, mode, threads, true, fixedSampler, step, layers, transparent, denoised);
+        return new RenderOptions(settings, region, mode, threads, true, fixedSampler, step, layers, transparent, noise);
     }
 
     /** With the same random numbers in every pixel: to be compared, pixel by pixel, with pictures of programs that are given them. */
     public RenderOptions withFixedSampler() {
-        return new RenderOptions(settings, region, mode, threads, numbers, true, step, layers, transparent, denoised);
+        return new RenderOptions(settings, region, mode, threads, numbers, true, step, layers, transparent, noise);
     }
 
     /** With what else is to be known of each pixel. */
     public RenderOptions withLayers(List<Layer> wanted) {
-        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, wanted, transparent, denoised);
+        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, wanted, transparent, noise);
     }
 
     /** With opacity: transparent where nothing is hit. */
     public RenderOptions withTransparency() {
-        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, layers, true, denoised);
+        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, layers, true, noise);
     }
 
     /** With noise taken out once the picture is finished. */
     public RenderOptions withDenoiser() {
-        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, layers, transparent, true);
+        return new RenderOptions(settings, region, mode, threads, numbers, fixedSampler, step, layers, transparent, Noise.TAKEN_OUT);
     }
 
     /** A coarse image of the whole picture, to be shown before it: each pixel stands for step × step of them, and at right and bottom for those there are. */
     public RenderOptions withStep(int pixels) {
         Require.within("step", pixels, 1, RenderSettings.LARGEST_SIDE);
         Tile whole = new Tile(0, 0, coarse(settings.width(), pixels), coarse(settings.height(), pixels));
-        return new RenderOptions(settings, whole, mode, threads, numbers, fixedSampler, pixels, layers, transparent, denoised);
+        return new RenderOptions(settings, whole, mode, threads, numbers, fixedSampler, pixels, layers, transparent, noise);
     }
 
     /** How many numbers each pixel gets: three of light, with opacity that, those of layers, and those that are kept from pass to pass. */
@@ -126,17 +155,17 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
     /** Which of them, counted from 0, is the first that is kept: of a picture in passes the number of the pixel's paths. */
     public int keptFrom(Scene scene) {
         Objects.requireNonNull(scene, "scene");
-        return (transparent ? 4 : 3) + planes(scene).size();
+        return (transparent ? 4 : 3) + layerPlanes(scene).size();
     }
 
     /** How many numbers of each pixel are kept from one pass to the next; none if all of the picture's tiles are made once and for all. */
     int kept(Scene scene) {
-        return !isInPasses() ? 0 : mode != RenderMode.SHADED ? PathCounts.kept(paths()) : isWatched() ? PathLayers.kept(paths(), layers, transparent, denoised, scene.lights().size()) : paths().kept();
+        return !isInPasses() ? 0 : mode != RenderMode.SHADED ? PathCounts.kept(paths()) : isWatched() ? PathLayers.kept(paths(), layers, transparent, isGuided(), scene.lights().size()) : paths().kept();
     }
 
     /** The paths of its pixels. */
     Passes paths() {
-        return new Passes(settings, fixedSampler, isJudged() || denoised);
+        return new Passes(settings, fixedSampler, isJudged() || isGuided());
     }
 
     /** Whether it is to be known how near pixels are to the truth. */
@@ -146,7 +175,7 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
 
     /** Whether more is to be known of pixels than their light. */
     boolean isWatched() {
-        return !layers.isEmpty() || transparent || denoised;
+        return !layers.isEmpty() || transparent || isGuided();
     }
 
     /** Whether the picture is made in passes, each of which makes all of it better. */
@@ -159,8 +188,15 @@ public record RenderOptions(RenderSettings settings, Tile region, RenderMode mod
         return isInPasses() ? Passes.passes(settings) : 1;
     }
 
+    /** The names of the planes of what else is known of each pixel when the picture is finished; last, if noise is told, those that tell it. */
+    public List<String> planes(Scene scene) {
+        Objects.requireNonNull(scene, "scene");
+        List<String> told = noise == Noise.TOLD ? Denoiser.PLANES : List.of();
+        return Stream.of(layerPlanes(scene), told).flatMap(List::stream).toList();
+    }
+
     /** The names of the planes of all layers. */
-    List<String> planes(Scene scene) {
+    List<String> layerPlanes(Scene scene) {
         return layers.stream().flatMap(layer -> layer.planes(scene.lights()).stream()).toList();
     }
 

@@ -36,6 +36,11 @@ public final class Renderer implements AutoCloseable {
         return render(scene, options, monitor, TileStore.NONE, workers);
     }
 
+    /** The next picture, as by {@link #render(RenderScene, RenderOptions, RenderMonitor, TileStore)}. */
+    public RenderResult next(RenderScene scene, RenderOptions options, RenderMonitor monitor, TileStore store) {
+        return render(scene, options, monitor, store, workers);
+    }
+
     /**
      * Ends the threads when the picture they make is done, and waits until they have ended.
      *

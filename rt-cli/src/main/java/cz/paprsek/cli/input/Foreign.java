@@ -16,6 +16,8 @@ public final class Foreign {
     private static final String PICTURE = "; if the picture is to be written there, say -o before it";
     private static final String POV = ", which is written here (paprsek convert) but not read";
     private static final String PACKED = "; unpack it first";
+    /** What to do with one that comes in as it is read. */
+    static final String NOT_THROUGH = "files of other programs cannot come through a pipe; write it to a file first";
     private static final Map<String, String> KINDS = Map.ofEntries(
             Map.entry("fbx", "an FBX model" + MESH),
             Map.entry("3ds", "a model of 3D Studio's" + MESH), Map.entry("dae", "a COLLADA model" + MESH), Map.entry("x3d", "an X3D model" + MESH),
@@ -37,7 +39,7 @@ public final class Foreign {
     public static Optional<String> kind(Path file) {
         String name = String.valueOf(file.getFileName());
         if (Incoming.isOnce(file) && ForeignFormat.ofName(name).isPresent()) {
-            return Optional.of("this is a pipe or a device, through which files of other programs cannot come; write it to a file first");
+            return Optional.of("this is a pipe or a device, and " + NOT_THROUGH);
         }
         String kind = KINDS.get(name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT));
         return kind == null || !Files.isRegularFile(file) || isMarkup(file, name) ? Optional.empty() : Optional.of("this is " + kind);

@@ -8,7 +8,9 @@ import cz.paprsek.xml.ReadMonitor;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import cz.paprsek.xml.SceneFiles.Contents;
+import java.io.BufferedInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -28,7 +30,7 @@ public final class Incoming {
             refuse(file, parameters);
             return new Contents(List.of(Models.read(file, format.get()).scene()), false);
         }
-        return reading(() -> isStandardInput(file) ? SceneFiles.contents(System.in, STANDARD_INPUT, parameters.values(), parameters.pictures().of(file))
+        return reading(() -> isStandardInput(file) ? SceneFiles.contents(standardInput(), STANDARD_INPUT, parameters.values(), parameters.pictures().of(file))
                 : SceneFiles.contents(file, ReadMonitor.NONE, parameters.values(), parameters.pictures().of(file)));
     }
 
@@ -41,7 +43,7 @@ public final class Incoming {
     /** As {@link #read}, with the text, to tell where in it something is, or to take it elsewhere. */
     public static OriginalText text(Path file, ParameterWishes parameters) throws SceneFileException, IOException {
         Foreign.refuse(file);
-        return reading(() -> isStandardInput(file) ? OriginalText.read(System.in, STANDARD_INPUT, parameters.values(), parameters.pictures().of(file))
+        return reading(() -> isStandardInput(file) ? OriginalText.read(standardInput(), STANDARD_INPUT, parameters.values(), parameters.pictures().of(file))
                 : OriginalText.read(file, parameters.values(), parameters.pictures().of(file)));
     }
 
@@ -50,6 +52,19 @@ public final class Incoming {
         if (parameters.areSaid()) {
             throw new WrongUsage(file + " is a file of another program, which has no parameters; -D is for scenes");
         }
+    }
+
+    /** @throws IOException if a model of another program comes in, which may need files beside it */
+    private static InputStream standardInput() throws IOException {
+        InputStream input = new BufferedInputStream(System.in, ForeignFormat.HEAD);
+        input.mark(ForeignFormat.HEAD);
+        byte[] head = input.readNBytes(ForeignFormat.HEAD);
+        input.reset();
+        Optional<ForeignFormat> format = Foreign.isMarkup(head) ? Optional.empty() : ForeignFormat.of(STANDARD_INPUT, head);
+        if (format.isPresent()) {
+            throw new IOException(STANDARD_INPUT + ": this looks like " + format.get().label() + "; " + Foreign.NOT_THROUGH);
+        }
+        return input;
     }
 
     /** That memory does not suffice is told with how to give this program more, and is no fault of the file. */

@@ -7,10 +7,14 @@ import cz.paprsek.image.ImageOptions;
 import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
+import cz.paprsek.render.join.JoinedNoise;
 import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Which picture, or film, parts are of. Two parts belong together if their cards are the same to the letter: of the same scene with the same files beside it, by the same
@@ -25,12 +29,14 @@ import java.util.List;
  * @param legend whether its scale of colours goes below it, if it has one
  * @param transparent whether it has opacity
  * @param region the part of the picture that is the image
- * @param planes the names of what else is known of each pixel
+ * @param planes the names of what else is known of each pixel, last of all what a denoiser goes by
+ * @param passes into how many passes, each a part of its own, it can be divided; 0 if it cannot
+ * @param filter what paths are strewn by, which says what is kept of a pass
  * @param scene digest of the scene, and of all files that it needs
  * @param options digest of how it is rendered
  */
 public record Card(String program, String settings, double exposure, Tone tone, RenderMode mode, boolean numbers, boolean legend, boolean transparent, Tile region, List<String> planes,
-        String scene, String options) {
+        int passes, PixelFilter filter, String scene, String options) {
     public Card {
         planes = List.copyOf(planes);
     }
@@ -45,8 +51,25 @@ public record Card(String program, String settings, double exposure, Tone tone, 
     public static Card of(Scene scene, boolean isFilm, Assets assets, RenderOptions options, ImageOptions how, boolean legend) {
         String content = isFilm ? SceneDigest.of(scene, assets, "film " + scene.recipe().text()) : SceneDigest.of(scene, assets);
         String settings = SceneDigest.ofText(options.withThreads(1).toString());
-        List<String> planes = options.layers().stream().flatMap(layer -> layer.planes(scene.lights()).stream()).toList();
-        return new Card(how.origin().program(), how.origin().settings(), how.exposure(), how.tone(), options.mode(), options.numbers(), legend, options.transparent(), options.region(), planes, content, settings);
+        List<String> planes = options.ofPart(options.region()).planes(scene);
+        int passes = indivisible(options).isPresent() ? 0 : options.passes();
+        return new Card(how.origin().program(), how.origin().settings(), how.exposure(), how.tone(), options.mode(), options.numbers(), legend, options.transparent(), options.region(), planes, passes,
+                options.settings().filter(), content, settings);
+    }
+
+    /** Why a picture cannot be divided into passes; empty if it can. */
+    static Optional<String> indivisible(RenderOptions options) {
+        RenderSettings settings = options.settings();
+        return !settings.isPath() ? Optional.of("this picture is not of --integrator path")
+                : options.mode() != RenderMode.SHADED ? Optional.of("--mode " + options.mode() + " shows none")
+                : settings.isAdaptive() ? Optional.of("with --error, how many a pixel gets is known only when those before are there")
+                : settings.samples() % RenderSettings.USUAL_PATHS != 0 ? Optional.of("--samples " + settings.samples() + " is no multiple of 64")
+                : !options.layers().isEmpty() || options.transparent() || options.denoised() ? Optional.of("--aov, --transparent and --denoise are more") : Optional.empty();
+    }
+
+    /** The names of the layers of the picture. */
+    public List<String> layers() {
+        return planes.stream().filter(plane -> !JoinedNoise.has(plane)).toList();
     }
 
     /** How many numbers each pixel has. */
@@ -79,6 +102,8 @@ public record Card(String program, String settings, double exposure, Tone tone, 
         Fields.put(text, "transparent", transparent);
         Fields.put(text, "region", text(region));
         planes.forEach(plane -> Fields.put(text, "plane", plane));
+        Fields.put(text, "passes", passes);
+        Fields.put(text, "filter", filter.name());
         Fields.put(text, "scene", scene);
         Fields.put(text, "options", options);
         return text.toString();
@@ -95,7 +120,10 @@ public record Card(String program, String settings, double exposure, Tone tone, 
         boolean transparent = Boolean.parseBoolean(fields.next("transparent"));
         Tile region = tile(fields, "region");
         Image.requireRoom(region.width(), region.height());
-        return new Card(program, settings, how.exposure(), how.tone(), mode, numbers, legend, transparent, region, fields.all("plane"), fields.next("scene"), fields.next("options"));
+        List<String> planes = fields.all("plane");
+        int passes = fields.numbers("passes", 1)[0];
+        PixelFilter filter = PixelFilter.valueOf(fields.next("filter"));
+        return new Card(program, settings, how.exposure(), how.tone(), mode, numbers, legend, transparent, region, planes, passes, filter, fields.next("scene"), fields.next("options"));
     }
 
     static String text(Tile tile) {

@@ -11,7 +11,7 @@ import java.util.function.Predicate;
 /**
  * How the work on a picture, or on the frames of a film, is dealt out, in parts of which each becomes a file. It depends on nothing but the picture and the
  * number of shares; that of a share takes as long as that of any other, about, as of each few neighbours in picture and time everybody gets one. Of many frames
- * everybody gets whole ones, as each must be prepared by whoever renders something of it.
+ * everybody gets whole ones, as each must be prepared by whoever renders something of it, and of many passes likewise.
  */
 final class Deal {
     /** How many parts a share has at least, if the picture is large enough: who is killed loses one of them. */
@@ -23,27 +23,33 @@ final class Deal {
 
     private final List<Tile> tiles;
     private final int first;
-    private final int frames;
+    /** Into how many passes each frame is divided; 0 if it is not. */
+    private final int passes;
+    /** How many frames there are, each counted as often as it has passes. */
+    private final long slices;
     private final int shards;
 
     /**
      * A piece of work.
      *
      * @param frame from 1; 0 of a picture that is no film
+     * @param pass from 1; 0 for all
      */
-    record Piece(int frame, Tile tile) {}
+    record Piece(int frame, int pass, Tile tile) {}
 
-    Deal(Tile region, Span span, int shards) {
+    /** @param passes into how many each frame is divided; 0 if it is not */
+    Deal(Tile region, Span span, int passes, int shards) {
         this.first = span.first();
+        this.passes = passes;
         this.shards = shards;
-        frames = span.count();
-        tiles = Grid.tiles(region, side(region, frames, (long) PARTS * shards));
+        slices = (long) span.count() * Math.max(1, passes);
+        tiles = Grid.tiles(region, side(region, slices, (long) PARTS * shards));
     }
 
     /** The largest side of tiles with which there are so many of them, if there can be. */
-    static int side(Tile region, int frames, long wanted) {
+    static int side(Tile region, long slices, long wanted) {
         int side = LARGEST_SIDE;
-        while (side > Grid.SIDE && (long) Grid.cells(region.width(), side) * Grid.cells(region.height(), side) * frames < wanted) {
+        while (side > Grid.SIDE && (long) Grid.cells(region.width(), side) * Grid.cells(region.height(), side) * slices < wanted) {
             side -= Grid.SIDE;
         }
         return side;
@@ -51,16 +57,16 @@ final class Deal {
 
     /** How many parts there are. */
     long parts() {
-        return (long) tiles.size() * frames;
+        return (long) tiles.size() * slices;
     }
 
     /** What a share has to do, frame by frame. */
     List<Piece> of(Shard shard) {
         List<Piece> own = new ArrayList<>();
-        for (int frame = 0; frame < frames; frame++) {
+        for (long slice = 0; slice < slices; slice++) {
             for (int i = 0; i < tiles.size(); i++) {
-                if (owner(frame, i) == shard.number()) {
-                    own.add(new Piece(first + frame, tiles.get(i)));
+                if (owner(slice, i) == shard.number()) {
+                    own.add(piece(slice, i));
                 }
             }
         }
@@ -70,22 +76,27 @@ final class Deal {
     /** Whose work some pieces are, in order. */
     List<Integer> owners(Predicate<Piece> which) {
         SortedSet<Integer> owners = new TreeSet<>();
-        for (int frame = 0; frame < frames; frame++) {
+        for (long slice = 0; slice < slices; slice++) {
             for (int i = 0; i < tiles.size(); i++) {
-                if (which.test(new Piece(first + frame, tiles.get(i)))) {
-                    owners.add(owner(frame, i));
+                if (which.test(piece(slice, i))) {
+                    owners.add(owner(slice, i));
                 }
             }
         }
         return List.copyOf(owners);
     }
 
+    private Piece piece(long slice, int tile) {
+        return passes == 0 ? new Piece(first + (int) slice, 0, tiles.get(tile)) : new Piece(first + (int) (slice / passes), 1 + (int) (slice % passes), tiles.get(tile));
+    }
+
     /** Whose work a tile is. */
-    private int owner(int frame, int tile) {
-        if (frames >= (long) FRAMES * shards) {
-            return 1 + frame % shards;
+    private int owner(long slice, int tile) {
+        // Passes take as long as each other.
+        if (slices >= (long) FRAMES * shards || (passes > 0 && slices % shards == 0)) {
+            return 1 + (int) (slice % shards);
         }
-        long number = (long) frame * tiles.size() + tile;
+        long number = slice * tiles.size() + tile;
         // In each round everybody has another turn, or a share would get a stripe of the picture.
         long round = number / shards;
         double turn = round * GOLDEN;

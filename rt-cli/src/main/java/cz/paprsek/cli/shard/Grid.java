@@ -20,6 +20,19 @@ final class Grid {
         columns = cells(region.width(), SIDE);
     }
 
+    Grid copy() {
+        Grid same = new Grid(region);
+        same.covered.or(covered);
+        return same;
+    }
+
+    /** What is there in both. */
+    Grid and(Grid other) {
+        Grid both = copy();
+        both.covered.and(other.covered);
+        return both;
+    }
+
     static int cells(int pixels, int side) {
         return (pixels + side - 1) / side;
     }

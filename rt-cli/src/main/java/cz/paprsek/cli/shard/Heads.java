@@ -28,7 +28,7 @@ public final class Heads {
 
     /** Thousands of parts have one card between them. */
     private PartHead shared(PartHead head) {
-        return new PartHead(same(head.card()), same(head.told()), head.frame(), head.tile(), same(head.span()), same(head.shard()), same(head.words()));
+        return new PartHead(same(head.card()), same(head.told()), head.frame(), head.pass(), head.tile(), same(head.span()), same(head.shard()), same(head.words()));
     }
 
     @SuppressWarnings("unchecked")

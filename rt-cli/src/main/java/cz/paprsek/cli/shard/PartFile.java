@@ -26,7 +26,7 @@ import java.util.Arrays;
 final class PartFile {
     static final String ENDING = ".part";
     private static final String FORMAT = "paprsek part ";
-    private static final byte[] MAGIC = (FORMAT + "1\n").getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] MAGIC = (FORMAT + "2\n").getBytes(StandardCharsets.US_ASCII);
     /** More than the names of a hundred thousand layers take. */
     private static final int LARGEST_HEAD = 1 << 24;
     private static final int DIGEST = 32;
@@ -39,7 +39,7 @@ final class PartFile {
         /** Nobody: for who only asks whether the file is whole. */
         Pixels IGNORED = (x, y, numbers) -> {};
 
-        /** @param numbers in the order of the card: light, opacity, planes; the array is used again */
+        /** @param numbers in the order of the card: light, opacity, planes; of a pass what is kept of it; the array is used again */
         void put(int x, int y, float[] numbers);
     }
 
@@ -52,7 +52,25 @@ final class PartFile {
         }
     }
 
-    static void write(Path file, PartHead head, Image image, Layers layers) throws IOException {
+    /** What is to be written of pixels. */
+    @FunctionalInterface
+    interface Numbers {
+        /** One of a pixel's numbers, counted from 0; columns and rows from the part's top left. */
+        float at(int channel, int x, int y);
+
+        /** All of finished ones, in the order of the card. */
+        static Numbers of(Card card, Image image, Layers layers) {
+            int lights = card.channels() - card.planes().size();
+            return (channel, x, y) -> switch (channel) {
+                case 0 -> image.red(x, y);
+                case 1 -> image.green(x, y);
+                case 2 -> image.blue(x, y);
+                default -> channel < lights ? image.alpha(x, y) : layers.at(card.planes().get(channel - lights), x, y);
+            };
+        }
+    }
+
+    static void write(Path file, PartHead head, Numbers numbers) throws IOException {
         // There are thousands of them in a folder, which is swept once for all.
         AtomicFile.writeUnswept(file, target -> {
             MessageDigest digest = SceneDigest.sha256();
@@ -62,26 +80,17 @@ final class PartFile {
             out.write(MAGIC);
             out.writeInt(text.length);
             out.write(text);
-            for (int y = 0; y < image.height(); y++) {
-                for (int x = 0; x < image.width(); x++) {
-                    writePixel(out, head.card(), image, layers, x, y);
+            int channels = head.channels();
+            for (int y = 0; y < head.tile().height(); y++) {
+                for (int x = 0; x < head.tile().width(); x++) {
+                    for (int channel = 0; channel < channels; channel++) {
+                        out.writeFloat(numbers.at(channel, x, y));
+                    }
                 }
             }
             out.flush();
             target.write(digest.digest());
         });
-    }
-
-    private static void writePixel(DataOutputStream out, Card card, Image image, Layers layers, int x, int y) throws IOException {
-        out.writeFloat(image.red(x, y));
-        out.writeFloat(image.green(x, y));
-        out.writeFloat(image.blue(x, y));
-        if (card.transparent()) {
-            out.writeFloat(image.alpha(x, y));
-        }
-        for (String plane : card.planes()) {
-            out.writeFloat(layers.at(plane, x, y));
-        }
     }
 
     /**
@@ -129,7 +138,7 @@ final class PartFile {
         try (InputStream opened = Files.newInputStream(file); BufferedInputStream buffered = new BufferedInputStream(opened, 1 << 16)) {
             DataInputStream input = new DataInputStream(new BufferedInputStream(new DigestInputStream(new Before(buffered, Files.size(file) - DIGEST), digest), 1 << 14));
             PartHead head = head(input, Files.size(file));
-            float[] numbers = new float[head.card().channels()];
+            float[] numbers = new float[head.channels()];
             for (int i = 0; i < head.tile().width() * head.tile().height(); i++) {
                 for (int channel = 0; channel < numbers.length; channel++) {
                     numbers[channel] = input.readFloat();

@@ -15,37 +15,41 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** A folder of part files; those of a film lie in folders of their frames in it. */
 record PartsFolder(Path path) {
     private static final Pattern NAME = Pattern.compile("tile-(\\d{5})-(\\d{5})-(\\d{1,5})x(\\d{1,5})" + Pattern.quote(PartFile.ENDING));
+    private static final Pattern PASS = Pattern.compile("pass-\\d{5}");
     private static final Pattern FRAME = Pattern.compile("frame-(\\d{6,9})");
 
     /** Where a part goes. */
     Path file(Piece piece) {
         Tile tile = piece.tile();
-        return of(piece.frame()).resolve(String.format(Locale.ROOT, "tile-%05d-%05d-%dx%d%s", tile.x(), tile.y(), tile.width(), tile.height(), PartFile.ENDING));
+        return of(piece.frame(), piece.pass()).resolve(String.format(Locale.ROOT, "tile-%05d-%05d-%dx%d%s", tile.x(), tile.y(), tile.width(), tile.height(), PartFile.ENDING));
     }
 
-    /** Makes the folder of a frame, and removes what processes that are no more have left half-written in it. */
-    void prepare(int frame) throws IOException {
-        Path folder = of(frame);
+    /** Makes the folder of a frame, or of one of its passes, and removes what processes that are no more have left half-written in it. */
+    void prepare(int frame, int pass) throws IOException {
+        Path folder = of(frame, pass);
         Files.createDirectories(folder);
         AtomicFile.sweepAll(folder, PartFile.ENDING);
     }
 
-    /** The folder of a frame. */
-    private Path of(int frame) {
-        return frame == 0 ? path : path.resolve(String.format(Locale.ROOT, "frame-%06d", frame));
+    /** The folder of a frame, or of one of its passes, from 1. */
+    private Path of(int frame, int pass) {
+        Path all = frame == 0 ? path : path.resolve(String.format(Locale.ROOT, "frame-%06d", frame));
+        return pass == 0 ? all : all.resolve(String.format(Locale.ROOT, "pass-%05d", pass));
     }
 
     /** All part files of some frames, or of all, in the order of their names. */
     List<Path> files(Optional<Span> frames) throws IOException {
-        List<Path> files = new ArrayList<>(frames.isEmpty() ? parts(path) : List.of());
+        List<Path> files = new ArrayList<>(frames.isEmpty() ? partsOfAllPasses(path) : List.of());
         for (Path folder : listed(path, each -> isFrame(each, frames))) {
-            files.addAll(parts(folder));
+            files.addAll(partsOfAllPasses(folder));
         }
         return files.stream().sorted().toList();
     }
@@ -53,6 +57,14 @@ record PartsFolder(Path path) {
     private static boolean isFrame(Path folder, Optional<Span> frames) {
         Matcher name = FRAME.matcher(String.valueOf(folder.getFileName()));
         return name.matches() && (frames.isEmpty() || frames.get().has(Integer.parseInt(name.group(1)))) && Files.isDirectory(folder);
+    }
+
+    private static List<Path> partsOfAllPasses(Path frame) throws IOException {
+        List<Path> files = new ArrayList<>(parts(frame));
+        for (Path folder : listed(frame, each -> PASS.matcher(String.valueOf(each.getFileName())).matches() && Files.isDirectory(each))) {
+            files.addAll(parts(folder));
+        }
+        return files;
     }
 
     private static List<Path> parts(Path folder) throws IOException {
@@ -70,21 +82,33 @@ record PartsFolder(Path path) {
     }
 
     /**
-     * Which pieces of work on a frame are not done: their pixels are in no part that is whole.
+     * Which pieces of work on a frame are not done: their pixels are in no part that is whole, neither of their pass nor of all.
      *
      * @throws WrongUsage if there are parts of another picture in their place
      */
     List<Piece> lacking(Card card, int frame, List<Piece> pieces) throws IOException {
         Grid wanted = new Grid(card.region());
         pieces.forEach(piece -> wanted.cover(piece.tile()));
-        Grid there = new Grid(card.region());
-        for (Path file : parts(of(frame))) {
+        Grid whole = there(card, frame, 0, wanted, new Grid(card.region()));
+        SortedMap<Integer, Grid> passes = new TreeMap<>();
+        for (Piece piece : pieces) {
+            if (piece.pass() > 0 && !passes.containsKey(piece.pass())) {
+                passes.put(piece.pass(), there(card, frame, piece.pass(), wanted, whole));
+            }
+        }
+        return pieces.stream().filter(piece -> !passes.getOrDefault(piece.pass(), whole).covers(piece.tile())).toList();
+    }
+
+    /** What is there of a pass, or of all, beside what is known to be. */
+    private Grid there(Card card, int frame, int pass, Grid wanted, Grid known) throws IOException {
+        Grid there = known.copy();
+        for (Path file : parts(of(frame, pass))) {
             Optional<Tile> tile = tile(file).filter(named -> Grid.has(card.region(), named) && wanted.touches(named));
-            if (tile.isPresent() && isWhole(card, file, new Piece(frame, tile.get()))) {
+            if (tile.isPresent() && isWhole(card, file, new Piece(frame, pass, tile.get()))) {
                 there.cover(tile.get());
             }
         }
-        return pieces.stream().filter(piece -> !there.covers(piece.tile())).toList();
+        return there;
     }
 
     private boolean isWhole(Card card, Path file, Piece piece) throws IOException {
@@ -93,7 +117,7 @@ record PartsFolder(Path path) {
             if (!head.card().equals(card)) {
                 throw foreign(file, head.card().difference(card));
             }
-            return head.frame() == piece.frame() && head.tile().equals(piece.tile());
+            return head.frame() == piece.frame() && head.pass() == piece.pass() && head.tile().equals(piece.tile());
         } catch (OtherVersion other) {
             throw foreign(file, String.valueOf(other.getMessage()));
         } catch (IOException damaged) {

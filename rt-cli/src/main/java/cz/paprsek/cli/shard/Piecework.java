@@ -3,6 +3,7 @@ package cz.paprsek.cli.shard;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.shard.Deal.Piece;
+import cz.paprsek.cli.shard.PartFile.Numbers;
 import cz.paprsek.cli.shard.PartFile.Pixels;
 import cz.paprsek.cli.value.Shard;
 import cz.paprsek.render.RenderMonitor;
@@ -129,14 +130,14 @@ public final class Piecework implements Sharing {
 
     /** Where the part of a tile goes in a folder of parts. */
     public static Path part(Path folder, int frame, Tile tile) {
-        return new PartsFolder(folder).file(new Piece(frame, tile));
+        return new PartsFolder(folder).file(new Piece(frame, 0, tile));
     }
 
     /** Whether a file is the part of a tile, and whole. */
     public boolean isPart(Path file, int frame, Tile tile) {
         try {
             PartHead head = PartFile.read(file, Pixels.IGNORED);
-            return head.card().equals(order().card()) && head.frame() == frame && head.tile().equals(tile);
+            return head.card().equals(order().card()) && head.frame() == frame && head.pass() == 0 && head.tile().equals(tile);
         } catch (IOException damaged) {
             return false;
         }
@@ -160,16 +161,16 @@ public final class Piecework implements Sharing {
         Ready ready = begun(frame);
         RenderResult result;
         try {
-            result = Renderer.render(ready.scene(), order().options().withRegion(tile).withThreads(1), monitor);
+            result = Renderer.render(ready.scene(), order().options().ofPart(tile).withThreads(1), monitor);
         } finally {
             ended();
         }
         if (result.outcome() != RenderResult.Outcome.DONE) {
             throw new InterruptedIOException("interrupted");
         }
-        new PartsFolder(folder).prepare(frame);
-        PartHead head = new PartHead(order().card(), ready.told(), frame, tile, span(), ALL, words);
-        PartFile.write(part(folder, frame, tile), head, result.image(), result.layers());
+        new PartsFolder(folder).prepare(frame, 0);
+        PartHead head = new PartHead(order().card(), ready.told(), frame, 0, tile, span(), ALL, words);
+        PartFile.write(part(folder, frame, tile), head, Numbers.of(head.card(), result.image(), result.layers()));
     }
 
     /** A thread begins a tile: what is prepared of its frame, by the first that needs it. */

@@ -3,6 +3,7 @@ package cz.paprsek.cli.shard;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.Deal.Piece;
+import cz.paprsek.cli.shard.PartFile.Numbers;
 import cz.paprsek.cli.value.Shard;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
@@ -33,18 +34,20 @@ import java.util.concurrent.atomic.AtomicInteger;
  *
  * @param folder where parts go; it is made
  * @param words as {@link PartHead} has them
+ * @param isByPasses whether the picture is divided into passes as well as into tiles
  */
-public record ShardWork(Shard shard, Path folder, List<String> words) implements Sharing {
+public record ShardWork(Shard shard, Path folder, List<String> words, boolean isByPasses) implements Sharing {
     public ShardWork {
         words = List.copyOf(words);
     }
 
     @Override
     public Done run(Order order, Stop stop, Listener listener) throws IOException {
+        int passes = isByPasses ? passes(order.options()) : 0;
         makeFolder();
         PartsFolder parts = new PartsFolder(folder);
         SortedMap<Integer, List<Piece>> frames = new TreeMap<>();
-        new Deal(order.options().region(), order.span(), shard.count()).of(shard).forEach(piece -> frames.computeIfAbsent(piece.frame(), key -> new ArrayList<>()).add(piece));
+        new Deal(order.options().region(), order.span(), passes, shard.count()).of(shard).forEach(piece -> frames.computeIfAbsent(piece.frame(), key -> new ArrayList<>()).add(piece));
         int all = frames.values().stream().mapToInt(List::size).sum();
         // Half-written parts are removed before the process ends.
         stop.oweLastWords();
@@ -60,8 +63,16 @@ public record ShardWork(Shard shard, Path folder, List<String> words) implements
     }
 
     /** Into how many parts a picture or film is divided, for so many shares. */
-    public static long parts(RenderOptions options, Span span, int shards) {
-        return new Deal(options.region(), span, shards).parts();
+    public static long parts(RenderOptions options, Span span, boolean byPasses, int shards) {
+        return new Deal(options.region(), span, byPasses ? passes(options) : 0, shards).parts();
+    }
+
+    /** @throws WrongUsage if a picture is not made of whole passes of light alone */
+    private static int passes(RenderOptions options) {
+        Card.indivisible(options).ifPresent(why -> {
+            throw new WrongUsage("--by passes shares out whole passes of 64 paths, of light alone; " + why + ": --by tiles goes with it");
+        });
+        return options.passes();
     }
 
     private void makeFolder() throws IOException {
@@ -97,7 +108,9 @@ public record ShardWork(Shard shard, Path folder, List<String> words) implements
 
         /** Makes parts of a frame. */
         void work(int frame, List<Piece> pieces) throws IOException {
-            parts.prepare(frame);
+            for (int pass : pieces.stream().map(Piece::pass).distinct().toList()) {
+                parts.prepare(frame, pass);
+            }
             RenderScene scene = order.footage().scene(frame);
             Told told = Told.of(order.footage().written(frame).origin());
             Queue<Piece> queue = new ConcurrentLinkedQueue<>(pieces);
@@ -148,9 +161,12 @@ public record ShardWork(Shard shard, Path folder, List<String> words) implements
         }
 
         private void make(RenderScene scene, Told told, Piece piece, Renderer renderer) throws IOException {
-            RenderResult result = renderer.next(scene, order.options().withRegion(piece.tile()).withThreads(1), this);
+            RenderOptions options = order.options().ofPart(piece.tile()).withThreads(1);
+            OnePass pass = new OnePass(options, order.scene(), piece);
+            RenderResult result = piece.pass() == 0 ? renderer.next(scene, options, this) : renderer.next(scene, pass.upToIt(), this, pass);
             if (result.outcome() == RenderResult.Outcome.DONE) {
-                PartFile.write(parts.file(piece), new PartHead(order.card(), told, piece.frame(), piece.tile(), order.span(), shard, words), result.image(), result.layers());
+                PartHead head = new PartHead(order.card(), told, piece.frame(), piece.pass(), piece.tile(), order.span(), shard, words);
+                PartFile.write(parts.file(piece), head, piece.pass() == 0 ? Numbers.of(order.card(), result.image(), result.layers()) : pass);
                 listener.made(found + made.incrementAndGet(), all);
             }
         }

@@ -87,7 +87,7 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
     }
 
     /** The frames of which something is missing. */
-    private IntStream lacking(IntFunction<Grid> covered) {
+    private IntStream lacking(IntFunction<Coverage> covered) {
         Tile region = card.orElseThrow().region();
         return IntStream.rangeClosed(span().first(), span().last()).filter(frame -> !covered.apply(frame).covers(region));
     }
@@ -109,12 +109,13 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
     }
 
     /** What is there of each frame. */
-    private IntFunction<Grid> covered() {
-        Tile region = card.orElseThrow().region();
-        Map<Integer, Grid> grids = new HashMap<>();
-        parts.forEach(part -> grids.computeIfAbsent(part.head().frame(), frame -> new Grid(region)).cover(part.head().tile()));
-        Grid nothing = new Grid(region);
-        return frame -> grids.getOrDefault(frame, nothing);
+    private IntFunction<Coverage> covered() {
+        Card own = card.orElseThrow();
+        Map<Integer, List<PartHead>> heads = parts.stream().map(Found::head).collect(Collectors.groupingBy(PartHead::frame));
+        Map<Integer, Coverage> frames = new HashMap<>();
+        heads.forEach((frame, all) -> frames.put(frame, new Coverage(own, all)));
+        Coverage nothing = new Coverage(own, List.of());
+        return frame -> frames.getOrDefault(frame, nothing);
     }
 
     /** What stands in the way of the picture, a sentence each: files first, then what is missing, then the line that makes it. */
@@ -125,7 +126,7 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
             sentences.add(folder + ": there is no part of a picture in it; paprsek render SCENE --shard I/N -o " + Again.quoted(folder.toString()) + " makes them");
             return sentences;
         }
-        IntFunction<Grid> covered = covered();
+        IntFunction<Coverage> covered = covered();
         List<Integer> lacking = lacking(covered).boxed().toList();
         if (!lacking.isEmpty()) {
             sentences.add(folder + ": " + missing(covered, lacking) + "; this makes them, where the others were made:");
@@ -134,11 +135,16 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
         return sentences;
     }
 
-    private String missing(IntFunction<Grid> covered, List<Integer> lacking) {
+    private String missing(IntFunction<Coverage> covered, List<Integer> lacking) {
         if (!span().isStill()) {
             return "of " + lacking.size() + " of " + span().count() + " frames tiles are missing: " + told(lacking.stream().map(String::valueOf).toList());
         }
         Tile region = card.orElseThrow().region();
+        int passes = card.orElseThrow().passes();
+        if (covered.apply(0).isInPasses()) {
+            List<Integer> some = IntStream.rangeClosed(1, passes).filter(pass -> !covered.apply(0).covers(pass, region)).boxed().toList();
+            return "of " + some.size() + " of " + passes + " passes tiles are missing: " + told(some.stream().map(String::valueOf).toList());
+        }
         List<Tile> tiles = Grid.tiles(region, Grid.SIDE);
         List<Tile> missing = tiles.stream().filter(tile -> !covered.apply(0).covers(tile)).toList();
         return missing.size() + " of " + tiles.size() + " tiles are missing: " + told(missing.stream().map(tile -> tile.x() + "," + tile.y() + "," + tile.width() + "," + tile.height()).toList());
@@ -149,13 +155,16 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
     }
 
     /** What makes all that is missing, by the shares into which most of the parts were dealt. */
-    private String line(IntFunction<Grid> covered) {
-        int count = usual(part -> part.shard().count(), part -> true, Comparator.<Integer>naturalOrder());
-        Span usual = usual(PartHead::span, part -> part.shard().count() == count, Comparator.comparing(Span::first).thenComparing(Span::last));
-        List<String> usualWords = usual(PartHead::words, part -> part.shard().count() == count && part.span().equals(usual), Comparator.comparing(List::toString));
+    private String line(IntFunction<Coverage> covered) {
+        boolean isByPasses = usual(part -> part.pass() > 0, part -> true, Comparator.<Boolean>naturalOrder());
+        int count = usual(part -> part.shard().count(), part -> part.pass() > 0 == isByPasses, Comparator.<Integer>naturalOrder());
+        Predicate<PartHead> alike = part -> part.shard().count() == count && part.pass() > 0 == isByPasses;
+        Span usual = usual(PartHead::span, alike, Comparator.comparing(Span::first).thenComparing(Span::last));
+        List<String> usualWords = usual(PartHead::words, alike.and(part -> part.span().equals(usual)), Comparator.comparing(List::toString));
+        int passes = isByPasses ? card.orElseThrow().passes() : 0;
         Span all = usual.with(span());
         List<String> words = all.equals(usual) ? usualWords : Again.ofFrames(usualWords, all);
-        List<Integer> shares = new Deal(card.orElseThrow().region(), all, count).owners(piece -> span().has(piece.frame()) && !covered.apply(piece.frame()).covers(piece.tile()));
+        List<Integer> shares = new Deal(card.orElseThrow().region(), all, passes, count).owners(piece -> span().has(piece.frame()) && !covered.apply(piece.frame()).covers(piece.pass(), piece.tile()));
         return Again.line(words, shares, count, folder);
     }
 

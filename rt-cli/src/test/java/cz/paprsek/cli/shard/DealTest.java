@@ -19,7 +19,7 @@ class DealTest {
     @CsvSource({"1,1,0,0,1", "1920,1080,0,0,8", "1920,1080,0,0,5000", "640,361,1,8,8", "100,70,3,1000,7", "33,31,0,0,3"})
     void everyPixelOfEveryFrameIsDealtOnce(int width, int height, int first, int last, int shards) {
         Tile region = new Tile(5, 7, width, height);
-        Deal deal = new Deal(region, new Span(first, last), shards);
+        Deal deal = new Deal(region, new Span(first, last), 0, shards);
         List<Piece> all = new ArrayList<>();
         for (int i = 1; i <= shards; i++) {
             all.addAll(deal.of(new Shard(i, shards)));
@@ -39,7 +39,7 @@ class DealTest {
     @ParameterizedTest
     @CsvSource({"2,0.02", "3,0.03", "5,0.02", "8,0.03", "13,0.05", "21,0.1", "30,0.1", "64,0.2"})
     void noShareTakesMuchLongerThanTheMean(int shards, double longer) {
-        Deal deal = new Deal(new Tile(0, 0, 1920, 1080), Span.STILL, shards);
+        Deal deal = new Deal(new Tile(0, 0, 1920, 1080), Span.STILL, 0, shards);
         double[] times = IntStream.rangeClosed(1, shards).mapToDouble(i -> deal.of(new Shard(i, shards)).stream().mapToDouble(piece -> time(piece.tile())).sum()).toArray();
         assertThat(DoubleStream.of(times).max().orElseThrow()).isLessThan((1 + longer) * DoubleStream.of(times).average().orElseThrow());
     }
@@ -52,15 +52,15 @@ class DealTest {
 
     @Test
     void aPictureHasManyPartsForEachShareAndNoMoreThanItHasCells() {
-        assertThat(new Deal(new Tile(0, 0, 256, 256), new Span(1, 8), 8).parts()).isEqualTo(512);
-        assertThat(new Deal(new Tile(0, 0, 1920, 1080), Span.STILL, 1).parts()).isEqualTo(510);
-        assertThat(new Deal(new Tile(0, 0, 64, 33), Span.STILL, 1000).parts()).isEqualTo(4);
+        assertThat(new Deal(new Tile(0, 0, 256, 256), new Span(1, 8), 0, 8).parts()).isEqualTo(512);
+        assertThat(new Deal(new Tile(0, 0, 1920, 1080), Span.STILL, 0, 1).parts()).isEqualTo(510);
+        assertThat(new Deal(new Tile(0, 0, 64, 33), Span.STILL, 0, 1000).parts()).isEqualTo(4);
     }
 
     /** To prepare each frame on all machines would take longer than to render it. */
     @Test
     void ofManyFramesEverybodyGetsWholeOnes() {
-        Deal deal = new Deal(new Tile(0, 0, 640, 360), new Span(1, 80), 10);
+        Deal deal = new Deal(new Tile(0, 0, 640, 360), new Span(1, 80), 0, 10);
         assertThat(deal.of(new Shard(3, 10)).stream().map(Piece::frame).distinct()).containsExactly(3, 13, 23, 33, 43, 53, 63, 73);
     }
 }

@@ -114,7 +114,7 @@ class MergeTest {
         render(1, 1);
         Path part = files().get(0);
         byte[] bytes = Files.readAllBytes(part);
-        Files.write(part, new String(bytes, StandardCharsets.ISO_8859_1).replaceFirst("paprsek part 1", "paprsek part 2").getBytes(StandardCharsets.ISO_8859_1));
+        Files.write(part, new String(bytes, StandardCharsets.ISO_8859_1).replaceFirst("paprsek part 2", "paprsek part 1").getBytes(StandardCharsets.ISO_8859_1));
         assertThat(refused().err()).contains(part + " is written by another version, in a format that this one does not read");
         Files.write(part, new String(bytes, StandardCharsets.ISO_8859_1).replaceFirst("program Paprsek .development.", "program Paprsek 0.0.1 beta  .").getBytes(StandardCharsets.ISO_8859_1));
         assertThat(refused().err()).contains(part + " is made by Paprsek 0.0.1 beta");

@@ -40,6 +40,8 @@ class ShardsTest {
         "bmp | --size 70x40 --mode depth --no-legend",
         "pfm | --size 70x40 --mode nodes --format pfm",
         "png | --size 70x40 --integrator path --samples 64 --mode error",
+        "png | --size 70x40 --integrator path --samples 64 --denoise",
+        "exr | --size 70x40 --integrator path --samples 64..128 --error 1/16 --denoise --transparent --aov albedo,light",
     })
     void sharesInAnyOrderGiveTheBytesOfOneMachine(String ending, String words) throws IOException {
         Path whole = folder.resolve("whole." + ending);
@@ -198,6 +200,12 @@ class ShardsTest {
         "--shard 1/3 -o parts --resume            | --shard is without --resume",
         "--shard 1/3 -o parts ../scenes/glass.xml | --shard is for one scene, but there are 2",
         "--shard 1/3 -o pom.xml                   | pom.xml is not a directory",
+        "--by passes                              | --by says how the work of --shard is dealt out, which is not there",
+        "--shard 1/3 -o parts --by rows           | --by",
+        "--shard 1/3 -o parts --by passes         | of light alone; this picture is not of --integrator path: --by tiles goes with it",
+        "--shard 1/3 -o parts --by passes --integrator path --samples 100           | --samples 100 is no multiple of 64",
+        "--shard 1/3 -o parts --by passes --integrator path --error 1/16            | with --error, how many a pixel gets is known only when those before are there",
+        "--shard 1/3 -o parts --by passes --integrator path --samples 64 --denoise  | --aov, --transparent and --denoise are more",
     })
     void whatCannotBeDoneInSharesIsRefused(String words, String sentence) {
         Run run = render(words);

@@ -5,8 +5,11 @@ import cz.paprsek.render.film.Film;
 import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.show.Guides;
 import cz.paprsek.render.work.Workers;
+import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 
 /**
  * Takes the noise out of a picture of paths. Each pixel becomes what a plane says that is laid through its neighbours: light as a linear function of their colours, normals and
@@ -18,6 +21,9 @@ import java.util.function.BooleanSupplier;
 public final class Denoiser {
     /** How many numbers of a pixel it works with: light and spread of both halves, guides twice, doubts, and what is found. */
     public static final int NUMBERS = 41;
+
+    /** The names of what is known of each pixel before it begins. */
+    public static final List<String> PLANES = IntStream.range(0, Noisy.planes(Guides.COUNT)).mapToObj(i -> "noise." + i).toList();
 
     private final Film film;
     private final Image image;
@@ -42,7 +48,26 @@ public final class Denoiser {
     /** Changes the image; false if the calling thread was interrupted, or all is to stop. */
     public boolean run(Workers workers, int threads) {
         Noisy noisy = new Noisy(image.width(), image.height(), Guides.COUNT);
-        return Stage.run(workers, threads, noisy, () -> new Gathering(film, paths, kept, noisy), stop) && clean(noisy, image, workers, threads, stop);
+        return gather(noisy, workers, threads) && clean(noisy, image, workers, threads, stop);
+    }
+
+    private boolean gather(Noisy noisy, Workers workers, int threads) {
+        return Stage.run(workers, threads, noisy, () -> new Gathering(film, paths, kept, noisy), stop);
+    }
+
+    /** What there is to know of the noise, as the {@link #PLANES}; empty if the calling thread was interrupted, or all is to stop. */
+    public Optional<List<float[]>> tell(Workers workers, int threads) {
+        Noisy noisy = new Noisy(image.width(), image.height(), Guides.COUNT);
+        return gather(noisy, workers, threads) ? Optional.of(noisy.planes()) : Optional.empty();
+    }
+
+    /**
+     * Takes the noise out of an image that has been put together; false as {@link #run}.
+     *
+     * @param told what its parts {@linkplain #tell told}, as the {@link #PLANES}
+     */
+    public static boolean run(Image image, List<float[]> told, Workers workers, int threads, BooleanSupplier stop) {
+        return clean(new Noisy(image.width(), image.height(), Guides.COUNT, told), image, workers, threads, stop);
     }
 
     /** Puts into an image what is left of a noisy one without its noise; false as {@link #run}. */

@@ -28,7 +28,7 @@ final class Gathering implements Stage.Step {
     public void at(int left, int top) {
         for (int y = top; y < Math.min(out.height, top + Window.HEIGHT); y++) {
             for (int x = left; x < Math.min(out.width, left + Window.WIDTH); x++) {
-                film.kept(x, y, kept);
+                film.kept(film.left() + x, film.top() + y, kept);
                 sums.load(kept, 0);
                 light(y * out.width + x);
                 guides(y * out.width + x, sums.count() / 2.0);

@@ -62,6 +62,16 @@ public final class Film {
         return kept > 0;
     }
 
+    /** Which column of the picture is the image's first. */
+    public int left() {
+        return left;
+    }
+
+    /** Likewise which row. */
+    public int top() {
+        return top;
+    }
+
     /** Puts there what is kept of a pixel: zeros at first. */
     public void kept(int x, int y, float[] into) {
         Objects.requireNonNull(into, "into");

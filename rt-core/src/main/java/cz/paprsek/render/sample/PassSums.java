@@ -73,15 +73,7 @@ public final class PassSums extends PixelSums {
 
     /** Adds the pass to the others. */
     private void end() {
-        all.below += pass.below;
-        all.addR = pair(all.addR + pass.addR);
-        all.addG = pair(all.addG + pass.addG);
-        all.addB = pair(all.addB + pass.addB);
-        if (isSigned) {
-            all.takeR = pair(all.takeR + pass.takeR);
-            all.takeG = pair(all.takeG + pass.takeG);
-            all.takeB = pair(all.takeB + pass.takeB);
-        }
+        addToAll(pass);
         pass.clear();
         if (isJudged) {
             for (Sum one : scrambles) {
@@ -97,6 +89,25 @@ public final class PassSums extends PixelSums {
             brightestBlue = single(brightestBlue);
         }
         meets = false;
+    }
+
+    /** As one machine and several do: a pass by itself is rounded to what is kept of it, and so is the sum. */
+    private void addToAll(Sum other) {
+        all.below += other.below;
+        all.addR = pair(all.addR + pair(other.addR));
+        all.addG = pair(all.addG + pair(other.addG));
+        all.addB = pair(all.addB + pair(other.addB));
+        if (isSigned) {
+            all.takeR = pair(all.takeR + pair(other.takeR));
+            all.takeG = pair(all.takeG + pair(other.takeG));
+            all.takeB = pair(all.takeB + pair(other.takeB));
+        }
+    }
+
+    /** Adds a pass that was made by itself, the one that comes after those that are there; of sums that are not judged. */
+    public void join(PassSums next) {
+        addToAll(next.all);
+        count = next.count;
     }
 
     /** The nearest float. */

@@ -5,18 +5,18 @@ import java.util.Arrays;
 
 /** What the rays of a pixel meet first: scratch of one worker. */
 final class FirstHits {
-    /** How many numbers {@link #save} keeps of normals and distances. */
+    /** How many numbers are kept of normals and distances. */
     static final int SIZE = 5;
 
     /** Of each of its samples, the number of the object it meets; 0 for none. */
     private int[] objects = new int[64];
     private int samples;
     /** The sum of the normals, and of the distances, of those that meet something, and how many there are. */
-    private final double[] sums = new double[SIZE];
+    final KeptSums sums = new KeptSums(SIZE);
 
     void clear() {
         samples = 0;
-        Arrays.fill(sums, 0);
+        sums.clear();
     }
 
     /** A sample meets nothing, as long as it is not said to {@link #meet}. */
@@ -29,11 +29,11 @@ final class FirstHits {
 
     void meet(Level level, int number) {
         objects[samples - 1] = number + 1;
-        sums[0] += level.hit.sx;
-        sums[1] += level.hit.sy;
-        sums[2] += level.hit.sz;
-        sums[3] += level.ray.max;
-        sums[4]++;
+        sums.add(0, level.hit.sx);
+        sums.add(1, level.hit.sy);
+        sums.add(2, level.hit.sz);
+        sums.add(3, level.ray.max);
+        sums.add(4, 1);
     }
 
     /** Of the sample at hand, the number of the object it meets, from 1; 0 if it meets none. */
@@ -42,23 +42,23 @@ final class FirstHits {
     }
 
     double normalX() {
-        return sums[0] * share();
+        return sums.at(0) * share();
     }
 
     double normalY() {
-        return sums[1] * share();
+        return sums.at(1) * share();
     }
 
     double normalZ() {
-        return sums[2] * share();
+        return sums.at(2) * share();
     }
 
     double distance() {
-        return sums[3] * share();
+        return sums.at(3) * share();
     }
 
     private double share() {
-        return 1 / Math.max(1, sums[4]);
+        return 1 / Math.max(1, sums.at(4));
     }
 
     /** Of the objects that the samples meet, the one that most do; of several the first in the scene. */
@@ -77,27 +77,9 @@ final class FirstHits {
         return winner;
     }
 
-    /** Rounds the sums to what is kept of them. */
-    void round() {
-        for (int i = 0; i < SIZE; i++) {
-            sums[i] = (float) sums[i];
-        }
-    }
-
-    /** Keeps the sums, but of the objects nothing, from a place on; where what follows them begins. */
-    int save(float[] numbers, int from) {
-        for (int i = 0; i < SIZE; i++) {
-            numbers[from + i] = (float) sums[i];
-        }
-        return from + SIZE;
-    }
-
-    /** Goes on with sums that were kept. */
+    /** Goes on with sums that were kept, but of the objects with none, from a place on; where what follows them begins. */
     int load(float[] numbers, int from) {
         samples = 0;
-        for (int i = 0; i < SIZE; i++) {
-            sums[i] = numbers[from + i];
-        }
-        return from + SIZE;
+        return sums.load(numbers, from);
     }
 }

@@ -51,7 +51,7 @@ final class PathSums extends LayerSums<PassSums> {
         at = asksForHits ? sight.hits.load(numbers, at) : at;
         object = asksForObject ? (int) numbers[at++] : 0;
         if (isGuided) {
-            guides.load(numbers, at);
+            guides.sums.load(numbers, at);
         }
         judge();
     }
@@ -67,12 +67,12 @@ final class PathSums extends LayerSums<PassSums> {
         for (PassSums one : asked) {
             at = one.save(numbers, at);
         }
-        at = asksForHits ? sight.hits.save(numbers, at) : at;
+        at = asksForHits ? sight.hits.sums.save(numbers, at) : at;
         if (asksForObject) {
             numbers[at++] = object;
         }
         if (isGuided) {
-            guides.save(numbers, at);
+            guides.sums.save(numbers, at);
         }
     }
 
@@ -85,8 +85,8 @@ final class PathSums extends LayerSums<PassSums> {
 
     /** A pass has ended, be it whole or the last. Which object most samples meet is known from the first one. */
     void endPass(boolean isFirst) {
-        sight.hits.round();
-        guides.round();
+        sight.hits.sums.round();
+        guides.sums.round();
         object = isFirst ? sight.hits.mostFrequent() : object;
         if (light.areWhole()) {
             judge();
