@@ -1,8 +1,11 @@
 package cz.paprsek.fx;
 
+import cz.paprsek.fx.model.file.Remembered;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.render.RenderDesk;
 import cz.paprsek.fx.view.render.RenderPane;
 import java.util.Optional;
+import java.util.Set;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.value.ObservableValue;
@@ -15,6 +18,7 @@ import org.jspecify.annotations.Nullable;
 final class RenderWindow {
     private final Editor editor;
     private final Dialogs dialogs;
+    private final RenderDesk desk;
     private ObservableValue<Theme> theme;
     private @Nullable Stage stage;
     private @Nullable RenderPane pane;
@@ -23,13 +27,19 @@ final class RenderWindow {
     RenderWindow(Editor editor, Dialogs dialogs) {
         this.editor = editor;
         this.dialogs = dialogs;
+        // What is looked into, and by which light, is a matter of the moment.
+        this.desk = new RenderDesk(Remembered.in(editor.settings(), "render", Set.of("mode", "lights")));
         this.theme = editor.followTheme();
     }
 
-    /** Shows the window and renders the scene as it asks to be. */
+    /** Shows the window and renders the scene as was said last, else as it asks to be. */
     void render() {
-        RenderPane shown = show();
-        shown.renderAsTheSceneAsks();
+        show().render();
+    }
+
+    /** Shows the window and asks how to render. */
+    void ask() {
+        show().ask();
     }
 
     /** Shows the window with the pictures there are. */
@@ -57,7 +67,7 @@ final class RenderWindow {
     private RenderPane content() {
         theme = editor.followTheme();
         RenderPane content = new RenderPane(
-                editor.model(), editor.texts(), theme, dialogs.pictureChooser(editor.texts()), editor.treeChooser());
+                editor.model(), desk, editor.texts(), theme, dialogs.pictureChooser(editor.texts()), editor.treeChooser());
         status.bind(content.statusProperty());
         return content;
     }

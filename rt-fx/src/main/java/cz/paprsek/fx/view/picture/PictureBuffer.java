@@ -2,8 +2,10 @@ package cz.paprsek.fx.view.picture;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageOptions;
+import cz.paprsek.material.Rgb;
 import cz.paprsek.render.Tile;
 import java.nio.IntBuffer;
+import java.util.Arrays;
 import java.util.function.IntBinaryOperator;
 import javafx.application.Platform;
 import javafx.geometry.Rectangle2D;
@@ -16,11 +18,15 @@ import javafx.scene.image.WritableImage;
  * What is not painted yet is transparent.
  */
 public final class PictureBuffer {
+    /** The linear light of each channel's value. */
+    private static final double[] LIGHT = light();
+
     private final int width;
     private final int height;
     private final int[] argb;
     private final PixelBuffer<IntBuffer> pixels;
     private final WritableImage image;
+    private volatile int paints;
     private boolean updatePending;
     private int dirtyLeft;
     private int dirtyTop;
@@ -75,6 +81,29 @@ public final class PictureBuffer {
         changed(left, top, right, bottom);
     }
 
+    /** How often it has been painted on: another number, another picture. */
+    public int paints() {
+        return paints;
+    }
+
+    /** A copy of the picture as it is shown, in linear light. */
+    public Image shown() {
+        Image copy = new Image(width, height);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                int color = argb[y * width + x];
+                copy.set(x, y, LIGHT[color >> 16 & 255], LIGHT[color >> 8 & 255], LIGHT[color & 255]);
+            }
+        }
+        return copy;
+    }
+
+    private static double[] light() {
+        double[] light = new double[256];
+        Arrays.setAll(light, Rgb::linear);
+        return light;
+    }
+
     private static int premultiplied(int straight) {
         int alpha = straight >>> 24;
         return alpha == 255 ? straight : alpha << 24 | times(straight >> 16 & 255, alpha) << 16 | times(straight >> 8 & 255, alpha) << 8 | times(straight & 255, alpha);
@@ -84,7 +113,9 @@ public final class PictureBuffer {
         return (channel * alpha + 127) / 255;
     }
 
+    @SuppressWarnings("NonAtomicVolatileUpdate") // here, one thread at a time
     private synchronized void changed(int left, int top, int right, int bottom) {
+        paints++;
         dirtyLeft = updatePending ? Math.min(dirtyLeft, left) : left;
         dirtyTop = updatePending ? Math.min(dirtyTop, top) : top;
         dirtyRight = updatePending ? Math.max(dirtyRight, right) : right;

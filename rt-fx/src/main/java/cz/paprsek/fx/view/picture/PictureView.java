@@ -1,18 +1,25 @@
 package cz.paprsek.fx.view.picture;
 
+import cz.paprsek.render.Tile;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyDoubleProperty;
 import javafx.beans.property.ReadOnlyDoubleWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.Point2D;
 import javafx.scene.Cursor;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
 import javafx.scene.image.ImageView;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.Region;
@@ -28,11 +35,13 @@ public final class PictureView extends Region {
     private static final double LEAST_ZOOM = 1.0 / 32;
     private static final double MOST_ZOOM = 64;
     private static final double STEP = Math.sqrt(2);
-    /** From this zoom on pixels are shown as squares. */
+    /** From this zoom on pixels are shown as squares, also if the picture is fitted to the window. */
     private static final double SQUARES = 3;
     private static final double CLICK_SLACK = 3;
     private static final double NUDGE = 40;
     private static final int SQUARE = 8;
+    private static final int LEAP = 10;
+    private static final double GAP = 6;
 
     private final PictureBuffer buffer;
     private final Rectangle checks = new Rectangle();
@@ -40,9 +49,13 @@ public final class PictureView extends Region {
     private final ImageView other = new ImageView();
     private final Rectangle otherPart = new Rectangle();
     private final Region wipe = new Region();
+    private final Label leftName = new Label();
+    private final Label rightName = new Label();
+    private final RegionBand band;
     private final ReadOnlyDoubleWrapper zoom = new ReadOnlyDoubleWrapper(1);
     private final ReadOnlyObjectWrapper<Optional<Point2D>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ObjectProperty<Consumer<Point2D>> onClicked = new SimpleObjectProperty<>(point -> {});
+    private final BooleanProperty selecting = new SimpleBooleanProperty();
     private double left;
     private double top;
     private boolean fits = true;
@@ -53,6 +66,13 @@ public final class PictureView extends Region {
     public PictureView(PictureBuffer buffer) {
         this.buffer = buffer;
         this.picture = new ImageView(buffer.image());
+        this.band = new RegionBand(buffer.width(), buffer.height());
+        band.regionProperty().addListener((property, old, now) -> requestLayout());
+        for (Label name : List.of(leftName, rightName)) {
+            name.getStyleClass().add("side-name");
+            name.setMouseTransparent(true);
+            name.setVisible(false);
+        }
         getStyleClass().add("picture-view");
         wipe.getStyleClass().add("wipe");
         wipe.setCursor(Cursor.H_RESIZE);
@@ -67,7 +87,7 @@ public final class PictureView extends Region {
         checks.setFill(checkered());
         checks.setVisible(false);
         checks.setMouseTransparent(true);
-        getChildren().addAll(checks, picture, other, wipe);
+        getChildren().addAll(checks, picture, other, leftName, rightName, wipe, band);
         setFocusTraversable(true);
         setOnScroll(this::scrolled);
         setOnMousePressed(this::pressed);
@@ -115,12 +135,49 @@ public final class PictureView extends Region {
         onClicked.set(listener);
     }
 
-    /** Lays another picture over the right part of this one, stretched to its size. */
-    public void compare(Optional<PictureBuffer> second) {
+    /**
+     * Lays another picture over the right part of this one, stretched to its size.
+     *
+     * @param left what this one is called beside it
+     * @param right what the other is called
+     */
+    public void compare(Optional<PictureBuffer> second, String left, String right) {
         other.setImage(second.map(PictureBuffer::image).orElse(null));
-        other.setVisible(second.isPresent());
-        wipe.setVisible(second.isPresent());
+        leftName.setText(left);
+        rightName.setText(right);
+        for (Node node : List.of(other, wipe, leftName, rightName)) {
+            node.setVisible(second.isPresent());
+        }
         requestLayout();
+    }
+
+    /** Says where this picture lies in a larger one, of which it is a part: the column and row of its first pixel. */
+    public void setOrigin(int column, int row) {
+        band.setOrigin(column, row);
+    }
+
+    /** Whether dragging draws a rectangle, and arrow keys move it, in place of moving the picture; Shift draws one at any time. */
+    public BooleanProperty selectingProperty() {
+        return selecting;
+    }
+
+    /** The rectangle that has been drawn, in pixels of the whole picture; empty if there is none. */
+    public ReadOnlyObjectProperty<Optional<Tile>> regionProperty() {
+        return band.regionProperty();
+    }
+
+    /** Shows a rectangle, in pixels of the whole picture, or none. */
+    public void showRegion(Optional<Tile> region) {
+        band.show(region);
+    }
+
+    /** Gives up the rectangle that is being drawn; false if none is. */
+    public boolean giveUpRegion() {
+        boolean isDrawn = band.isDragging();
+        if (isDrawn) {
+            band.giveUp();
+        }
+        return isDrawn;
     }
 
     /** Shows the whole picture as large as it can be, also when the window's size changes. */
@@ -168,12 +225,29 @@ public final class PictureView extends Region {
         otherPart.setHeight(shownHeight());
         double width = snapSizeX(wipe.prefWidth(-1));
         wipe.resizeRelocate(left + x - width / 2, Math.max(0, top), width, Math.min(getHeight(), shownHeight()));
+        placeNames(left + x);
+        band.place(left, top, zoom.get());
+    }
+
+    /** At the top of each side, as far as that can be seen. */
+    private void placeNames(double line) {
+        double y = Math.max(0, top) + GAP;
+        double from = Math.max(0, left) + GAP;
+        double middle = Math.max(from, Math.min(getWidth(), line));
+        double to = Math.min(getWidth(), left + shownWidth()) - GAP;
+        place(leftName, from, y, middle - GAP - from);
+        place(rightName, middle + GAP, y, to - middle - GAP);
+    }
+
+    private static void place(Label name, double x, double y, double room) {
+        double width = Math.max(0, Math.min(room, name.prefWidth(-1)));
+        name.resizeRelocate(x, y, width, name.prefHeight(-1));
     }
 
     private void place(ImageView view) {
         view.setFitWidth(shownWidth());
         view.setFitHeight(shownHeight());
-        view.setSmooth(zoom.get() < SQUARES);
+        view.setSmooth(zoom.get() < (fits ? SQUARES : 1));
         view.relocate(left, top);
     }
 
@@ -203,19 +277,31 @@ public final class PictureView extends Region {
         requestFocus();
         pressed = new Point2D(event.getX(), event.getY());
         dragged = pressed;
+        if (event.getButton() == MouseButton.PRIMARY && (selecting.get() || event.isShiftDown())) {
+            band.begin(pixel(event));
+        }
         event.consume();
     }
 
     private void dragged(MouseEvent event) {
         Point2D now = new Point2D(event.getX(), event.getY());
         if (now.distance(pressed) > CLICK_SLACK || !dragged.equals(pressed)) {
-            pan(now.getX() - dragged.getX(), now.getY() - dragged.getY());
+            if (band.isDragging()) {
+                band.drag(pixel(event));
+            } else {
+                pan(now.getX() - dragged.getX(), now.getY() - dragged.getY());
+            }
             dragged = now;
         }
         event.consume();
     }
 
+    private Point2D pixel(MouseEvent event) {
+        return new Point2D((event.getX() - left) / zoom.get(), (event.getY() - top) / zoom.get());
+    }
+
     private void released(MouseEvent event) {
+        band.end();
         if (dragged.equals(pressed)) {
             toPicture(event.getX(), event.getY()).ifPresent(onClicked.get());
         }
@@ -229,16 +315,26 @@ public final class PictureView extends Region {
         requestLayout();
     }
 
+    /** Moves the rectangle, with Shift ten pixels, or its far corner with Alt; else looks that way. */
+    private void arrow(KeyEvent event, int x, int y) {
+        if (selecting.get()) {
+            int far = event.isShiftDown() ? LEAP : 1;
+            band.nudge(far * x, far * y, event.isAltDown());
+        } else {
+            pan(-NUDGE * x, -NUDGE * y);
+        }
+    }
+
     private void key(KeyEvent event) {
         switch (event.getCode()) {
             case PLUS, ADD, EQUALS -> zoomBy(STEP, getWidth() / 2, getHeight() / 2);
             case MINUS, SUBTRACT -> zoomBy(1 / STEP, getWidth() / 2, getHeight() / 2);
             case DIGIT0, NUMPAD0 -> fit();
             case DIGIT1, NUMPAD1 -> actualSize();
-            case LEFT -> pan(NUDGE, 0);
-            case RIGHT -> pan(-NUDGE, 0);
-            case UP -> pan(0, NUDGE);
-            case DOWN -> pan(0, -NUDGE);
+            case LEFT -> arrow(event, -1, 0);
+            case RIGHT -> arrow(event, 1, 0);
+            case UP -> arrow(event, 0, -1);
+            case DOWN -> arrow(event, 0, 1);
             default -> {
                 return;
             }

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.render;
 
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.view.render.fields.Named;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Camera;
@@ -17,6 +18,7 @@ import javafx.scene.control.Tooltip;
 final class CameraBox extends ChoiceBox<Named<Integer>> {
     private static final double WIDTH = 150;
     private final Texts texts;
+    private List<String> names = List.of();
 
     CameraBox(Texts texts) {
         this.texts = texts;
@@ -33,7 +35,19 @@ final class CameraBox extends ChoiceBox<Named<Integer>> {
         if (!cameras.equals(getItems())) {
             getItems().setAll(cameras);
         }
+        names = names(state.scene());
+        setDisable(cameras.size() < 2);
         getSelectionModel().select(state.eye());
+    }
+
+    /** The chosen one in the word of the command line. */
+    String word() {
+        return Subject.word(names, getValue().value());
+    }
+
+    /** Chooses the one of that word, if there is one. */
+    void say(String word) {
+        IntStream.range(0, names.size()).filter(i -> Subject.word(names, i).equals(word)).findFirst().ifPresent(getSelectionModel()::select);
     }
 
     /** The scene as the chosen camera sees it. */
@@ -43,8 +57,11 @@ final class CameraBox extends ChoiceBox<Named<Integer>> {
 
     /** What the command line calls the chosen camera; nothing if that is the first. */
     Optional<String> word(Scene scene) {
-        List<String> names = scene.cameras().stream().map(Camera::name).toList();
-        return chosen(scene).stream().mapToObj(index -> Subject.word(names, index)).findFirst();
+        return chosen(scene).stream().mapToObj(index -> Subject.word(names(scene), index)).findFirst();
+    }
+
+    private static List<String> names(Scene scene) {
+        return scene.cameras().stream().map(Camera::name).toList();
     }
 
     /** None if it is the first, or has gone. */

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.view.render.fields.Named;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.mode.RenderMode;
 import javafx.scene.control.ChoiceBox;

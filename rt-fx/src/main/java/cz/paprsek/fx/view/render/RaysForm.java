@@ -1,5 +1,9 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.view.render.fields.Answer;
+import cz.paprsek.fx.view.render.fields.Named;
+import cz.paprsek.fx.view.render.fields.RealField;
+import cz.paprsek.fx.view.render.fields.WholeNumberField;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.scene.RenderSettings;
@@ -12,9 +16,7 @@ import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.beans.value.ObservableBooleanValue;
 import javafx.scene.control.ChoiceBox;
-import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
-import javafx.scene.layout.HBox;
 
 /** How many rays a pixel takes, where they go through, and what is random about them; as {@code render} has it in its options. */
 final class RaysForm {
@@ -26,11 +28,11 @@ final class RaysForm {
     private final ChoiceBox<Named<PixelFilter>> filter = new ChoiceBox<>();
     private final ChoiceBox<Named<Boolean>> sampler = new ChoiceBox<>();
     private final BooleanBinding valid;
-    private final List<HBox> groups;
+    private final BooleanBinding rising;
 
     RaysForm(Texts texts) {
-        samples = new WholeNumberField("render-samples", texts.of("render.samples.hint"), 1, RenderSettings.MOST_SAMPLES, 4);
-        mostSamples = new WholeNumberField("render-most-samples", texts.of("render.most-samples.hint"), 0, RenderSettings.MOST_SAMPLES, 4);
+        samples = new WholeNumberField("render-samples", texts.of("render.samples.hint"), 1, RenderSettings.MOST_SAMPLES, 6);
+        mostSamples = new WholeNumberField("render-most-samples", texts.of("render.most-samples.hint"), 0, RenderSettings.MOST_SAMPLES, 6);
         for (Integrator kind : Integrator.values()) {
             integrator.getItems().add(new Named<>(kind, texts.of("kind." + kind)));
         }
@@ -54,19 +56,46 @@ final class RaysForm {
         error.disableProperty().bind(isGrid);
         confidence.disableProperty().bind(isGrid);
         ObservableBooleanValue[] each = {samples.validProperty(), mostSamples.validProperty(), error.validProperty(), confidence.validProperty()};
+        rising = Bindings.createBooleanBinding(() -> !samples.validProperty().get() || !mostSamples.validProperty().get() || isFromLessToMore(),
+                samples.textProperty(), mostSamples.textProperty(), samples.validProperty(), mostSamples.validProperty());
         valid = Bindings.createBooleanBinding(() -> Stream.of(each).allMatch(ObservableBooleanValue::get) && isFromLessToMore(),
                 Stream.concat(Stream.of(each), Stream.of(samples.textProperty(), mostSamples.textProperty())).toArray(Observable[]::new));
-        groups = List.of(RenderForm.group(new Label(texts.of("field.integrator")), integrator), RenderForm.group(new Label(texts.of("render.samples")), samples, new Label("–"), mostSamples),
-                RenderForm.group(new Label(texts.of("field.error")), error), RenderForm.group(new Label(texts.of("field.confidence")), confidence),
-                RenderForm.group(new Label(texts.of("field.filter")), filter), RenderForm.group(new Label(texts.of("render.sampler")), sampler));
     }
 
-    /** The fields with their names. */
-    List<HBox> groups() {
-        return groups;
+    ChoiceBox<Named<Integrator>> integrator() {
+        return integrator;
     }
 
-    /** Fills in what a scene asks for; how random numbers are chosen is no matter of scenes, and stays. */
+    /** From how many rays to how many. */
+    List<WholeNumberField> samples() {
+        return List.of(samples, mostSamples);
+    }
+
+    /** How near pixels are to come to the truth, and how probably. */
+    List<RealField> accuracy() {
+        return List.of(error, confidence);
+    }
+
+    ChoiceBox<Named<PixelFilter>> filter() {
+        return filter;
+    }
+
+    ChoiceBox<Named<Boolean>> sampler() {
+        return sampler;
+    }
+
+    /** Whether the samples go from less to more, as far as they are numbers. */
+    BooleanBinding rising() {
+        return rising;
+    }
+
+    /** What its controls say; the integrator first, with which the numbers of samples change. */
+    List<Answer> answers() {
+        return List.of(Answer.of("integrator", integrator), Answer.of("samples", samples), Answer.of("most-samples", mostSamples), Answer.of("error", error),
+                Answer.of("confidence", confidence), Answer.of("filter", filter), Answer.of("sampler", sampler));
+    }
+
+    /** Fills in what a scene asks for; how random numbers are chosen is no matter of scenes, and as usual. */
     void set(RenderSettings settings) {
         integrator.getItems().stream().filter(kind -> kind.value() == settings.integrator()).findFirst().ifPresent(integrator::setValue);
         samples.set(settings.samples());
@@ -74,6 +103,7 @@ final class RaysForm {
         error.set(settings.error());
         confidence.set(settings.confidence());
         filter.getItems().stream().filter(kind -> kind.value() == settings.filter()).findFirst().ifPresent(filter::setValue);
+        sampler.getSelectionModel().selectFirst();
     }
 
     /** Fields get the range of an integrator's samples, and the numbers that it takes if nobody says any. */

@@ -10,13 +10,16 @@ import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.picture.PictureChooser;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureStyle;
+import cz.paprsek.fx.view.render.fields.RegionFields;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.io.Failures;
 import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.Tile;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -26,8 +29,10 @@ import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.ObservableValue;
 import javafx.beans.value.WeakChangeListener;
+import javafx.collections.ListChangeListener;
+import javafx.collections.WeakListChangeListener;
 import javafx.concurrent.Task;
-import javafx.geometry.Pos;
+import javafx.geometry.VPos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
@@ -41,17 +46,26 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.BorderPane;
-import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
+import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.Region;
-import javafx.scene.layout.VBox;
+import javafx.scene.layout.StackPane;
 
 /** Renders the model's scene, picture by picture, each in a tab of its own, while editing goes on; saves, copies and compares them. */
-public final class RenderPane extends BorderPane {
+public final class RenderPane extends StackPane {
+    /** The name of what is said about the part. */
+    private static final String REGION = "region";
+
     private final EditorModel model;
     private final Texts texts;
     private final PictureChooser chooser;
+    private final RenderDesk desk;
     private final RenderForm form;
+    private final RenderDialog dialog;
+    private final BorderPane body = new BorderPane();
+    private final QueuePane queue;
+    private final ToggleButton queueing = new ToggleButton();
+    private final ToggleButton selecting = new ToggleButton();
+    private final Button clear;
     private final TabPane tabs = new TabPane();
     private final ComparisonBox comparison;
     private final Label message = new Label();
@@ -63,13 +77,22 @@ public final class RenderPane extends BorderPane {
     private final ChangeListener<EditorState> onState = (property, old, now) -> follow(old, now);
     private Consumer<Optional<PicturePoint>> onPointed = point -> {};
     private Consumer<PicturePoint> onClicked = point -> {};
+    /** Held here likewise: the desk outlives the pane. */
+    private final ListChangeListener<RenderTask> queued = change -> follow();
+    private final WeakListChangeListener<RenderTask> onQueue = new WeakListChangeListener<>(queued);
     private int count;
+    /** While rectangles are shown that nobody draws. */
+    private boolean showing;
 
-    public RenderPane(EditorModel model, Texts texts, ObservableValue<Theme> theme, PictureChooser chooser, TreeChooser trees) {
+    /** @param desk what outlives this pane */
+    public RenderPane(EditorModel model, RenderDesk desk, Texts texts, ObservableValue<Theme> theme, PictureChooser chooser, TreeChooser trees) {
         this.model = model;
+        this.desk = desk;
         this.texts = texts;
         this.chooser = chooser;
         this.form = new RenderForm(texts);
+        this.dialog = new RenderDialog(form, texts, body, this::answered, () -> form.set(model.state(), Map.of()));
+        this.queue = new QueuePane(desk, texts, this::show);
         this.comparison = new ComparisonBox(tabs, texts);
         this.explanation = new ExplainPane(texts, theme, trees);
         explanation.addDrawings(theme);
@@ -80,41 +103,68 @@ public final class RenderPane extends BorderPane {
         explaining.setId("explain-mode");
         explaining.setMinWidth(Region.USE_PREF_SIZE);
         explaining.setOnAction(event -> explain(explaining.isSelected()));
-        form.set(model.state());
+        toggle(queueing, "render.queue").selectedProperty().bindBidirectional(queue.visibleProperty());
+        queueing.setSelected(desk.queue().size() > 1);
+        queue.managedProperty().bind(queue.visibleProperty());
+        desk.queue().addListener(onQueue);
+        form.set(model.state(), desk.said().answers());
         model.stateProperty().addListener(new WeakChangeListener<>(onState));
-        Button render = button("render.start", () -> render(form.options()));
-        render.setDefaultButton(true);
-        render.disableProperty().bind(form.valid().not());
-        form.getChildren().add(render);
         tabs.setId("renders");
         tabs.setTabClosingPolicy(TabPane.TabClosingPolicy.ALL_TABS);
         message.setId("render-message");
-        HBox.setHgrow(message, Priority.ALWAYS);
-        message.setMaxWidth(Double.MAX_VALUE);
+        clear = button("render.region.clear", this::clearRegion);
+        toggle(selecting, "render.region.drag").setTooltip(new Tooltip(texts.of("render.region.drag.hint")));
+        selecting.disableProperty().bind(Bindings.isEmpty(tabs.getTabs()));
         Node[] tools = {
+            keyed(button("render.again", this::render), "Shortcut+R"), keyed(button("render.ask", this::ask), "Shortcut+Alt+R"),
             ofPicture(keyed(button("render.save", this::save), "Shortcut+S")), ofPicture(keyed(button("render.copy", this::copy), "Shortcut+C")),
             ofPicture(button("render.fit", () -> shown().ifPresent(tab -> tab.view().fit()))),
-            ofPicture(button("render.actual", () -> shown().ifPresent(tab -> tab.view().actualSize()))), comparison, explaining, message
+            ofPicture(button("render.actual", () -> shown().ifPresent(tab -> tab.view().actualSize()))), selecting, clear, queueing, comparison, explaining, message
         };
-        HBox toolbar = new HBox(6, tools);
-        toolbar.setAlignment(Pos.CENTER_LEFT);
+        FlowPane toolbar = new FlowPane(6, 6, tools);
+        toolbar.setRowValignment(VPos.CENTER);
+        toolbar.getStyleClass().add("render-tools");
         addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
-                shown().ifPresent(tab -> tab.task().cancel());
+                escape();
                 event.consume();
             }
         });
-        VBox top = new VBox(8, form, toolbar);
-        top.getStyleClass().add("render-tools");
         setId("render-pane");
         getStylesheets().add(PictureStyle.sheet());
-        setTop(top);
-        setCenter(center);
+        body.setTop(toolbar);
+        body.setCenter(center);
+        body.setLeft(queue);
+        getChildren().addAll(body, dialog);
+        showRegion();
     }
 
-    /** Fills the form with what the scene asks for, and renders. */
-    public void renderAsTheSceneAsks() {
-        form.set(model.state());
+    private ToggleButton toggle(ToggleButton button, String key) {
+        button.setText(texts.of(key));
+        button.setId(key.replace('.', '-') + "-toggle");
+        button.setMinWidth(Region.USE_PREF_SIZE);
+        return button;
+    }
+
+    /** Renders as was said last, and else as the scene asks; asks if that cannot be. */
+    public void render() {
+        form.set(model.state(), desk.said().answers());
+        if (form.valid().get()) {
+            render(form.options());
+        } else {
+            dialog.open();
+        }
+    }
+
+    /** Asks how to render. */
+    public void ask() {
+        form.set(model.state(), desk.said().answers());
+        dialog.open();
+    }
+
+    private void answered() {
+        desk.said().set(form.said());
+        showRegion();
         render(form.options());
     }
 
@@ -135,16 +185,24 @@ public final class RenderPane extends BorderPane {
 
     /** Takes in the pictures of another pane, such as one in another language, also those that are still being rendered. */
     public void takeOver(RenderPane other) {
-        other.tabs.getTabs().forEach(tab -> add(new RenderTab(tab.getText(), ((RenderTab) tab).task(), texts)));
+        other.tabs.getTabs().stream().map(RenderTab.class::cast).toList().forEach(tab -> {
+            tab.compareWith(Optional.empty());
+            add(new RenderTab(tab.task(), desk, texts));
+        });
         count = other.count;
+        follow();
     }
 
     /** Cancels all that runs. */
     public void cancelAll() {
-        tabs.getTabs().forEach(tab -> ((RenderTab) tab).task().cancel());
+        desk.cancelAll();
     }
 
     private void follow(EditorState old, EditorState now) {
+        if (old.eye() != now.eye()) {
+            // Looking through another camera was the last word about it.
+            desk.said().forget("camera");
+        }
         if (old.eye() != now.eye() || !old.scene().cameras().equals(now.scene().cameras())) {
             form.follow(now);
         }
@@ -154,22 +212,83 @@ public final class RenderPane extends BorderPane {
         message.setText("");
         RenderTask task;
         try {
-            task = new RenderTask(form.chosen(model.scene()), model.assets(), options);
+            String name = model.scene().name().isBlank() ? "" : model.scene().name() + " · ";
+            String title = count + 1 + ": " + name + options.settings().width() + " × " + options.settings().height() + form.remark();
+            task = new RenderTask(title, form.chosen(model.scene()), model.assets(), options);
         } catch (IllegalArgumentException | ArithmeticException | OutOfMemoryError tooLarge) {
             message.setText(texts.of("render.too-large", options.settings().width(), options.settings().height()));
             return;
         }
-        String name = model.scene().name().isBlank() ? "" : model.scene().name() + " · ";
-        add(new RenderTab(++count + ": " + name + options.settings().width() + " × " + options.settings().height() + form.remark(), task, texts));
-        start(task, "paprsek-render");
+        count++;
+        add(new RenderTab(task, desk, texts));
+        desk.add(task);
+    }
+
+    /** Shows the list as soon as something waits, and the state of what is under way. */
+    private void follow() {
+        if (desk.queue().size() > 1) {
+            queueing.setSelected(true);
+        }
+        if (!desk.queue().isEmpty()) {
+            tab(desk.queue().get(0)).ifPresent(tab -> status.bind(tab.statusProperty()));
+        }
+    }
+
+    private Optional<RenderTab> tab(RenderTask task) {
+        return tabs.getTabs().stream().map(RenderTab.class::cast).filter(tab -> tab.task() == task).findFirst();
+    }
+
+    private void show(RenderTask task) {
+        tab(task).ifPresent(tabs.getSelectionModel()::select);
+    }
+
+    /** Gives up a rectangle that is being drawn, or cancels what is shown if it runs or waits, or renders whole pictures again. */
+    private void escape() {
+        if (shown().filter(tab -> tab.view().giveUpRegion()).isPresent()) {
+            return;
+        }
+        Optional<RenderTab> unfinished = shown().filter(tab -> !tab.task().isOver());
+        unfinished.ifPresentOrElse(tab -> tab.task().cancel(), this::clearRegion);
+    }
+
+    /** From now on a part is rendered, of pictures as large as the one that it was drawn in. */
+    private void setRegion(RenderTab tab, Tile region) {
+        String size = size(tab);
+        desk.said().put("size", size);
+        desk.said().put(REGION, RegionFields.word(region, size));
+        showRegion();
+    }
+
+    private void clearRegion() {
+        desk.said().forget(REGION);
+        showRegion();
+    }
+
+    private static String size(RenderTab tab) {
+        return tab.task().options().settings().width() + "x" + tab.task().options().settings().height();
+    }
+
+    /** Shows the part that is to be rendered in all pictures as large. */
+    private void showRegion() {
+        String word = desk.said().answers().getOrDefault(REGION, "");
+        clear.setDisable(word.isEmpty());
+        showing = true;
+        tabs.getTabs().stream().map(RenderTab.class::cast).forEach(tab -> tab.view().showRegion(RegionFields.parse(word, size(tab))));
+        showing = false;
     }
 
     private void add(RenderTab tab) {
         tab.pointedProperty().addListener((property, old, now) -> pointed(now));
         tab.setOnClicked(this::clicked);
+        tab.view().selectingProperty().bind(selecting.selectedProperty());
+        tab.view().showRegion(RegionFields.parse(desk.said().answers().getOrDefault(REGION, ""), size(tab)));
+        tab.view().regionProperty().addListener((property, old, now) -> now.filter(region -> !showing).ifPresent(region -> setRegion(tab, region)));
+        tab.setOnClosed(event -> tab.close());
         tabs.getTabs().add(tab);
         tabs.getSelectionModel().select(tab);
-        status.bind(tab.statusProperty());
+        if (desk.queue().isEmpty()) {
+            status.bind(tab.statusProperty());
+        }
     }
 
     private void explain(boolean on) {
@@ -224,7 +343,7 @@ public final class RenderPane extends BorderPane {
         message.setText(texts.of("render.saving", file.getFileName()));
         writing.setOnSucceeded(event -> message.setText(texts.of("render.saved", file.getFileName())));
         writing.setOnFailed(event -> message.setText(texts.of("render.not-saved", file.getFileName(), Failures.sentence(writing.getException()))));
-        start(writing, "paprsek-save-picture");
+        RenderDesk.start(writing, "paprsek-save-picture");
     }
 
     private void copy() {
@@ -265,11 +384,5 @@ public final class RenderPane extends BorderPane {
     private Button ofPicture(Button button) {
         button.disableProperty().bind(Bindings.isEmpty(tabs.getTabs()));
         return button;
-    }
-
-    private static void start(Task<?> task, String name) {
-        Thread thread = new Thread(task, name);
-        thread.setDaemon(true);
-        thread.start();
     }
 }

@@ -18,7 +18,8 @@ final class RenderStatus {
     /** @param certainty how near its pixels are to the truth, once that is known */
     String of(Worker.State state, RenderProgress progress, Optional<Certainty> certainty, Optional<Throwable> fault) {
         return switch (state) {
-            case READY, SCHEDULED, RUNNING -> texts.of("render.running",
+            case READY, SCHEDULED -> texts.of("render.waiting");
+            case RUNNING -> texts.of("render.running",
                     percent(progress), time(progress.elapsedSeconds()), time(progress.remainingSeconds()), speed(progress));
             case SUCCEEDED -> texts.of("render.done", time(progress.elapsedSeconds()), speed(progress)) + certainty.map(this::known).orElse("");
             case CANCELLED -> texts.of("render.cancelled", percent(progress), time(progress.elapsedSeconds()));

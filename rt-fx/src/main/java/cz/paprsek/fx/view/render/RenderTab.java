@@ -3,8 +3,10 @@ package cz.paprsek.fx.view.render;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureView;
 import cz.paprsek.fx.view.picture.PixelText;
+import cz.paprsek.fx.view.render.DifferencePane.Side;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.RenderResult;
+import cz.paprsek.render.Tile;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.animation.Animation;
@@ -34,31 +36,39 @@ final class RenderTab extends Tab {
     private static final Duration BETWEEN_UPDATES = Duration.millis(100);
 
     private final Texts texts;
-    private final RenderTask task;
     private final PictureView view;
     private final ProgressBar bar = new ProgressBar(0);
     private final Label progress = new Label();
     private final Label pixel = new Label();
     private final ToggleButton before = new ToggleButton();
+    private final Button cancel;
+    private final Button goOn;
     private final BorderPane content;
+    private final DifferencePane difference;
+    private final PixelText pixelText;
+    private final ModeValue value;
     private final Timeline clock = new Timeline(new KeyFrame(BETWEEN_UPDATES, event -> update()));
     private final ReadOnlyObjectWrapper<Optional<PicturePoint>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
 
+    private RenderTask task;
     private Optional<RenderTab> compared = Optional.empty();
 
-    RenderTab(String title, RenderTask task, Texts texts) {
-        super(title);
+    /** @param desk where it is rendered, also if it goes on after it was cancelled */
+    RenderTab(RenderTask task, RenderDesk desk, Texts texts) {
+        super(task.title());
         this.texts = texts;
         this.task = task;
+        Tile part = task.options().region();
         this.view = new PictureView(task.buffer());
         view.setTransparent(task.options().transparent());
-        PixelText pixelText = new PixelText(texts);
+        view.setOrigin(part.x(), part.y());
+        pixelText = new PixelText(texts);
+        value = new ModeValue(texts, task.options());
+        difference = new DifferencePane(view, new Side(task.title(), task.buffer()), texts);
         view.pointedProperty().addListener((property, old, now) -> pointed.set(now.flatMap(this::point)));
-        pointed.addListener((property, old, now) -> pixel.setText(now.flatMap(point -> task.image().map(image -> pixelText.of(point, image, task.how()))).orElse("")));
-        Button cancel = new Button(texts.of("render.cancel"));
-        cancel.setId("render-cancel");
-        cancel.setOnAction(event -> task.cancel());
-        cancel.disableProperty().bind(task.runningProperty().not());
+        pointed.addListener((property, old, now) -> tell(now));
+        cancel = button("render.cancel", () -> this.task.cancel());
+        goOn = button("render.go-on", () -> goOn(desk));
         bar.setId("render-progress");
         progress.setId("render-status");
         progress.setMinWidth(Region.USE_PREF_SIZE);
@@ -74,22 +84,35 @@ final class RenderTab extends Tab {
         before.setDisable(true);
         before.setVisible(task.noisy().isPresent());
         before.managedProperty().bind(before.visibleProperty());
-        HBox status = new HBox(10, cancel, bar, progress, before, pixel);
+        HBox status = new HBox(10, cancel, goOn, bar, progress, before, pixel);
         status.setAlignment(Pos.CENTER_LEFT);
         status.getStyleClass().add("render-status");
         VBox bottom = new VBox();
         task.options().mode().scale().ifPresent(scale -> bottom.getChildren().add(new ScaleStrip(scale)));
-        bottom.getChildren().add(status);
+        bottom.getChildren().addAll(difference, status);
         content = new BorderPane(view, null, null, bottom, null);
         setContent(content);
-        setOnClosed(event -> task.cancel());
         clock.setCycleCount(Animation.INDEFINITE);
-        task.stateProperty().addListener((property, old, now) -> follow(now));
-        follow(task.getState());
+        watch();
+    }
+
+    private Button button(String key, Runnable action) {
+        Button button = new Button(texts.of(key));
+        button.setId(key.replace('.', '-'));
+        button.setMinWidth(Region.USE_PREF_SIZE);
+        button.managedProperty().bind(button.visibleProperty());
+        button.setOnAction(event -> action.run());
+        return button;
     }
 
     RenderTask task() {
         return task;
+    }
+
+    /** Ends all that runs for it. */
+    void close() {
+        task.cancel();
+        difference.compare(Optional.empty());
     }
 
     PictureView view() {
@@ -115,7 +138,8 @@ final class RenderTab extends Tab {
     }
 
     private void showCompared() {
-        view.compare(before.isSelected() ? task.noisy() : compared.map(tab -> tab.task.buffer()));
+        difference.compare(before.isSelected() ? task.noisy().map(buffer -> new Side(texts.of("render.before"), buffer))
+                : compared.map(tab -> new Side(tab.task.title(), tab.task.buffer())));
     }
 
     /** How far it is, or how it ended, in words. */
@@ -128,13 +152,46 @@ final class RenderTab extends Tab {
     }
 
     private Optional<PicturePoint> point(Point2D at) {
-        return task.prepared().map(scene -> new PicturePoint(scene, task.options().settings(), at.getX(), at.getY()));
+        Tile part = task.options().region();
+        return task.prepared().map(scene -> new PicturePoint(scene, task.options().settings(), part.x() + at.getX(), part.y() + at.getY()));
+    }
+
+    /** Tells what is under the mouse; where colours stand for numbers, these as soon as they are known. */
+    private void tell(Optional<PicturePoint> point) {
+        value.stop();
+        boolean isNumber = ModeValue.isOf(task.options().mode());
+        pixel.setText(point.flatMap(at -> text(at, isNumber ? Optional.of("…") : Optional.empty())).orElse(""));
+        point.filter(at -> isNumber).ifPresent(at -> value.ask(at, words -> pixel.setText(text(at, Optional.of(words)).orElse(""))));
+    }
+
+    private Optional<String> text(PicturePoint point, Optional<String> words) {
+        return task.image().map(image -> pixelText.of(point, image, task.options().region(), task.how(), words));
+    }
+
+    /** Goes on where it was cancelled. */
+    private void goOn(RenderDesk desk) {
+        task = task.goOn();
+        watch();
+        desk.add(task);
+    }
+
+    private void watch() {
+        RenderTask watched = task;
+        watched.stateProperty().addListener((property, old, now) -> {
+            if (watched == task) {
+                follow(now);
+            }
+        });
+        follow(watched.getState());
     }
 
     private void follow(Worker.State state) {
+        cancel.setVisible(state != Worker.State.CANCELLED);
+        cancel.setDisable(task.isOver());
+        goOn.setVisible(state == Worker.State.CANCELLED);
         if (state == Worker.State.RUNNING) {
             clock.play();
-        } else if (task.isDone()) {
+        } else if (task.isOver()) {
             clock.stop();
             before.setDisable(state != Worker.State.SUCCEEDED);
             task.mixer().filter(mixer -> state == Worker.State.SUCCEEDED).ifPresent(mixer -> content.setRight(new MixPane(task.subject().whole(), mixer, texts)));

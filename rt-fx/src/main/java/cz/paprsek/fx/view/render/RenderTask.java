@@ -17,6 +17,7 @@ import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.RenderSettings;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
 import javafx.concurrent.Task;
 import org.jspecify.annotations.Nullable;
@@ -26,14 +27,19 @@ import org.jspecify.annotations.Nullable;
  * stays. All methods may be called while it runs, from JavaFX's thread.
  */
 final class RenderTask extends Task<RenderResult> {
+    private final String title;
     private final Subject subject;
     private final Assets assets;
     private final RenderOptions options;
     private final PictureBuffer buffer;
     /** What it was before its noise was taken out; empty unless that is wished. */
     private final Optional<PictureBuffer> noisy;
+    private final KeptFilm kept;
+    /** The cancelled one that this one goes on with. */
+    private final Optional<RenderTask> before;
     private final AtomicLong rays = new AtomicLong();
-    private final long created = System.nanoTime();
+    private final CountDownLatch end = new CountDownLatch(1);
+    private volatile long began;
     private volatile int done;
     private volatile int total;
     private volatile long ended;
@@ -41,31 +47,80 @@ final class RenderTask extends Task<RenderResult> {
     private volatile @Nullable Image image;
     private volatile @Nullable Mixer mixer;
 
-    /** @throws ArithmeticException if the picture is larger than any array */
-    RenderTask(Subject subject, Assets assets, RenderOptions options) {
+    /**
+     * @param title what the user reads for it
+     * @throws ArithmeticException if the picture is larger than any array
+     */
+    RenderTask(String title, Subject subject, Assets assets, RenderOptions options) {
+        this.title = title;
         this.subject = subject;
         this.assets = assets;
         this.options = options;
-        this.buffer = new PictureBuffer(options.settings().width(), options.settings().height());
+        this.buffer = new PictureBuffer(options.region().width(), options.region().height());
         this.noisy = options.denoised() ? Optional.of(new PictureBuffer(buffer.width(), buffer.height())) : Optional.empty();
+        this.kept = new KeptFilm(options.channels(subject.seen()));
+        this.before = Optional.empty();
+    }
+
+    private RenderTask(RenderTask cancelled) {
+        title = cancelled.title;
+        subject = cancelled.subject;
+        assets = cancelled.assets;
+        options = cancelled.options;
+        buffer = cancelled.buffer;
+        noisy = cancelled.noisy;
+        kept = cancelled.kept;
+        before = Optional.of(cancelled);
+        RenderProgress so = cancelled.progress();
+        done = so.done();
+        total = so.total();
+        rays.set(so.rays());
+        image = cancelled.image;
+    }
+
+    /** One that goes on where this one, which was cancelled, stopped: with the same bytes as if it had not been. */
+    RenderTask goOn() {
+        return new RenderTask(this);
     }
 
     @Override
-    protected RenderResult call() {
+    protected RenderResult call() throws InterruptedException {
+        if (before.isPresent() && before.get().began != 0) {
+            before.get().end.await();
+        }
+        began = System.nanoTime();
         try {
-            RenderScene ready = RenderScene.of(subject.seen(), assets, new Monitor());
+            RenderScene ready = RenderScene.of(subject.seen(), assets, new Monitor(0));
             prepared = ready;
-            RenderResult result = Renderer.render(ready, options, new Monitor());
+            RenderResult result = Renderer.render(ready, options, new Monitor(passedBefore()), kept);
             if (options.denoised() && result.outcome() == Outcome.DONE) {
                 buffer.paint(result.image(), new Tile(0, 0, buffer.width(), buffer.height()), 1, how());
             }
             if (options.layers().contains(Layer.LIGHT)) {
                 mixer = new Mixer(result, buffer, how());
             }
+            if (result.outcome() == Outcome.DONE) {
+                kept.forget();
+            }
             return result;
         } finally {
             ended = System.nanoTime();
+            end.countDown();
         }
+    }
+
+    /** So many tiles of whole passes were done before, but for the last one, which is found again as the first of those that follow. */
+    private int passedBefore() {
+        if (before.isEmpty() || !options.isInPasses() || options.settings().isAdaptive()) {
+            return 0;
+        }
+        int ofOnePass = Math.max(1, total / options.passes());
+        return Math.max(0, done / ofOnePass - 1) * ofOnePass;
+    }
+
+    /** What the user reads for it. */
+    String title() {
+        return title;
     }
 
     Subject subject() {
@@ -114,6 +169,14 @@ final class RenderTask extends Task<RenderResult> {
         return Optional.ofNullable(mixer).map(Mixer::image).or(() -> Optional.ofNullable(image));
     }
 
+    /** Whether it was finished, cancelled or failed; for JavaFX's thread, which is told of it before the other one has quite returned. */
+    boolean isOver() {
+        return switch (getState()) {
+            case READY, SCHEDULED, RUNNING -> false;
+            case SUCCEEDED, CANCELLED, FAILED -> true;
+        };
+    }
+
     /** Whether nothing more will be painted; after cancelling, that is a moment later. */
     boolean isStopped() {
         return ended != 0;
@@ -122,10 +185,17 @@ final class RenderTask extends Task<RenderResult> {
     /** How far it is by now. */
     RenderProgress progress() {
         long now = ended == 0 ? System.nanoTime() : ended;
-        return new RenderProgress(done, total, (now - created) / 1e9, rays.get(), !options.isInPasses() || !options.settings().isAdaptive());
+        double earlier = before.map(task -> task.progress().elapsedSeconds()).orElse(0.0);
+        return new RenderProgress(done, total, earlier + (began == 0 ? 0 : (now - began) / 1e9), rays.get(), !options.isInPasses() || !options.settings().isAdaptive());
     }
 
     private final class Monitor implements RenderMonitor {
+        private final int doneBefore;
+
+        Monitor(int doneBefore) {
+            this.doneBefore = doneBefore;
+        }
+
         @Override
         public boolean cancelled() {
             return isCancelled();
@@ -140,7 +210,7 @@ final class RenderTask extends Task<RenderResult> {
         public void finished(Tile tile, Image underWay, int tilesDone, int tilesTotal) {
             image = underWay;
             total = tilesTotal;
-            countUpTo(tilesDone);
+            countUpTo(Math.min(tilesTotal, doneBefore + tilesDone));
             buffer.paint(underWay, tile, 1, how());
             noisy.ifPresent(before -> before.paint(underWay, tile, 1, how()));
         }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.file.Remembered;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
@@ -50,7 +51,7 @@ class FinishedPicturesTest {
             .plus(SceneObject.of(new Sphere(0.6)).at(-0.5, 0.6, 0).madeOf(Material.color(250, 250, 250)));
 
     private final EditorModel model = new EditorModel(SCENE);
-    private final RenderPane pane = Gui.on(() -> new RenderPane(model, Texts.in(Locale.ENGLISH), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty()));
+    private final RenderPane pane = Gui.on(() -> new RenderPane(model, new RenderDesk(Remembered.forNow()), Texts.in(Locale.ENGLISH), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty()));
     private final Gui gui = Gui.show(() -> pane, 1000, 640);
 
     @AfterEach
@@ -61,9 +62,10 @@ class FinishedPicturesTest {
 
     @Test
     void aDenoisedPictureIsThatOfTheCommandLineAndIsComparedWithWhatItWas() {
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         untilDone();
         assertThat(shown().getContent().lookup("#render-before").isVisible()).as("no noise was taken out").isFalse();
+        gui.click("#render-ask");
         gui.click("#render-denoise");
         gui.click("#render-start");
         untilDone();
@@ -81,6 +83,7 @@ class FinishedPicturesTest {
 
     @Test
     void noiseIsTakenOutOfWholePassesOfPathsOnly() {
+        gui.click("#render-ask");
         assertThat(gui.node("#render-denoise").isDisabled()).isFalse();
         gui.act(() -> ((TextField) gui.node("#render-samples")).setText("100"));
         assertThat(gui.node("#render-denoise").isDisabled()).isTrue();
@@ -92,6 +95,7 @@ class FinishedPicturesTest {
 
     @Test
     void lightsAreMixedWithoutRenderingAgain() {
+        gui.click("#render-ask");
         gui.click("#render-mix");
         gui.click("#render-start");
         untilDone();
@@ -112,6 +116,7 @@ class FinishedPicturesTest {
 
     @Test
     void lightsStayAsTheyAreSetAndAFailureIsTold() {
+        gui.click("#render-ask");
         gui.click("#render-mix");
         gui.click("#render-start");
         untilDone();

@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.file.Remembered;
 import cz.paprsek.fx.view.camera.CameraPane;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.render.fields.WholeNumberField;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -50,17 +52,19 @@ class PictureScreenshotsTest {
     void renders(Theme theme) throws Exception {
         // Czech words are the longer ones.
         Locale language = theme == Theme.LIGHT ? Locale.ENGLISH : Locale.forLanguageTag("cs");
-        RenderPane pane = Gui.on(() -> new RenderPane(new EditorModel(scene()), Texts.in(language), new SimpleObjectProperty<>(Theme.LIGHT),
+        RenderPane pane = Gui.on(() -> new RenderPane(new EditorModel(scene()), new RenderDesk(Remembered.forNow()), Texts.in(language), new SimpleObjectProperty<>(Theme.LIGHT),
                 (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty()));
         try (Gui gui = Gui.show(() -> pane, 1000, 720)) {
             gui.act(() -> theme.applyTo(gui.stage().getScene()));
-            gui.act(pane::renderAsTheSceneAsks);
+            gui.act(pane::render);
             RenderTab first = (RenderTab) ((TabPane) pane.lookup("#renders")).getTabs().get(0);
             gui.until("it is half done", () -> first.task().progress().share() > 0.5);
             shoot(gui, "render-running", theme);
             gui.until("it is done", () -> first.task().getState() == Worker.State.SUCCEEDED);
             gui.moveTo(first.view(), 420, 300);
             shoot(gui, "render-done", theme);
+            gui.click("#render-ask");
+            shoot(gui, "render-ask", theme);
             gui.act(() -> {
                 ((WholeNumberField) pane.lookup("#render-depth")).set(2);
                 ((WholeNumberField) pane.lookup("#render-samples")).set(1);

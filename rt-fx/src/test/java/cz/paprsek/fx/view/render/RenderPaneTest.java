@@ -6,6 +6,7 @@ import cz.paprsek.cli.Main;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.file.Remembered;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureView;
@@ -71,7 +72,7 @@ class RenderPaneTest {
     private final AtomicReference<String> suggested = new AtomicReference<>("");
     private final AtomicReference<Optional<Path>> answer = new AtomicReference<>(Optional.empty());
     private final EditorModel model = new EditorModel(SCENE);
-    private final RenderPane pane = Gui.on(() -> new RenderPane(model, Texts.in(Locale.ENGLISH), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> {
+    private final RenderPane pane = Gui.on(() -> new RenderPane(model, new RenderDesk(Remembered.forNow()), Texts.in(Locale.ENGLISH), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> {
         suggested.set(name);
         return Objects.requireNonNull(answer.get());
     }, (owner, name) -> Optional.empty()));
@@ -88,7 +89,7 @@ class RenderPaneTest {
         enter("#render-width", "64");
         enter("#render-height", "48");
         enter("#render-samples", "2");
-        gui.click("#render-start");
+        start();
         gui.act(() -> model.edit(DELETE, scene -> scene.withObjects(List.of())));
         untilDone();
         Image expected = Renderer.render(SCENE.withSettings(new RenderSettings(64, 48, 5, 2)));
@@ -107,7 +108,7 @@ class RenderPaneTest {
     @SuppressWarnings("unchecked")
     void exposureToneAndTransparencyAreThoseOfTheCommandLine() throws IOException {
         gui.act(() -> model.edit(CHANGE, scene -> scene.withBackground(Rgb.WHITE)));
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         untilDone();
         enter("#render-exposure", "1");
         gui.keys(KeyCode.UP);
@@ -118,7 +119,7 @@ class RenderPaneTest {
         ChoiceBox<Object> tone = (ChoiceBox<Object>) gui.node("#render-tone");
         gui.act(() -> tone.getSelectionModel().select(1));
         gui.click("#render-transparent");
-        gui.click("#render-start");
+        start();
         untilDone();
         Image expected = Renderer.render(RenderScene.of(model.scene()), RenderOptions.of(model.scene()).withTransparency(), RenderMonitor.NONE).image();
         ImageOptions how = ImageOptions.shown(1, Tone.FILMIC);
@@ -135,6 +136,7 @@ class RenderPaneTest {
 
     @Test
     void aPresetFillsInTheSizeAndNumbersOutOfRangeAreRefused() {
+        ask();
         gui.click("#render-presets");
         gui.keys(KeyCode.DOWN);
         gui.keys(KeyCode.ENTER);
@@ -151,7 +153,7 @@ class RenderPaneTest {
     void raysAreChosenAsOnTheCommandLine() {
         Scene asks = SCENE.withSettings(SCENE.settings().withSamples(2, 4).withError(0.02).withConfidence(0.9).withFilter(PixelFilter.TENT));
         gui.act(() -> model.edit(CHANGE, scene -> asks));
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         untilDone();
         assertThat(shown().task().options()).isEqualTo(RenderOptions.of(asks));
         assertThat(text("#render-error") + " " + text("#render-confidence")).isEqualTo("0.02 0.9");
@@ -159,7 +161,7 @@ class RenderPaneTest {
         enter("#render-confidence", "0.99");
         gui.act(() -> ((ChoiceBox<Object>) gui.node("#render-filter")).getSelectionModel().select(3));
         gui.act(() -> ((ChoiceBox<Object>) gui.node("#render-sampler")).getSelectionModel().select(1));
-        gui.click("#render-start");
+        start();
         untilDone();
         RenderSettings wished = asks.settings().withError(1 / 255.0).withConfidence(0.99).withFilter(PixelFilter.MITCHELL);
         assertThat(shown().task().options()).isEqualTo(RenderOptions.of(wished).withFixedSampler());
@@ -179,6 +181,7 @@ class RenderPaneTest {
     @Test
     @SuppressWarnings("unchecked")
     void pathsAreChosenAsOnTheCommandLine() {
+        ask();
         ChoiceBox<Object> integrator = (ChoiceBox<Object>) gui.node("#render-integrator");
         ChoiceBox<Object> mode = (ChoiceBox<Object>) gui.node("#render-mode");
         gui.act(() -> integrator.getSelectionModel().select(1));
@@ -189,20 +192,22 @@ class RenderPaneTest {
         assertThat(gui.node("#render-start").isDisabled()).isTrue();
         enter("#render-samples", "100");
         assertThat(gui.node("#render-transparent").isDisabled()).isFalse();
-        gui.click("#render-start");
+        start();
         untilDone();
         RenderSettings wished = SCENE.settings().withSize(24, 16).withIntegrator(Integrator.PATH).withSamples(100);
         assertThat(shown().task().options()).isEqualTo(RenderOptions.of(wished));
         Image expected = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(wished), RenderMonitor.NONE).image();
         assertThat(shown().task().image().orElseThrow().red(12, 8)).isEqualTo(expected.red(12, 8));
+        ask();
         gui.act(() -> mode.getSelectionModel().selectLast());
-        gui.click("#render-start");
+        start();
         untilDone();
         assertThat(gui.node("#render-scale").isVisible()).as("what the colours of errors stand for").isTrue();
         assertThat(shown().statusProperty().get()).contains("of the pixels within the error, the farthest");
+        ask();
         gui.act(() -> integrator.getSelectionModel().select(0));
         assertThat(text("#render-samples")).isEqualTo("1");
-        assertThat(gui.node("#render-unjudged").isVisible()).as("a grid is not judged").isTrue();
+        assertThat(gui.node("#render-mode-refusal").isVisible()).as("a grid is not judged").isTrue();
         assertThat(gui.node("#render-start").isDisabled()).isTrue();
         enter("#render-most-samples", "4");
         assertThat(gui.node("#render-start").isDisabled()).isFalse();
@@ -211,15 +216,18 @@ class RenderPaneTest {
     @Test
     @SuppressWarnings("unchecked")
     void aPictureToLearnFromAndOneOfOneLight() {
+        ask();
         ChoiceBox<Object> mode = (ChoiceBox<Object>) gui.node("#render-mode");
         ChoiceBox<Object> lights = (ChoiceBox<Object>) gui.node("#render-lights");
         assertThat(mode.getItems()).extracting(Object::toString).contains("Normals", "Depth", "Rays per pixel (heat map)");
+        gui.click("#render-ask-cancel");
         gui.act(() -> model.edit(CHANGE, scene -> scene.plus(Light.at(-3, 5, 6).named("left"))));
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         untilDone();
+        ask();
         gui.act(() -> mode.getSelectionModel().select(4));
         gui.act(() -> lights.getSelectionModel().select(2));
-        gui.click("#render-start");
+        start();
         untilDone();
         assertThat(shown().getText()).isEqualTo("2: ball/1 · 120 × 80 · Rays per pixel (heat map) · 2: left");
         assertThat(gui.node("#render-scale")).isNotNull();
@@ -233,12 +241,13 @@ class RenderPaneTest {
     @SuppressWarnings("unchecked")
     void thePictureOfAnotherCameraIsThatOfTheCommandLine() {
         Camera side = Camera.lookingAt(new Vec3(6, 1, 0), Vec3.ZERO).named("side");
-        assertThat(gui.stage().getScene().lookup("#render-camera").getParent().isVisible()).as("nothing to choose").isFalse();
+        ask();
+        assertThat(gui.node("#render-camera").isDisabled()).as("nothing to choose").isTrue();
         gui.act(() -> model.edit(CHANGE, scene -> scene.withCameras(List.of(scene.camera().named("front"), side))));
         ChoiceBox<Object> camera = (ChoiceBox<Object>) gui.node("#render-camera");
         gui.act(() -> model.look(1));
         assertThat(Gui.on(() -> camera.getValue().toString())).as("the one looked through").isEqualTo("2: side");
-        gui.click("#render-start");
+        start();
         untilDone();
         assertThat(shown().getText()).isEqualTo("1: ball/1 · 120 × 80 · side");
         Image expected = Renderer.render(model.scene().through("side"));
@@ -252,7 +261,7 @@ class RenderPaneTest {
         enter("#render-width", "2000");
         enter("#render-height", "1500");
         enter("#render-samples", "16");
-        gui.click("#render-start");
+        start();
         gui.until("some tiles are done", () -> shown().task().progress().done() > 3);
         assertThat(status()).contains("%");
         gui.click("#render-cancel");
@@ -270,8 +279,8 @@ class RenderPaneTest {
         enter("#render-width", "2000");
         enter("#render-height", "1500");
         enter("#render-samples", "16");
-        gui.click("#render-start");
-        gui.click("#render-start");
+        start();
+        start();
         gui.act(() -> tabs().getSelectionModel().select(0));
         gui.keys(KeyCode.ESCAPE);
         assertThat(Gui.on(() -> shown().task().getState())).isEqualTo(Worker.State.CANCELLED);
@@ -280,9 +289,9 @@ class RenderPaneTest {
 
     @Test
     void aPaneInAnotherLanguageTakesThePicturesOver() {
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         untilDone();
-        RenderPane czech = Gui.on(() -> new RenderPane(model, Texts.in(Locale.forLanguageTag("cs")), new SimpleObjectProperty<>(Theme.LIGHT),
+        RenderPane czech = Gui.on(() -> new RenderPane(model, new RenderDesk(Remembered.forNow()), Texts.in(Locale.forLanguageTag("cs")), new SimpleObjectProperty<>(Theme.LIGHT),
                 (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty()));
         gui.act(() -> {
             czech.takeOver(pane);
@@ -295,7 +304,7 @@ class RenderPaneTest {
 
     @Test
     void savesThePictureInTheFormatOfTheFilesName() throws IOException {
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         untilDone();
         Path png = folder.resolve("a.png");
         answer.set(Optional.of(png));
@@ -321,12 +330,13 @@ class RenderPaneTest {
     void aSavedPictureTellsOfItselfWhatTheCommandLinesTells(String ending) throws Exception {
         Camera side = Camera.lookingAt(new Vec3(6, 1, 0), Vec3.ZERO);
         gui.act(() -> model.edit(CHANGE, scene -> scene.withCameras(List.of(scene.camera().named("front"), side)).plus(Light.at(-3, 5, 6).named("lamp"))));
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         gui.act(() -> model.look(1));
+        ask();
         gui.act(() -> ((ChoiceBox<Object>) gui.node("#render-lights")).getSelectionModel().select(2));
         enter("#render-width", "64");
         enter("#render-height", "48");
-        gui.click("#render-start");
+        start();
         untilDone();
         Path saved = folder.resolve("saved." + ending);
         answer.set(Optional.of(saved));
@@ -344,7 +354,7 @@ class RenderPaneTest {
 
     @Test
     void copiesThePicture() {
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         untilDone();
         gui.click("#render-copy");
         javafx.scene.image.Image copied = Gui.on(() -> Clipboard.getSystemClipboard().getImage());
@@ -353,7 +363,7 @@ class RenderPaneTest {
 
     @Test
     void theMouseReadsOutPixelsAndTellsOfClicks() {
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         untilDone();
         AtomicReference<Optional<PicturePoint>> pointed = new AtomicReference<>(Optional.empty());
         AtomicReference<Optional<PicturePoint>> clicked = new AtomicReference<>(Optional.empty());
@@ -373,7 +383,7 @@ class RenderPaneTest {
 
     @Test
     void theWheelZoomsAboutTheMouse() {
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         untilDone();
         Node view = gui.node(".picture-view");
         gui.moveTo(view, 300, 200);
@@ -391,10 +401,10 @@ class RenderPaneTest {
 
     @Test
     void earlierRendersAreKeptAndComparedWithAWipe() {
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         untilDone();
         gui.act(() -> model.edit(CHANGE, scene -> scene.withBackground(Rgb.WHITE).withName("White")));
-        gui.act(pane::renderAsTheSceneAsks);
+        gui.act(pane::render);
         untilDone();
         assertThat(tabs().getTabs()).hasSize(2);
         assertThat(shown().getText()).startsWith("2: White · ");
@@ -419,7 +429,24 @@ class RenderPaneTest {
         });
     }
 
+    /** Opens the dialog, unless it is open. */
+    private void ask() {
+        if (!isAsked()) {
+            gui.click("#render-ask");
+        }
+    }
+
+    private boolean isAsked() {
+        return Gui.on(() -> pane.lookup("#render-dialog").isVisible());
+    }
+
+    /** Renders what the dialog says, or what was said last. */
+    private void start() {
+        gui.click(isAsked() ? "#render-start" : "#render-again");
+    }
+
     private void enter(String field, String text) {
+        ask();
         gui.click(field);
         gui.act(() -> ((TextField) gui.stage().getScene().lookup(field)).setText(text));
     }

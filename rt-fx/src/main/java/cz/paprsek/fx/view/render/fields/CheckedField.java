@@ -1,4 +1,4 @@
-package cz.paprsek.fx.view.render;
+package cz.paprsek.fx.view.render.fields;
 
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
@@ -7,7 +7,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
 
 /** A field for a number. What is out of range is marked, and has no value. */
-abstract class CheckedField extends TextField {
+public abstract class CheckedField extends TextField {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
 
     private final ReadOnlyBooleanWrapper valid = new ReadOnlyBooleanWrapper(true);
@@ -29,7 +29,21 @@ abstract class CheckedField extends TextField {
     /** Whether it is a number within range. */
     abstract boolean isInRange(String text);
 
-    final ReadOnlyBooleanProperty validProperty() {
+    /** What it is for and within which range, in the language of the window. */
+    public final String wanted() {
+        return getTooltip().getText();
+    }
+
+    /** Its number as text if it has one, else what stands there. */
+    public abstract String word();
+
+    /** Shows a number that is written as {@link #word} has it. */
+    public void say(String word) {
+        setText(word);
+    }
+
+    /** Whether there is a number within range. */
+    public final ReadOnlyBooleanProperty validProperty() {
         return valid.getReadOnlyProperty();
     }
 }

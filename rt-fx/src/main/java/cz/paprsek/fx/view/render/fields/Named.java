@@ -1,7 +1,7 @@
-package cz.paprsek.fx.view.render;
+package cz.paprsek.fx.view.render.fields;
 
 /** A value to choose, and what the user reads for it. */
-record Named<T>(T value, String name) {
+public record Named<T>(T value, String name) {
     @Override
     public String toString() {
         return name;

@@ -1,4 +1,4 @@
-package cz.paprsek.fx.view.render;
+package cz.paprsek.fx.view.render.fields;
 
 import cz.paprsek.formula.Formula;
 import cz.paprsek.formula.FormulaException;
@@ -8,12 +8,13 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
 /** A field for a whole number within a range, also as a small sum such as 1920/4. Up and down count; what is out of range is marked, and has no value. */
-final class WholeNumberField extends CheckedField {
+public final class WholeNumberField extends CheckedField {
     private final int least;
     private final String name;
     private int most;
 
-    WholeNumberField(String id, String hint, int least, int most, int columns) {
+    /** @param hint what it is for; the range is told behind it */
+    public WholeNumberField(String id, String hint, int least, int most, int columns) {
         super(id, hint, hint + " (" + least + "–" + most + ")", columns);
         this.least = least;
         this.most = most;
@@ -25,19 +26,25 @@ final class WholeNumberField extends CheckedField {
     }
 
     /** Sets the largest number. */
-    void setMost(int number) {
+    public void setMost(int number) {
         most = number;
         getTooltip().setText(name + " (" + least + "–" + most + ")");
         judge();
     }
 
-    void set(int value) {
+    /** Shows a number. */
+    public void set(int value) {
         setText(Integer.toString(value));
     }
 
     /** The number; only if it is valid. */
-    int get() {
+    public int get() {
         return (int) Formula.value(getText());
+    }
+
+    @Override
+    public String word() {
+        return validProperty().get() ? Integer.toString(get()) : getText();
     }
 
     @Override

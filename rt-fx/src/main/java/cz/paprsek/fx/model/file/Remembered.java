@@ -1,0 +1,88 @@
+package cz.paprsek.fx.model.file;
+
+import java.net.URLDecoder;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+
+/** What a user answered last to questions that are asked again, by their names: kept in the settings, but for what counts only as long as the program runs. */
+public final class Remembered {
+    private final Optional<Settings> settings;
+    private final String key;
+    private final Set<String> forNow;
+    private Map<String, String> answers;
+
+    private Remembered(Optional<Settings> settings, String key, Set<String> forNow) {
+        this.settings = settings;
+        this.key = key;
+        this.forNow = forNow;
+        this.answers = settings.flatMap(all -> all.get(key)).map(Remembered::parsed).orElse(Map.of());
+    }
+
+    /**
+     * What is kept in settings.
+     *
+     * @param key under which
+     * @param forNow the names of what is forgotten when the program ends
+     */
+    public static Remembered in(Settings settings, String key, Set<String> forNow) {
+        return new Remembered(Optional.of(settings), key, forNow);
+    }
+
+    /** What is forgotten with the program. */
+    public static Remembered forNow() {
+        return new Remembered(Optional.empty(), "", Set.of());
+    }
+
+    /** All answers by their names. */
+    public Map<String, String> answers() {
+        return answers;
+    }
+
+    /** Remembers these answers, and no others. */
+    public void set(Map<String, String> now) {
+        if (!now.equals(answers)) {
+            answers = Map.copyOf(now);
+            settings.ifPresent(all -> all.set(key, text()));
+        }
+    }
+
+    /** Remembers another answer as well. */
+    public void put(String name, String answer) {
+        Map<String, String> now = new TreeMap<>(answers);
+        now.put(name, answer);
+        set(now);
+    }
+
+    /** Remembers it no more, if it was answered at all. */
+    public void forget(String name) {
+        Map<String, String> now = new TreeMap<>(answers);
+        now.remove(name);
+        set(now);
+    }
+
+    private String text() {
+        return new TreeMap<>(answers).entrySet().stream().filter(answer -> !forNow.contains(answer.getKey()))
+                .map(answer -> answer.getKey() + "=" + URLEncoder.encode(answer.getValue(), StandardCharsets.UTF_8)).collect(Collectors.joining("&"));
+    }
+
+    /** What can be read of it, which somebody may have edited. */
+    private static Map<String, String> parsed(String text) {
+        Map<String, String> read = new TreeMap<>();
+        for (String part : text.split("&", -1)) {
+            int at = part.indexOf('=');
+            if (at > 0) {
+                try {
+                    read.put(part.substring(0, at), URLDecoder.decode(part.substring(at + 1), StandardCharsets.UTF_8));
+                } catch (IllegalArgumentException garbled) {
+                    // As if it had never been answered.
+                }
+            }
+        }
+        return Map.copyOf(read);
+    }
+}

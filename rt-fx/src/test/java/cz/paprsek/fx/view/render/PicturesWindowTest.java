@@ -1,0 +1,250 @@
+package cz.paprsek.fx.view.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.Screenshots;
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.file.Remembered;
+import cz.paprsek.fx.model.file.Settings;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFormat;
+import cz.paprsek.material.Material;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.render.RenderMonitor;
+import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.Renderer;
+import cz.paprsek.render.Tile;
+import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.Integrator;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Sphere;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.concurrent.Worker;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
+import javafx.scene.control.TabPane;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** How renders are asked for, wait for each other, are cut, go on and are compared. */
+class PicturesWindowTest {
+    private static final RenderSettings PATHS = new RenderSettings(120, 80, 5, 1).withIntegrator(Integrator.PATH).withSamples(64);
+    private static final Scene SCENE = Scene.EMPTY.withName("ball").withSettings(new RenderSettings(120, 80, 5, 1))
+            .withCamera(Camera.lookingAt(new Vec3(0, 0, 6), Vec3.ZERO)).plus(Light.at(3, 5, 6))
+            .plus(SceneObject.of(new Sphere(1)).named("ball").madeOf(Material.color(200, 60, 40)));
+    private static final cz.paprsek.fx.model.Label CHANGE = cz.paprsek.fx.model.Label.of(cz.paprsek.fx.model.Label.Edit.CHANGE);
+
+    @TempDir
+    private Path folder = Path.of("");
+
+    private final EditorModel model = new EditorModel(SCENE);
+    private final RenderDesk desk = new RenderDesk(Remembered.forNow());
+    private final RenderPane pane = Gui.on(() -> pane(desk));
+    private final Gui gui = Gui.show(() -> pane, 1000, 640);
+
+    private RenderPane pane(RenderDesk at) {
+        return new RenderPane(model, at, Texts.in(Locale.ENGLISH), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty());
+    }
+
+    @AfterEach
+    void close() {
+        gui.act(pane::cancelAll);
+        gui.close();
+    }
+
+    @Test
+    void whatWasSaidLastCountsForTheNextRenderAndTheNextStart() {
+        gui.act(pane::ask);
+        gui.click("#render-chain");
+        enter("#render-width", "60");
+        assertThat(((TextField) gui.node("#render-height")).getText()).as("the chain keeps the proportions").isEqualTo("40");
+        enter("#render-samples", "99");
+        assertThat(label("#render-samples-refusal")).as("what is wrong, below the field").contains("(1–16)");
+        assertThat(gui.node("#render-start").isDisabled()).isTrue();
+        enter("#render-samples", "2");
+        gui.keys(KeyCode.ENTER);
+        untilDone();
+        assertThat(shown().task().options()).isEqualTo(RenderOptions.of(SCENE.settings().withSize(60, 40).withSamples(2)));
+        assertThat(shown().getText()).isEqualTo("1: ball · 60 × 40");
+        gui.act(() -> model.edit(CHANGE, scene -> scene.withSettings(scene.settings().withMaxDepth(3))));
+        gui.keys(KeyCode.CONTROL, KeyCode.R);
+        untilDone();
+        assertThat(shown().task().options()).as("the scene says the rest").isEqualTo(RenderOptions.of(SCENE.settings().withSize(60, 40).withSamples(2).withMaxDepth(3)));
+        Settings settings = new Settings(folder, fault -> {});
+        Remembered.in(settings, "render", Set.of("mode")).set(Map.of("size", "60x40", "camera", "two words & more", "mode", "depth"));
+        assertThat(Remembered.in(new Settings(folder, fault -> {}), "render", Set.of("mode")).answers()).containsExactlyInAnyOrderEntriesOf(Map.of("size", "60x40", "camera", "two words & more"));
+        gui.act(pane::ask);
+        gui.click("#render-ask-as-scene");
+        assertThat(((TextField) gui.node("#render-width")).getText()).isEqualTo("120");
+        gui.keys(KeyCode.ESCAPE);
+        assertThat(desk.said().answers()).as("nothing was said").containsEntry("size", "60x40");
+    }
+
+    @Test
+    void picturesWaitForTheirTurnWithTheSceneAsItWas() {
+        model.edit(CHANGE, scene -> scene.withSettings(PATHS.withSize(600, 400)));
+        gui.act(pane::render);
+        gui.act(() -> model.edit(CHANGE, scene -> scene.withSettings(PATHS.withSize(20, 10)).withName("second")));
+        gui.act(pane::render);
+        gui.act(() -> model.edit(CHANGE, scene -> scene.withSettings(PATHS.withSize(30, 20)).withName("third")));
+        gui.act(pane::render);
+        gui.act(() -> model.edit(CHANGE, scene -> SCENE));
+        gui.until("the first runs", () -> task(0).getState() == Worker.State.RUNNING);
+        assertThat(status()).isEqualTo("Waits for its turn");
+        ListView<?> list = (ListView<?>) gui.node("#render-queue-list");
+        gui.act(() -> {
+            list.requestFocus();
+            list.getSelectionModel().select(2);
+        });
+        gui.hold(KeyCode.ALT);
+        gui.keys(KeyCode.UP);
+        gui.letGo(KeyCode.ALT);
+        assertThat(Gui.on(() -> desk.queue().stream().map(RenderTask::title).toList())).containsExactly("1: ball · 600 × 400", "3: third · 30 × 20", "2: second · 20 × 10");
+        assertThat(gui.node("#render-queue-up").isDisabled()).as("the one under way stays").isTrue();
+        assertThat(Screenshots.save(gui, "render-queue")).isNotEmptyFile();
+        gui.act(() -> list.getSelectionModel().select(0));
+        gui.click("#render-queue-cancel");
+        gui.until("the others are done by themselves", () -> task(1).getState() == Worker.State.SUCCEEDED && task(2).getState() == Worker.State.SUCCEEDED);
+        assertThat(Gui.on(() -> task(0).getState())).isEqualTo(Worker.State.CANCELLED);
+        assertThat(task(1).image().orElseThrow().toLinear()).isEqualTo(Renderer.render(SCENE.withSettings(PATHS.withSize(20, 10))).toLinear());
+        assertThat(desk.queue()).isEmpty();
+    }
+
+    @Test
+    void aDraggedRectangleIsRenderedAloneUntilEscape() {
+        gui.act(pane::render);
+        untilDone();
+        gui.click("#render-region-drag-toggle");
+        Node view = shown().view();
+        double zoom = shown().view().zoomProperty().get();
+        double left = (view.getLayoutBounds().getWidth() - 120 * zoom) / 2;
+        double top = (view.getLayoutBounds().getHeight() - 80 * zoom) / 2;
+        gui.drag(view, left + 30.5 * zoom, top + 20.5 * zoom, left + 89.5 * zoom, top + 59.5 * zoom);
+        assertThat(label(".region-numbers")).isEqualTo("30, 20 · 60 × 40");
+        gui.keys(KeyCode.RIGHT);
+        assertThat(label(".region-numbers")).isEqualTo("31, 20 · 60 × 40");
+        gui.click("#render-again");
+        untilDone();
+        assertThat(shown().getText()).isEqualTo("2: ball · 120 × 80 · part 31, 20 · 60 × 40");
+        RenderOptions part = RenderOptions.of(SCENE).withRegion(new Tile(31, 20, 60, 40));
+        assertThat(shown().task().options()).isEqualTo(part);
+        assertThat(shown().task().image().orElseThrow().toLinear()).isEqualTo(Renderer.render(RenderScene.of(SCENE), part, RenderMonitor.NONE).image().toLinear());
+        assertThat(shown().task().saved(ImageFormat.PNG).origin().settings()).contains(" --region 31,20,60,40");
+        gui.moveTo(shown().view(), shown().view().getWidth() / 2, shown().view().getHeight() / 2);
+        assertThat(label("#pixel-text")).as("pixels of the whole picture").startsWith("61, 40").endsWith("ball");
+        gui.keys(KeyCode.ESCAPE);
+        assertThat(desk.said().answers()).doesNotContainKey("region");
+        assertThat(Gui.on(() -> shown().view().regionProperty().get())).isEmpty();
+    }
+
+    @Test
+    void whatWasCancelledGoesOnToTheSameBytes() {
+        for (RenderSettings settings : List.of(new RenderSettings(500, 400, 5, 3), PATHS.withSize(160, 120).withSamples(512))) {
+            gui.act(() -> model.edit(CHANGE, scene -> SCENE.withSettings(settings)));
+            gui.act(pane::render);
+            RenderTask first = shown().task();
+            int some = settings.isPath() ? first.options().passes() / 2 * 20 : 20;
+            gui.until("some tiles are done", () -> first.progress().done() > some);
+            gui.click("#render-cancel");
+            gui.until("the workers have stopped", first::isStopped);
+            assertThat(first.progress().done()).isLessThan(first.progress().total());
+            gui.click("#render-go-on");
+            untilDone();
+            assertThat(shown().task()).isNotSameAs(first);
+            assertThat(shown().task().image().orElseThrow().toLinear()).isEqualTo(Renderer.render(SCENE.withSettings(settings)).toLinear());
+            assertThat(Gui.on(() -> shown().task().getValue().stats().rays())).as("only what was left was traced").isLessThan(Renderer.render(RenderScene.of(SCENE), RenderOptions.of(settings), RenderMonitor.NONE).stats().rays());
+        }
+    }
+
+    @Test
+    void theDifferenceOfTwoPicturesHasAFigureAndAMap() {
+        gui.act(pane::render);
+        untilDone();
+        gui.act(() -> model.edit(CHANGE, scene -> scene.withLights(List.of(Light.at(3, 5, 5)))));
+        gui.act(pane::render);
+        untilDone();
+        gui.act(() -> gui.stage().getScene().lookup("#render-compare").requestFocus());
+        gui.keys(KeyCode.DOWN);
+        gui.until("it is compared", () -> ((Label) shown().getContent().lookup("#render-difference-figures")).getText().startsWith("Steps of 1/255"));
+        Image a = Renderer.render(model.scene());
+        Image b = Renderer.render(SCENE);
+        int largest = IntStream.range(0, 120 * 80).flatMap(i -> IntStream.of(0, 8, 16)
+                .map(shift -> Math.abs((a.argb(i % 120, i / 120) >> shift & 255) - (b.argb(i % 120, i / 120) >> shift & 255)))).max().orElseThrow();
+        assertThat(label("#render-difference-figures")).contains("largest " + largest + " at ");
+        assertThat(Gui.on(() -> shown().view().lookupAll(".side-name").stream().map(node -> ((Label) node).getText()).toList()))
+                .containsExactly("A  2: ball · 120 × 80", "B  1: ball · 120 × 80");
+        gui.act(() -> ((ToggleButton) gui.node("#render-difference")).setSelected(true));
+        assertThat(Gui.on(() -> ((Label) shown().view().lookupAll(".side-name").toArray()[1]).getText())).isEqualTo("Difference of A and B");
+        assertThat(Screenshots.save(gui, "render-difference")).isNotEmptyFile();
+    }
+
+    @Test
+    void theMouseReadsDepthsAndCountsAndNotTheirColours() {
+        desk.said().put("mode", "depth");
+        gui.act(pane::render);
+        untilDone();
+        gui.moveTo(shown().view(), shown().view().getWidth() / 2 + 1, shown().view().getHeight() / 2 + 1);
+        double depth = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(SCENE).withMode(RenderMode.DEPTH).withNumbers(), RenderMonitor.NONE).image().red(60, 40);
+        assertThat(depth).isBetween(4.999, 5.01);
+        gui.until("the depth is told", () -> text("#pixel-text").contains(String.format(Locale.ROOT, "distance %.4f ", depth)));
+        desk.said().put("mode", "rays");
+        gui.act(pane::render);
+        untilDone();
+        gui.moveTo(shown().view(), shown().view().getWidth() / 2 + 2, shown().view().getHeight() / 2 + 1);
+        gui.until("the count is told", () -> text("#pixel-text").contains(" 2 rays "));
+    }
+
+    private void enter(String field, String text) {
+        gui.click(field);
+        gui.act(() -> ((TextField) gui.stage().getScene().lookup(field)).setText(text));
+    }
+
+    private void untilDone() {
+        gui.until("the picture is done", () -> shown().task().getState() == Worker.State.SUCCEEDED);
+    }
+
+    private RenderTask task(int tab) {
+        return ((RenderTab) tabs().getTabs().get(tab)).task();
+    }
+
+    private RenderTab shown() {
+        return (RenderTab) tabs().getSelectionModel().getSelectedItem();
+    }
+
+    private TabPane tabs() {
+        return (TabPane) pane.lookup("#renders");
+    }
+
+    private String status() {
+        return Gui.on(() -> ((Label) shown().getContent().lookup("#render-status")).getText());
+    }
+
+    private String label(String selector) {
+        return Gui.on(() -> text(selector));
+    }
+
+    /** For JavaFX's thread. */
+    private String text(String selector) {
+        return ((Label) (shown() != null && shown().getContent().lookup(selector) != null ? shown().getContent() : pane).lookup(selector)).getText();
+    }
+}
