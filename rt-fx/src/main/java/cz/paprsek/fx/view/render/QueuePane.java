@@ -1,7 +1,6 @@
 package cz.paprsek.fx.view.render;
 
 import cz.paprsek.fx.view.texts.Texts;
-import cz.paprsek.render.RenderResult.Certainty;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.animation.Animation;
@@ -27,6 +26,7 @@ import javafx.util.Duration;
 final class QueuePane extends VBox {
     private static final Duration BETWEEN_UPDATES = Duration.millis(250);
     private static final double WIDTH = 270;
+    private static final double CELL = 62;
 
     private final RenderDesk desk;
     private final Texts texts;
@@ -51,6 +51,7 @@ final class QueuePane extends VBox {
         setPrefWidth(WIDTH);
         list.setId("render-queue-list");
         list.setAccessibleText(texts.of("render.queue"));
+        list.setFixedCellSize(CELL);
         list.setPlaceholder(new Label(texts.of("render.queue.empty")));
         list.setCellFactory(view -> new Cell());
         VBox.setVgrow(list, Priority.ALWAYS);
@@ -134,7 +135,7 @@ final class QueuePane extends VBox {
             if (!empty && task != null) {
                 RenderProgress now = task.progress();
                 title.setText(task.title());
-                state.setText(new RenderStatus(texts).of(task.getState(), now, Optional.<Certainty>empty(), Optional.ofNullable(task.getException())));
+                state.setText(new RenderStatus(texts).inShort(task.getState(), now));
                 bar.setProgress(now.share());
             }
         }

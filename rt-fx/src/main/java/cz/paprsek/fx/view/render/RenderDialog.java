@@ -18,15 +18,18 @@ import javafx.scene.layout.VBox;
 final class RenderDialog extends StackPane {
     private final RenderForm form;
     private final Node behind;
+    private final Runnable onClosed;
 
     /**
      * @param behind what nothing can be done with as long as it is asked
+     * @param onClosed is told when it is over, either way
      * @param onAnswered is told when to render what the form says
      * @param onAsScene is told when to fill in what the scene asks for
      */
-    RenderDialog(RenderForm form, Texts texts, Node behind, Runnable onAnswered, Runnable onAsScene) {
+    RenderDialog(RenderForm form, Texts texts, Node behind, Runnable onClosed, Runnable onAnswered, Runnable onAsScene) {
         this.form = form;
         this.behind = behind;
+        this.onClosed = onClosed;
         Button render = button(texts.of("render.start"), "render-start", () -> {
             close();
             onAnswered.run();
@@ -77,5 +80,6 @@ final class RenderDialog extends StackPane {
     private void close() {
         setVisible(false);
         behind.setDisable(false);
+        onClosed.run();
     }
 }

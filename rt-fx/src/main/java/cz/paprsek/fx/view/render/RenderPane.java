@@ -91,7 +91,7 @@ public final class RenderPane extends StackPane {
         this.texts = texts;
         this.chooser = chooser;
         this.form = new RenderForm(texts);
-        this.dialog = new RenderDialog(form, texts, body, this::answered, () -> form.set(model.state(), Map.of()));
+        this.dialog = new RenderDialog(form, texts, body, this::takeKeys, this::answered, () -> form.set(model.state(), Map.of()));
         this.queue = new QueuePane(desk, texts, this::show);
         this.comparison = new ComparisonBox(tabs, texts);
         this.explanation = new ExplainPane(texts, theme, trees);
@@ -113,6 +113,7 @@ public final class RenderPane extends StackPane {
         tabs.setTabClosingPolicy(TabPane.TabClosingPolicy.ALL_TABS);
         message.setId("render-message");
         clear = button("render.region.clear", this::clearRegion);
+        clear.managedProperty().bind(clear.visibleProperty());
         toggle(selecting, "render.region.drag").setTooltip(new Tooltip(texts.of("render.region.drag.hint")));
         selecting.disableProperty().bind(Bindings.isEmpty(tabs.getTabs()));
         Node[] tools = {
@@ -160,6 +161,11 @@ public final class RenderPane extends StackPane {
     public void ask() {
         form.set(model.state(), desk.said().answers());
         dialog.open();
+    }
+
+    /** Has the picture that is shown take the keyboard. */
+    private void takeKeys() {
+        shown().ifPresent(tab -> tab.view().requestFocus());
     }
 
     private void answered() {
@@ -271,7 +277,7 @@ public final class RenderPane extends StackPane {
     /** Shows the part that is to be rendered in all pictures as large. */
     private void showRegion() {
         String word = desk.said().answers().getOrDefault(REGION, "");
-        clear.setDisable(word.isEmpty());
+        clear.setVisible(!word.isEmpty());
         showing = true;
         tabs.getTabs().stream().map(RenderTab.class::cast).forEach(tab -> tab.view().showRegion(RegionFields.parse(word, size(tab))));
         showing = false;
@@ -285,9 +291,11 @@ public final class RenderPane extends StackPane {
         tab.view().regionProperty().addListener((property, old, now) -> now.filter(region -> !showing).ifPresent(region -> setRegion(tab, region)));
         tab.setOnClosed(event -> tab.close());
         tabs.getTabs().add(tab);
-        tabs.getSelectionModel().select(tab);
         if (desk.queue().isEmpty()) {
+            // What has to wait leaves the one under way in sight.
+            tabs.getSelectionModel().select(tab);
             status.bind(tab.statusProperty());
+            takeKeys();
         }
     }
 

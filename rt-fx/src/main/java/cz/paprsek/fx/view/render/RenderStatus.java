@@ -27,6 +27,11 @@ final class RenderStatus {
         };
     }
 
+    /** How far a render is that has not ended. */
+    String inShort(Worker.State state, RenderProgress progress) {
+        return state == Worker.State.RUNNING ? texts.of("render.queue.running", percent(progress), time(progress.remainingSeconds())) : texts.of("render.waiting");
+    }
+
     private String known(Certainty certainty) {
         return " · " + texts.of("render.certainty", percent(certainty.within()), String.format(texts.locale(), "%.4f", certainty.farthest()))
                 + (certainty.untrusted() > 0 ? " · " + texts.of("render.untrusted", percent(certainty.untrusted())) : "");

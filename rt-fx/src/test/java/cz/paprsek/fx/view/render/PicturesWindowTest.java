@@ -110,7 +110,8 @@ class PicturesWindowTest {
         gui.act(pane::render);
         gui.act(() -> model.edit(CHANGE, scene -> SCENE));
         gui.until("the first runs", () -> task(0).getState() == Worker.State.RUNNING);
-        assertThat(status()).isEqualTo("Waits for its turn");
+        assertThat(shown().task()).as("what runs stays in sight").isSameAs(task(0));
+        assertThat(Gui.on(() -> ((RenderTab) tabs().getTabs().get(2)).statusProperty().get())).isEqualTo("Waits for its turn");
         ListView<?> list = (ListView<?>) gui.node("#render-queue-list");
         gui.act(() -> {
             list.requestFocus();
@@ -233,10 +234,6 @@ class PicturesWindowTest {
 
     private TabPane tabs() {
         return (TabPane) pane.lookup("#renders");
-    }
-
-    private String status() {
-        return Gui.on(() -> ((Label) shown().getContent().lookup("#render-status")).getText());
     }
 
     private String label(String selector) {
