@@ -1,9 +1,9 @@
 package cz.paprsek.fx;
 
-import cz.paprsek.fx.model.file.Remembered;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.render.RenderDesk;
 import cz.paprsek.fx.view.render.RenderPane;
+import cz.paprsek.fx.view.render.fields.Remembered;
 import java.util.Optional;
 import java.util.Set;
 import javafx.beans.property.ReadOnlyStringProperty;
@@ -16,6 +16,9 @@ import org.jspecify.annotations.Nullable;
 
 /** The window in which pictures are rendered; made when it is first needed, and kept with its pictures when it is closed. */
 final class RenderWindow {
+    /** The key of the settings. */
+    private static final String SAID = "render";
+
     private final Editor editor;
     private final Dialogs dialogs;
     private final RenderDesk desk;
@@ -28,7 +31,7 @@ final class RenderWindow {
         this.editor = editor;
         this.dialogs = dialogs;
         // What is looked into, and by which light, is a matter of the moment.
-        this.desk = new RenderDesk(Remembered.in(editor.settings(), "render", Set.of("mode", "lights")));
+        this.desk = new RenderDesk(Remembered.kept(editor.settings().get(SAID), text -> editor.settings().set(SAID, text), Set.of("mode", "lights")));
         this.theme = editor.followTheme();
     }
 

@@ -8,6 +8,8 @@ import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.function.IntBinaryOperator;
 import javafx.application.Platform;
+import javafx.beans.property.ReadOnlyIntegerProperty;
+import javafx.beans.property.ReadOnlyIntegerWrapper;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.image.PixelBuffer;
 import javafx.scene.image.PixelFormat;
@@ -27,6 +29,7 @@ public final class PictureBuffer {
     private final PixelBuffer<IntBuffer> pixels;
     private final WritableImage image;
     private volatile int paints;
+    private final ReadOnlyIntegerWrapper shownPaints = new ReadOnlyIntegerWrapper();
     private boolean updatePending;
     private int dirtyLeft;
     private int dirtyTop;
@@ -86,6 +89,11 @@ public final class PictureBuffer {
         return paints;
     }
 
+    /** As {@link #paints}, of what {@link #image} shows; changes on JavaFX's thread. */
+    ReadOnlyIntegerProperty shownPaintsProperty() {
+        return shownPaints.getReadOnlyProperty();
+    }
+
     /** A copy of the picture as it is shown, in linear light. */
     public Image shown() {
         Image copy = new Image(width, height);
@@ -122,7 +130,10 @@ public final class PictureBuffer {
         dirtyBottom = updatePending ? Math.max(dirtyBottom, bottom) : bottom;
         if (!updatePending) {
             updatePending = true;
-            Platform.runLater(() -> pixels.updateBuffer(buffer -> takeDirty()));
+            Platform.runLater(() -> {
+                pixels.updateBuffer(buffer -> takeDirty());
+                shownPaints.set(paints);
+            });
         }
     }
 

@@ -4,6 +4,9 @@ import cz.paprsek.render.Tile;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javafx.application.Platform;
+import javafx.beans.InvalidationListener;
+import javafx.beans.WeakInvalidationListener;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyDoubleProperty;
@@ -47,6 +50,9 @@ public final class PictureView extends Region {
     private final Rectangle checks = new Rectangle();
     private final ImageView picture;
     private final ImageView other = new ImageView();
+    private final Squares squares = new Squares();
+    private final Squares otherSquares = new Squares();
+    private final Rectangle otherSquaresPart = new Rectangle();
     private final Rectangle otherPart = new Rectangle();
     private final Region wipe = new Region();
     private final Label leftName = new Label();
@@ -60,6 +66,10 @@ public final class PictureView extends Region {
     private double top;
     private boolean fits = true;
     private double wipeShare = 0.5;
+    private Optional<PictureBuffer> second = Optional.empty();
+    /** Held here, because pictures outlive their views, and hold it weakly. */
+    private final InvalidationListener onPainted = painted -> Platform.runLater(this::drawSquares);
+    private final WeakInvalidationListener painted = new WeakInvalidationListener(onPainted);
     private Point2D pressed = Point2D.ZERO;
     private Point2D dragged = Point2D.ZERO;
 
@@ -78,6 +88,8 @@ public final class PictureView extends Region {
         wipe.setCursor(Cursor.H_RESIZE);
         wipe.setVisible(false);
         other.setClip(otherPart);
+        otherSquares.setClip(otherSquaresPart);
+        buffer.shownPaintsProperty().addListener(painted);
         other.setVisible(false);
         other.setMouseTransparent(true);
         Rectangle clip = new Rectangle();
@@ -87,7 +99,7 @@ public final class PictureView extends Region {
         checks.setFill(checkered());
         checks.setVisible(false);
         checks.setMouseTransparent(true);
-        getChildren().addAll(checks, picture, other, leftName, rightName, wipe, band);
+        getChildren().addAll(checks, picture, squares, other, otherSquares, leftName, rightName, wipe, band);
         setFocusTraversable(true);
         setOnScroll(this::scrolled);
         setOnMousePressed(this::pressed);
@@ -141,7 +153,12 @@ public final class PictureView extends Region {
      * @param left what this one is called beside it
      * @param right what the other is called
      */
-    public void compare(Optional<PictureBuffer> second, String left, String right) {
+    public void compare(Optional<PictureBuffer> wished, String left, String right) {
+        second.ifPresent(old -> old.shownPaintsProperty().removeListener(painted));
+        buffer.shownPaintsProperty().removeListener(painted);
+        second = wished;
+        buffer.shownPaintsProperty().addListener(painted);
+        second.filter(now -> now != buffer).ifPresent(now -> now.shownPaintsProperty().addListener(painted));
         other.setImage(second.map(PictureBuffer::image).orElse(null));
         leftName.setText(left);
         rightName.setText(right);
@@ -215,6 +232,7 @@ public final class PictureView extends Region {
         }
         place(picture);
         place(other);
+        drawSquares();
         checks.setX(left);
         checks.setY(top);
         checks.setWidth(shownWidth());
@@ -247,8 +265,24 @@ public final class PictureView extends Region {
     private void place(ImageView view) {
         view.setFitWidth(shownWidth());
         view.setFitHeight(shownHeight());
-        view.setSmooth(zoom.get() < (fits ? SQUARES : 1));
         view.relocate(left, top);
+    }
+
+    /** What is enlarged is drawn once more, over what is blurred. */
+    private void drawSquares() {
+        boolean areSeen = zoom.get() > (fits ? SQUARES : 1);
+        squares.setVisible(areSeen);
+        picture.setOpacity(areSeen ? 0 : 1);
+        otherSquares.setVisible(areSeen && second.isPresent());
+        other.setOpacity(areSeen ? 0 : 1);
+        if (areSeen) {
+            squares.draw(buffer.image(), left, top, zoom.get(), getWidth(), getHeight());
+            second.ifPresent(over -> otherSquares.draw(over.image(), left, top, zoom.get() * buffer.width() / over.width(), getWidth(), getHeight()));
+            double x = left + wipeShare * shownWidth();
+            otherSquaresPart.setX(x);
+            otherSquaresPart.setWidth(Math.max(0, getWidth() - x));
+            otherSquaresPart.setHeight(getHeight());
+        }
     }
 
     private double shownWidth() {
@@ -301,6 +335,9 @@ public final class PictureView extends Region {
     }
 
     private void released(MouseEvent event) {
+        if (band.isDragging() && !dragged.equals(pressed)) {
+            band.drag(pixel(event));
+        }
         band.end();
         if (dragged.equals(pressed)) {
             toPicture(event.getX(), event.getY()).ifPresent(onClicked.get());

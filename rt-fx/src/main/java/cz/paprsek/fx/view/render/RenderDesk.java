@@ -1,6 +1,6 @@
 package cz.paprsek.fx.view.render;
 
-import cz.paprsek.fx.model.file.Remembered;
+import cz.paprsek.fx.view.render.fields.Remembered;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
 import javafx.concurrent.Worker;

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.file.Remembered;
 import cz.paprsek.fx.view.camera.CameraPane;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.render.fields.Remembered;
 import cz.paprsek.fx.view.render.fields.WholeNumberField;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.RenderSettings;

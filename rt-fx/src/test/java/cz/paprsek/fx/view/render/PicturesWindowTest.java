@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
-import cz.paprsek.fx.model.file.Remembered;
 import cz.paprsek.fx.model.file.Settings;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.render.fields.Remembered;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
@@ -41,6 +41,7 @@ import javafx.scene.control.ListView;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
+import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -91,8 +92,8 @@ class PicturesWindowTest {
         untilDone();
         assertThat(shown().task().options()).as("the scene says the rest").isEqualTo(RenderOptions.of(SCENE.settings().withSize(60, 40).withSamples(2).withMaxDepth(3)));
         Settings settings = new Settings(folder, fault -> {});
-        Remembered.in(settings, "render", Set.of("mode")).set(Map.of("size", "60x40", "camera", "two words & more", "mode", "depth"));
-        assertThat(Remembered.in(new Settings(folder, fault -> {}), "render", Set.of("mode")).answers()).containsExactlyInAnyOrderEntriesOf(Map.of("size", "60x40", "camera", "two words & more"));
+        Remembered.kept(settings.get("render"), text -> settings.set("render", text), Set.of("mode")).set(Map.of("size", "60x40", "camera", "two words & more", "mode", "depth"));
+        assertThat(Remembered.kept(new Settings(folder, fault -> {}).get("render"), text -> {}, Set.of("mode")).answers()).containsExactlyInAnyOrderEntriesOf(Map.of("size", "60x40", "camera", "two words & more"));
         gui.act(pane::ask);
         gui.click("#render-ask-as-scene");
         assertThat(((TextField) gui.node("#render-width")).getText()).isEqualTo("120");
@@ -213,6 +214,29 @@ class PicturesWindowTest {
         untilDone();
         gui.moveTo(shown().view(), shown().view().getWidth() / 2 + 2, shown().view().getHeight() / 2 + 1);
         gui.until("the count is told", () -> text("#pixel-text").contains(" 2 rays "));
+    }
+
+    @Test
+    void whatIsEnlargedIsNotBlurred() {
+        gui.act(pane::render);
+        untilDone();
+        gui.click("#render-actual");
+        gui.act(() -> shown().view().requestFocus());
+        for (int i = 0; i < 6; i++) {
+            gui.keys(KeyCode.ADD);
+        }
+        assertThat(Gui.on(() -> Math.rint(1e6 * shown().view().zoomProperty().get()) / 1e6)).isEqualTo(8);
+        Image expected = Renderer.render(SCENE);
+        double left = Gui.on(() -> Math.rint((shown().view().getWidth() - 120) / 2));
+        double x = Gui.on(() -> shown().view().getWidth() / 2);
+        WritableImage seen = Gui.on(() -> shown().view().snapshot(null, null));
+        // The middle stays where it is; 8 points of the screen are one pixel.
+        for (int point = -200; point < 200; point += 3) {
+            int column = (int) Math.floor((x - left) + (point + 0.5) / 8);
+            double y = Gui.on(() -> shown().view().getHeight() / 2);
+            int row = (int) Math.floor(y - Gui.on(() -> Math.rint((shown().view().getHeight() - 80) / 2)) + 0.5 / 8);
+            assertThat(seen.getPixelReader().getArgb((int) x + point, (int) y)).as("%d", point).isEqualTo(expected.argb(column, row));
+        }
     }
 
     private void enter(String field, String text) {

@@ -1,4 +1,4 @@
-package cz.paprsek.fx.model.file;
+package cz.paprsek.fx.view.render.fields;
 
 import java.net.URLDecoder;
 import java.net.URLEncoder;
@@ -7,35 +7,35 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
-/** What a user answered last to questions that are asked again, by their names: kept in the settings, but for what counts only as long as the program runs. */
+/** What a user answered last to questions that are asked again, by their names: kept for the next start, but for what counts only as long as the program runs. */
 public final class Remembered {
-    private final Optional<Settings> settings;
-    private final String key;
+    private final Consumer<String> keep;
     private final Set<String> forNow;
     private Map<String, String> answers;
 
-    private Remembered(Optional<Settings> settings, String key, Set<String> forNow) {
-        this.settings = settings;
-        this.key = key;
+    private Remembered(Optional<String> before, Consumer<String> keep, Set<String> forNow) {
+        this.keep = keep;
         this.forNow = forNow;
-        this.answers = settings.flatMap(all -> all.get(key)).map(Remembered::parsed).orElse(Map.of());
+        this.answers = before.map(Remembered::parsed).orElse(Map.of());
     }
 
     /**
-     * What is kept in settings.
+     * What is kept as a text.
      *
-     * @param key under which
+     * @param before the text that was kept last
+     * @param keep keeps another one
      * @param forNow the names of what is forgotten when the program ends
      */
-    public static Remembered in(Settings settings, String key, Set<String> forNow) {
-        return new Remembered(Optional.of(settings), key, forNow);
+    public static Remembered kept(Optional<String> before, Consumer<String> keep, Set<String> forNow) {
+        return new Remembered(before, keep, forNow);
     }
 
     /** What is forgotten with the program. */
     public static Remembered forNow() {
-        return new Remembered(Optional.empty(), "", Set.of());
+        return new Remembered(Optional.empty(), text -> {}, Set.of());
     }
 
     /** All answers by their names. */
@@ -47,7 +47,7 @@ public final class Remembered {
     public void set(Map<String, String> now) {
         if (!now.equals(answers)) {
             answers = Map.copyOf(now);
-            settings.ifPresent(all -> all.set(key, text()));
+            keep.accept(text());
         }
     }
 
