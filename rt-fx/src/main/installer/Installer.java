@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -123,6 +124,26 @@ class Installer {
         Path file = OUT.resolve(name + "-" + (WINDOWS ? "windows" : MAC ? "macos" : "linux") + "-" + System.getProperty("os.arch") + (WINDOWS ? ".zip" : ".tar.gz"));
         run("tar", WINDOWS ? "-acf" : "-czf", file.toString(), "-C", OUT.toString(), named.getFileName().toString());
         tell(file);
+        if (!WINDOWS) {
+            Path zip = OUT.resolve(file.getFileName().toString().replace(".tar.gz", ".zip"));
+            zip(named, zip);
+            tell(zip);
+        }
+    }
+
+    /** The same once more, with what may be executed, for who takes nothing else: Homebrew and SDKMAN, by jreleaser.yml. */
+    private static void zip(Path folder, Path file) throws IOException {
+        try (FileSystem zip = FileSystems.newFileSystem(file, Map.of("create", true, "enablePosixFileAttributes", true)); Stream<Path> all = Files.walk(folder)) {
+            for (Path one : all.sorted().toList()) {
+                Path into = zip.getPath(folder.getParent().relativize(one).toString());
+                if (Files.isDirectory(one)) {
+                    Files.createDirectories(into);
+                } else {
+                    Files.copy(one, into);
+                    Files.setPosixFilePermissions(into, Files.getPosixFilePermissions(one));
+                }
+            }
+        }
     }
 
     /** As Debian lays things out; the system's own triggers then take up the kind of file, the icon and the entry of the menu. */
@@ -142,6 +163,7 @@ class Installer {
         String paprsek = "rt-cli/target/rt-cli.jar";
         run(JAVA.resolve("java").toString(), "-jar", paprsek, "generate-man", "-o", Files.createDirectories(share.resolve("man/man1")).toString());
         completion(share.resolve("bash-completion/completions/paprsek"), "bash");
+        put(HERE.resolve("_paprsek"), share.resolve("zsh/vendor-completions/_paprsek"));
         completion(share.resolve("fish/vendor_completions.d/paprsek.fish"), "fish");
         long size;
         try (Stream<Path> all = Files.walk(root)) {

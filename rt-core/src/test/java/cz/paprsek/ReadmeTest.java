@@ -59,6 +59,7 @@ class ReadmeTest {
         assertThat(version.find()).isTrue();
         assertThat(blocks("xml").filter(ReadmeTest::isDependency).toList()).singleElement().asString()
                 .contains("<groupId>cz.paprsek</groupId>", "<artifactId>rt-core</artifactId>", version.group());
+        assertThat(Files.readString(Path.of("../jreleaser.yml"))).contains("\n  version: " + version.group(1) + "\n");
     }
 
     /** The README first, then all others. */
