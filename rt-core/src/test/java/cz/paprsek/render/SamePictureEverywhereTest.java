@@ -37,7 +37,7 @@ class SamePictureEverywhereTest {
             found.append(shipped(name, 0)).append("  ").append(name).append('\n');
         }
         // Of what moves, while the formulas of its time are at work.
-        for (String name : List.of("carousel", "flight")) {
+        for (String name : List.of("carousel", "flight", "toy-train")) {
             found.append(shipped(name, FRAME)).append("  ").append(name).append(" ").append(FRAME).append('\n');
         }
         assertThat(found.toString()).as("digests on Java %s, to be recorded in %s if the change is meant", Runtime.version(), RECORD)
