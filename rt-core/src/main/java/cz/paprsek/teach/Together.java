@@ -21,7 +21,10 @@ record Together(Operation operation, List<Thing> solids, Mistakes made) implemen
         return all;
     }
 
-    /** A boundary stands wherever the answer to "inside?" changes. Where both solids change in one place, the left one's is kept. */
+    /**
+     * A boundary stands wherever the answer to "inside?" changes. Where both solids change in one place, the left one's is kept. What mistakes make of a ray may be
+     * no numbers: such crossings are passed, too.
+     */
     private List<Crossing> combined(List<Crossing> left, List<Crossing> right, double size) {
         List<Crossing> found = new ArrayList<>();
         boolean inLeft = false;
@@ -33,11 +36,11 @@ record Together(Operation operation, List<Thing> solids, Mistakes made) implemen
             double first = b == right.size() || (a < left.size() && left.get(a).t() <= right.get(b).t()) ? left.get(a).t() : right.get(b).t();
             double here = Double.isInfinite(first) ? first : first + Ray.TOUCH * (size + Math.abs(first));
             int fromA = a;
-            while (a < left.size() && left.get(a).t() <= here) {
+            while (a < left.size() && !(left.get(a).t() > here)) {
                 a++;
             }
             int fromB = b;
-            while (b < right.size() && right.get(b).t() <= here) {
+            while (b < right.size() && !(right.get(b).t() > here)) {
                 b++;
             }
             boolean leftChanges = (a - fromA) % 2 != 0;

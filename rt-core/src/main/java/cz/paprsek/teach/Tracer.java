@@ -112,7 +112,7 @@ final class Tracer {
         Vec normal = met.crossing().normal(point);
         boolean leaving = ray.direction().dot(normal) > 0;
         Vec turned = leaving && !made.has(NORMAL_NOT_TURNED) ? normal.times(-1) : normal;
-        return new Hit(ray, media, met, point, met.t() + point.size(), turned, leaving);
+        return new Hit(ray, media, met, point, Math.abs(met.t()) + point.size(), turned, leaving);
     }
 
     /** Ambient light, and what comes straight from the lights. */

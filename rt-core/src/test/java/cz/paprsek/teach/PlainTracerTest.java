@@ -2,6 +2,7 @@ package cz.paprsek.teach;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import cz.paprsek.image.Image;
 import cz.paprsek.render.RenderMonitor;
@@ -9,12 +10,14 @@ import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.teach.mistake.Mistake;
 import cz.paprsek.teach.mistake.Mistakes;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
@@ -75,5 +78,14 @@ class PlainTracerTest {
         Scene chess = SceneFiles.read(SCENES.resolve("chess.xml"));
         assertThatThrownBy(() -> PlainTracer.of(chess, chess.settings(), Mistakes.NONE)).isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("mistakes are made by a plain tracer, to be read aloud, which does not know cone, torus");
+    }
+
+    /** Mistakes make rays that nobody else makes: what lies far behind, directions that are none, levels without end. */
+    @Test
+    void picturesWithAnyMistakeComeToAnEnd() throws IOException {
+        Scene cube = all().stream().filter(scene -> scene.name().equals("Puzzle cube")).findFirst().orElseThrow();
+        RenderSettings settings = cube.settings().withSize(64, 36).withSamples(1);
+        assertTimeoutPreemptively(Duration.ofMinutes(1), () -> Stream.of(Mistake.values())
+                .forEach(mistake -> assertThat(PlainTracer.of(cube, settings, Mistakes.of(mistake)).render(() -> false).width()).isEqualTo(64)));
     }
 }

@@ -60,6 +60,7 @@ class GraderTest {
         List<Tally> singles = new ArrayList<>();
         List<Tally> pairs = new ArrayList<>();
         for (Scene scene : known()) {
+            long from = System.nanoTime();
             RenderSettings settings = scene.settings().withSize(64, 36).withSamples(1);
             List<Mistake> loud = new ArrayList<>(List.of(Mistake.values()));
             loud.removeAll(new Grader(scene, settings, true, () -> false).silent());
@@ -70,7 +71,7 @@ class GraderTest {
                 two.add(Mistakes.of(loud.get(i)).and(loud.get(i + 1)));
             }
             pairs.add(tried(scene, 64, two));
-            System.out.println(scene.name() + ": alone " + singles.get(singles.size() - 1) + ", in pairs " + pairs.get(pairs.size() - 1));
+            System.out.printf("%s: alone %s, in pairs %s; %d s%n", scene.name(), singles.get(singles.size() - 1), pairs.get(pairs.size() - 1), (System.nanoTime() - from) / 1_000_000_000);
         }
         assertThat(share(singles)).as(singles.toString()).isGreaterThan(0.9);
         assertThat(share(pairs)).as(pairs.toString()).isGreaterThan(0.75);
