@@ -15,8 +15,7 @@ import javafx.application.Platform;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
-import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
+import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
@@ -47,16 +46,14 @@ final class QuestionBox extends VBox {
         field.setId("lesson-answer-" + number);
         field.setPromptText(texts.of(question.numbers() == 1 ? "lesson.number" : "lesson.numbers", question.numbers()));
         field.setAccessibleText(asked);
-        field.setPrefColumnCount(8);
         field.setOnAction(event -> mark());
-        HBox.setHgrow(field, Priority.ALWAYS);
         Button check = new Button(texts.of("lesson.check"));
         check.setId("lesson-check-" + number);
         check.setOnAction(event -> mark());
         Label hint = Verdicts.line("lesson-hint-" + number);
         Button help = new Button(texts.of("lesson.hint"));
         help.setId("lesson-help-" + number);
-        help.setOnAction(event -> hint.setText(question.hint().in(texts.locale())));
+        help.setOnAction(event -> Verdicts.say(hint, question.hint().in(texts.locale()), false, false));
         explain = new Button(texts.of("lesson.explain"));
         explain.setId("lesson-explain-" + number);
         explain.setVisible(false);
@@ -67,7 +64,7 @@ final class QuestionBox extends VBox {
         for (Button button : List.of(check, help, explain)) {
             button.setMinWidth(Region.USE_PREF_SIZE);
         }
-        getChildren().addAll(Verdicts.text(asked, "lesson-asked"), new HBox(6, field, check, help), hint, verdict, explain);
+        getChildren().addAll(Verdicts.text(asked, "lesson-asked"), field, new FlowPane(6, 6, check, help, explain), hint, verdict);
     }
 
     TextField field() {

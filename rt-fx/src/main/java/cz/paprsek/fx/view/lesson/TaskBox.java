@@ -23,7 +23,7 @@ final class TaskBox extends VBox {
         Label hint = Verdicts.line("lesson-hint-" + number);
         Button help = new Button(texts.of("lesson.hint"));
         help.setId("lesson-help-" + number);
-        help.setOnAction(event -> hint.setText(task.hint().in(texts.locale())));
+        help.setOnAction(event -> Verdicts.say(hint, task.hint().in(texts.locale()), false, false));
         Button begin = new Button(texts.of("lesson.begin"));
         begin.setId("lesson-begin-" + number);
         begin.setOnAction(event -> onBegin.run());
