@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.IntStream;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -119,6 +120,20 @@ class LessonsInEditorTest {
         assertThat(Gui.on(() -> Optional.ofNullable(editor.gui.stage().getScene().lookup("#lesson-pane")))).isEmpty();
         editor.menu("teach-lessons");
         assertThat(text("#lesson-progress")).isEqualTo("Hotovo 1 z 3");
+    }
+
+    /** A lesson that has been left does not look at the scene of the next one. */
+    @Test
+    void theTaskOfTheNextLessonIsDoneWithoutTheOneBefore() {
+        List<Throwable> faults = new CopyOnWriteArrayList<>();
+        editor.gui.act(() -> Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> faults.add(fault)));
+        editor.menu("lesson-phong");
+        editor.menu("lesson-sphere");
+        Scene solved = sphere.tasks().get(0).solution();
+        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.RESIZE), scene -> scene.withObjects(solved.objects())));
+        editor.gui.until("the task is done", () -> text("#lesson-progress").equals("1 of 3 done"));
+        assertThat(faults).isEmpty();
+        editor.gui.act(() -> Thread.currentThread().setUncaughtExceptionHandler(null));
     }
 
     @Test

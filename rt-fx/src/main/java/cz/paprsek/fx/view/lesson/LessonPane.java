@@ -44,6 +44,7 @@ public final class LessonPane extends BorderPane {
     private final Label progress = new Label();
     /** Held here, because the model, which outlives the pane, holds it weakly. */
     private final ChangeListener<Scene> onScene = (property, old, now) -> lookAtTasks();
+    private final WeakChangeListener<Scene> weak = new WeakChangeListener<>(onScene);
 
     /** @param onLook explains a pixel of the scene's picture, by column and row */
     public LessonPane(Lesson lesson, LessonDesk desk, EditorModel model, Texts texts, BiConsumer<Integer, Integer> onLook) {
@@ -73,7 +74,7 @@ public final class LessonPane extends BorderPane {
             }
         }));
         setCenter(scroll);
-        model.sceneProperty().addListener(new WeakChangeListener<>(onScene));
+        model.sceneProperty().addListener(weak);
         showProgress();
         lookAtTasks();
     }
@@ -187,8 +188,9 @@ public final class LessonPane extends BorderPane {
         }
     }
 
-    /** Ends what is being computed. */
+    /** Ends what is being computed, and follows the scene no more. */
     public void close() {
+        model.sceneProperty().removeListener(weak);
         checks.forEach(TaskCheck::close);
         worker.shutdown();
     }
