@@ -36,6 +36,8 @@ import javafx.stage.WindowEvent;
 /** The questions as dialogs of the system and of JavaFX. */
 final class SystemDialogs implements Dialogs {
     private static final String SCENE = "*.xml";
+    /** Wide enough for three buttons with whole words, one of which gets them when the dialog has its size. */
+    private static final double FAULT_WIDTH = 500;
 
     private final Window owner;
     private final Supplier<Texts> texts;
@@ -202,6 +204,7 @@ final class SystemDialogs implements Dialogs {
         alert.initModality(Modality.NONE);
         alert.setTitle("Paprsek");
         alert.setHeaderText(texts.get().of("dialog.fault.header"));
+        alert.getDialogPane().setMinWidth(FAULT_WIDTH);
         TextArea details = new TextArea(trace.toString());
         details.setEditable(false);
         alert.getDialogPane().setExpandableContent(details);
