@@ -56,7 +56,9 @@ class SentencesTest {
                 "<block min='1 1 1' max='0 0 0'/>", "<rectangle min='1 1' max='0 0'/>", "<cone radius='0' height='1'/>", "<sphere radius='1' material='m'/>",
                 "<sphere radius='1' name='a'/><sphere radius='1' name='a'/>", "<sphere radius='1'><material color='reed'/></sphere>", "<spere radius='1'/>",
                 "<union/>", "<sphere radius='1'><material><checkerboard columns='2' rows='2'/></material></sphere>", "<sphere radius='1'>text</sphere>",
-                "<point-light position='0 0 0' name='l'/><point-light position='0 0 0' name='l'/>", "<disc radius='1'><sphere radius='1'/></disc>"));
+                "<point-light position='0 0 0' name='l'/><point-light position='0 0 0' name='l'/>", "<disc radius='1'><sphere radius='1'/></disc>",
+                "<sphere radius=1/>", "<sphere radius='1' x/>", "<sphere radius='1'y='2'/>", "<sphere radius='1' radius='2'/>", "<sphere radius='<'/>", "<union>", "<sphere", "< sphere/>", "&nbsp;", "a & b", "<!-- -- -->",
+                "<a:sphere radius='1'/>", "]]>", "</scene><scene>", "<sphere radius='1'></sphere", "<?xml version='1.0'?>"));
         return files.stream();
     }
 

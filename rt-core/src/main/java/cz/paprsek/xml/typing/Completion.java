@@ -16,7 +16,7 @@ import java.util.regex.Pattern;
  *
  * @param from where what is taken begins in the text, in characters
  * @param to where that ends: what is there is replaced
- * @param expected what a value must be there, as in "must be …"; empty if nothing is said of that
+ * @param expected what a value must be there, as in "must be …", or all words there are; empty if nothing is said of that
  * @param proposals what could stand there and begins with what does already
  */
 public record Completion(int from, int to, String expected, List<Proposal> proposals) {
@@ -162,6 +162,7 @@ public record Completion(int from, int to, String expected, List<Proposal> propo
     }
 
     private static String expected(Grammar grammar, String kind) {
-        return grammar.expected(base(kind));
+        List<String> words = grammar.words(base(kind));
+        return words.isEmpty() ? grammar.expected(base(kind)) : String.join(" | ", words);
     }
 }

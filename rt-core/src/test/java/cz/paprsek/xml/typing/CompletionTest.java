@@ -55,6 +55,7 @@ class CompletionTest {
         assertThat(names("<scene><instance of=\"|\"/>")).containsExactly("leg");
         assertThat(names("<scene><animate target=\"c|\"/>")).containsExactly("camera:main");
         assertThat(names("<scene><point-light color=\"dark|")).contains("darkred");
+        assertThat(at("<scene><render integrator=\"|\"/></scene>").expected()).isEqualTo("whitted | path");
         Completion number = at("<scene><sphere radius=\"|1\"/></scene>");
         assertThat(number.expected()).isEqualTo("a finite number above 0");
         assertThat(number.proposals()).isEmpty();
