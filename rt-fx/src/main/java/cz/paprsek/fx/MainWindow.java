@@ -39,6 +39,7 @@ import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.MenuBar;
 import javafx.scene.control.SplitPane;
+import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.TransferMode;
 import javafx.scene.layout.BorderPane;
@@ -90,6 +91,13 @@ final class MainWindow {
         warningList = new ProblemList("warning", texts.of("window.close-message"), texts::sentence);
         ObjectTree tree = new ObjectTree(model, texts, commands);
         PropertySheet sheet = new PropertySheet(model, texts, editor.proportional(), editor.fileFinder(), editor.clock());
+        sheet.offerPipette(commands.pipette());
+        root.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE && edits.pipette().isActive()) {
+                edits.pipette().cancel();
+                event.consume();
+            }
+        });
         SceneMeshes meshes = editor.meshes(edits);
         AddPalette palette = new AddPalette(model, texts, views::sight, edits, meshes::choose, meshes::chooseHeights);
         FinderPane finder = new FinderPane(() -> findable(edits), texts.of("find.prompt"), texts.of("find.nothing"));

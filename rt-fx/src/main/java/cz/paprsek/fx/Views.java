@@ -10,6 +10,7 @@ import cz.paprsek.fx.view.camera.CameraPane;
 import cz.paprsek.fx.view.camera.FreeCommands;
 import cz.paprsek.fx.view.command.CameraCommands;
 import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.command.Pipette;
 import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.explain.ExplainMode;
 import cz.paprsek.fx.view.explain.ExplainPane;
@@ -33,6 +34,7 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.value.ObservableValue;
+import javafx.scene.Cursor;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.MenuButton;
@@ -111,6 +113,7 @@ final class Views {
         commands.setOnBlink(() -> List.of(camera, free).forEach(pane -> pane.blink(model.selection())));
         free.acceptEdits(commands.edits(), editor.snapping());
         free.setContextMenu(commands.contextMenu());
+        takeMaterials(editor, commands.edits().pipette());
         freeView = titled("free", texts.of("view.free"), texts, free);
         freeCommands = new FreeCommands(commands.edits(), free, () -> freeShown.set(true), () -> editor.say(texts.of("view.camera-locked")));
         freeView.addTool(freeButton(texts));
@@ -214,6 +217,27 @@ final class Views {
     /** Through which camera the user looks. */
     CameraCommands cameras() {
         return cameras;
+    }
+
+    /** A click in any view is for the pipette as long as that is held. */
+    private void takeMaterials(Editor editor, Pipette pipette) {
+        Texts texts = editor.texts();
+        pipette.activeProperty().addListener((property, old, now) -> {
+            List.of(free, camera).forEach(now ? pane -> await(pane, pipette) : CameraPane::awaitNothing);
+            projections.forEach(pane -> pane.setCursor(now ? Cursor.CROSSHAIR : Cursor.DEFAULT));
+            editor.say(now ? texts.of("view.pipette-click")
+                    : pipette.taken().map(from -> texts.of("view.pipette-done", PathNames.of(model.scene(), from, texts))).orElse(""));
+        });
+    }
+
+    /** Until a body is clicked. */
+    private static void await(CameraPane pane, Pipette pipette) {
+        pane.awaitClick(point -> {
+            pipette.take(pane.body(point));
+            if (pipette.isActive()) {
+                await(pane, pipette);
+            }
+        });
     }
 
     /** Asks for a click into the picture of the camera: on what shall be sharp. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.LightMoves;
+import cz.paprsek.fx.model.edit.Visible;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.AreaLight;
@@ -16,6 +17,7 @@ import cz.paprsek.scene.SphereLight;
 import cz.paprsek.scene.SpotLight;
 import cz.paprsek.scene.SunLight;
 import java.util.List;
+import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.Test;
 
 /** Lights and cameras, dragged in the projections. */
@@ -81,5 +83,24 @@ class LightDragTest extends InProjections {
         drag(front, Vec3.ZERO, new Vec3(2, 1, 0));
         Camera.Target target = (Camera.Target) editor.model().scene().camera().aim();
         assertThat(target.point().minus(new Vec3(2, 1, 0)).length()).isCloseTo(0, within(3 / scale(front)));
+    }
+
+    /** What is alone leaves the others dark in the camera's picture too, and the file as it is. */
+    @Test
+    void oneLightAloneAndAllAgainByTheSameKeys() {
+        editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.ADD), scene -> scene.withLights(List.of(Light.at(-3, 5, 3), Light.at(3, 5, 3), SunLight.along(0, -1, 0)))));
+        editor.gui.act(() -> {
+            editor.model().select(ScenePath.light(1));
+            editor.projection("front").requestFocus();
+        });
+        Scene before = editor.model().scene();
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.J);
+        assertThat(editor.model().state().hidden()).containsExactlyInAnyOrder(ScenePath.light(0), ScenePath.light(2));
+        assertThat(editor.model().scene()).isSameAs(before);
+        assertThat(Visible.of(editor.model().state()).scene().lights()).containsExactly(before.lights().get(1));
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.J);
+        assertThat(editor.model().state().hidden()).isEmpty();
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(editor.model().state().hidden()).hasSize(2);
     }
 }

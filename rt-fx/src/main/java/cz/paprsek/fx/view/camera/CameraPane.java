@@ -160,6 +160,11 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         picture.requestFocus();
     }
 
+    /** Waits no more. */
+    public void awaitNothing() {
+        isAwaited(Optional.empty());
+    }
+
     private boolean isAwaited(Optional<PicturePoint> point) {
         Optional<Consumer<PicturePoint>> listener = waiting;
         waiting = Optional.empty();
@@ -283,7 +288,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         return point.place().map(visible::original);
     }
 
-    private Optional<BodyAt> body(PicturePoint point) {
+    public Optional<BodyAt> body(PicturePoint point) {
         return place(point).filter(BodyAt.class::isInstance).map(BodyAt.class::cast);
     }
 
@@ -355,10 +360,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
             menu.ifPresent(known -> known.show(picture, event.getScreenX(), event.getScreenY()));
             return;
         }
-        if (event.getButton() != MouseButton.PRIMARY) {
-            return;
-        }
-        if (isAwaited(point) || point.isEmpty() || clickedFirst.test(point.get())) {
+        if (event.getButton() != MouseButton.PRIMARY || isAwaited(point) || point.isEmpty() || clickedFirst.test(point.get())) {
             return;
         }
         boolean more = event.isShiftDown() || event.isShortcutDown();

@@ -170,7 +170,7 @@ final class ObjectHand {
             event.consume();
             return;
         }
-        boolean isPlain = event.getButton() == MouseButton.PRIMARY && !event.isShiftDown() && !event.isAltDown();
+        boolean isPlain = event.getButton() == MouseButton.PRIMARY && !event.isShiftDown() && !event.isAltDown() && !edits.pipette().isActive();
         handles().filter(known -> isPlain).ifPresent(known -> {
             held = known.at(at.getX(), at.getY());
             pressedOn = known;

@@ -56,10 +56,16 @@ public final class Edits {
     private final EditorModel model;
     private final Texts texts;
     private final ReadOnlyStringWrapper refusal = new ReadOnlyStringWrapper("");
+    private final Pipette pipette;
 
     public Edits(EditorModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
+        pipette = new Pipette(this);
+    }
+
+    public Pipette pipette() {
+        return pipette;
     }
 
     /** Why what was wanted last cannot be done; empty if it was done. */

@@ -49,6 +49,7 @@ public final class SelectionCommands {
     private final Command turntable;
     private final Command pivot;
     private final Command leaveOut;
+    private final Command pipette;
     private final Command hide;
     private final Command showAll;
     private final Command lock;
@@ -89,6 +90,7 @@ public final class SelectionCommands {
         another = Command.of("object.another", edits.texts(), edits::another).disabledIf(Bindings.createBooleanBinding(() -> edits.used().isEmpty(), edits.model().stateProperty()));
         turntable = command("object.turntable", bodies, edits::turntable);
         pivot = either(command("object.pivot", bodies, edits::pivot), edits::hasPivot, "object.pivot-middle");
+        pipette = command("object.pipette", bodies, edits.pipette()::toggle).keys("Shortcut+Shift+P").icon(MaterialDesignE.EYEDROPPER);
         blink = command("object.blink", bodies, () -> onBlink.run()).keys("Shortcut+B");
         leaveOut = either(command("object.leave-out", bodies, edits::leaveOut), edits::isLeftOut, "object.take-in");
         hide = either(command("object.hide", any, edits::hideOrShow).keys("Shortcut+H").icon(MaterialDesignE.EYE_OFF_OUTLINE),
@@ -123,6 +125,11 @@ public final class SelectionCommands {
         return soften;
     }
 
+    /** What makes the selection of the material of what is clicked next. */
+    public Command pipette() {
+        return pipette;
+    }
+
     /** Cutting, copying, pasting, deleting. */
     public List<MenuItem> editItems() {
         return items(cut, copy, paste, duplicate, delete);
@@ -139,7 +146,7 @@ public final class SelectionCommands {
 
     /** Names, operations, lights and cameras, hiding and locking. */
     public List<MenuItem> objectItems() {
-        List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve, repeat, repeatRound, mirror, define, another, turntable, pivot));
+        List<MenuItem> items = new ArrayList<>(items(rename, union, difference, intersection, group, dissolve, repeat, repeatRound, mirror, define, another, turntable, pivot, pipette));
         items.add(new ArrangeCommands(edits).menu());
         items.addAll(new ArrangeCommands(edits).operandItems());
         items.add(new SeparatorMenuItem());

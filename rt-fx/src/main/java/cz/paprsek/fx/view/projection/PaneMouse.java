@@ -70,6 +70,11 @@ final class PaneMouse {
         if (drag != null) {
             return;
         }
+        if (event.getButton() == MouseButton.PRIMARY && pane.edits().pipette().isActive()) {
+            List<ScenePath> under = pane.picker().at(model.state(), pane.view(), event.getX(), event.getY());
+            pane.edits().pipette().take(Places.bodies(under).stream().findFirst());
+            return;
+        }
         pressX = event.getX();
         pressY = event.getY();
         lastX = pressX;
@@ -247,7 +252,7 @@ final class PaneMouse {
         lastX = event.getX();
         lastY = event.getY();
         Optional<Handle> handle = pane.handleAt(lastX, lastY);
-        pane.setHoverCursor(spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElseGet(() -> gripAt(lastX, lastY).isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT));
+        pane.setHoverCursor(pane.edits().pipette().isActive() ? Cursor.CROSSHAIR : spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElseGet(() -> gripAt(lastX, lastY).isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT));
     }
 
     private void point(MouseEvent event) {

@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.model.property.Alternatives;
 import cz.paprsek.fx.model.property.Property;
+import cz.paprsek.fx.view.command.Command;
 import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
@@ -28,6 +29,7 @@ final class Editors {
     private final BooleanProperty proportional;
     private final FileFinder finder;
     private final Clock clock;
+    private Optional<Command> pipette = Optional.empty();
 
     Editors(EditorModel model, Texts texts, BooleanProperty proportional, FileFinder finder, Clock clock) {
         this.clock = clock;
@@ -35,6 +37,10 @@ final class Editors {
         this.model = model;
         this.texts = texts;
         this.proportional = proportional;
+    }
+
+    void offerPipette(Command value) {
+        pipette = Optional.of(value);
     }
 
     /**
@@ -92,7 +98,7 @@ final class Editors {
                     constant -> edit.change(scene -> property.write(scene, constant))));
             case ALTERNATIVE -> beside(row, alternatives(property, edit, mixed));
             case MATERIAL -> {
-                MaterialEditor editor = new MaterialEditor(model, edit, texts, property);
+                MaterialEditor editor = new MaterialEditor(model, edit, texts, property, pipette);
                 yield new Entry(row.below(editor.node(), editor.buttons()), editor, Optional.empty());
             }
         };

@@ -4,6 +4,7 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Materials;
 import cz.paprsek.fx.model.property.Property;
+import cz.paprsek.fx.view.command.Command;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Inherited;
 import cz.paprsek.material.Material;
@@ -42,9 +43,10 @@ final class MaterialEditor implements PropertyEditor {
     private final Label shared = new Label();
     private final Button share;
     private final HBox naming;
+    private final HBox buttons = new HBox(2);
     private final VBox box = new VBox();
 
-    MaterialEditor(EditorModel model, PropertyEdit edit, Texts texts, Property property) {
+    MaterialEditor(EditorModel model, PropertyEdit edit, Texts texts, Property property, Optional<Command> pipette) {
         this.model = model;
         this.edit = edit;
         this.texts = texts;
@@ -59,6 +61,12 @@ final class MaterialEditor implements PropertyEditor {
         share.setAccessibleText(texts.of("material.share"));
         share.getStyleClass().add("small-button");
         share.setOnAction(event -> edit.change(scene -> Materials.name(scene, places, texts.of("material.new"))));
+        pipette.map(Command::button).ifPresent(button -> {
+            button.getStyleClass().add("small-button");
+            button.setFocusTraversable(true);
+            buttons.getChildren().add(button);
+        });
+        buttons.getChildren().add(share);
         shared.getStyleClass().add("hint");
         shared.setWrapText(true);
         box.getStyleClass().add("material-editor");
@@ -78,7 +86,7 @@ final class MaterialEditor implements PropertyEditor {
 
     /** What can be done with the material. */
     Node buttons() {
-        return share;
+        return buttons;
     }
 
     @Override

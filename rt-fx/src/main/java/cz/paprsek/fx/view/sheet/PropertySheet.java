@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.model.property.Section;
 import cz.paprsek.fx.model.property.Sections;
+import cz.paprsek.fx.view.command.Command;
 import cz.paprsek.fx.view.command.FileFinder;
 import cz.paprsek.fx.view.command.UndoKeys;
 import cz.paprsek.fx.view.texts.Texts;
@@ -80,6 +81,11 @@ public final class PropertySheet extends BorderPane {
         clock.secondsProperty().addListener(weak);
         clock.openProperty().addListener(weak);
         refresh();
+    }
+
+    /** What takes the material of something else, as a button beside that of what is selected. */
+    public void offerPipette(Command pipette) {
+        editors.offerPipette(pipette);
     }
 
     /** Is told when the field that had the keyboard is gone, and nothing in its place. */
