@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import javafx.application.Platform;
+import javafx.scene.input.KeyCombination;
 import javafx.stage.Stage;
 import org.jspecify.annotations.Nullable;
 
@@ -60,6 +61,7 @@ final class LibraryWindow implements Desk {
             Stage shown = new Stage();
             open = shown;
             open.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1160, 740));
+            shown.getScene().getAccelerators().put(KeyCombination.valueOf("Shortcut+W"), shown::hide);
             open.focusedProperty().addListener((property, old, now) -> store.checkDisk());
             stage = open;
             WindowPlace.keep(open, editor.settings(), "window.library", () -> Sizes.opened(shown, 1160, 740, Optional.empty()));

@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.view.mistakes.MistakesPane;
 import java.util.Optional;
+import javafx.scene.input.KeyCombination;
 import javafx.stage.Stage;
 import org.jspecify.annotations.Nullable;
 
@@ -26,6 +27,7 @@ final class MistakesWindow {
             Stage shown = new Stage();
             open = shown;
             open.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1280, 720));
+            shown.getScene().getAccelerators().put(KeyCombination.valueOf("Shortcut+W"), shown::hide);
             WindowPlace.keep(open, editor.settings(), "window.mistakes", () -> Sizes.mostOfTheScreen(shown, 1280, 720));
             stage = open;
         }

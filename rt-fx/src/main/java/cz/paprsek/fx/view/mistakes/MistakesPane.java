@@ -72,6 +72,7 @@ public final class MistakesPane extends BorderPane {
         List<String> unknown = PlainTracer.unknown(scene, settings);
         if (!unknown.isEmpty()) {
             lines.setText(texts.of("mistakes.unknown", String.join(", ", unknown)));
+            content.getChildren().setAll(lines);
             return;
         }
         setLeft(list);

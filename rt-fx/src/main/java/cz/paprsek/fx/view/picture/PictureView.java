@@ -205,11 +205,17 @@ public final class PictureView extends Region {
 
     /** Shows one pixel of the picture as one of the screen, the middle in the middle. */
     public void actualSize() {
+        double scale = pixelScale();
         fits = false;
-        zoom.set(1);
-        left = Math.rint((getWidth() - buffer.width()) / 2);
-        top = Math.rint((getHeight() - buffer.height()) / 2);
+        zoom.set(1 / scale);
+        left = Math.rint((getWidth() - shownWidth()) / 2 * scale) / scale;
+        top = Math.rint((getHeight() - shownHeight()) / 2 * scale) / scale;
         requestLayout();
+    }
+
+    /** How many pixels of the screen, side by side, are one of this view: 2 where all is shown twice as large. */
+    private double pixelScale() {
+        return getScene() == null || getScene().getWindow() == null ? 1 : getScene().getWindow().getOutputScaleX();
     }
 
     /** Zooms about a point of this view, which stays where it is. */
@@ -270,7 +276,7 @@ public final class PictureView extends Region {
 
     /** What is enlarged is drawn once more, over what is blurred. */
     private void drawSquares() {
-        boolean areSeen = zoom.get() > (fits ? SQUARES : 1);
+        boolean areSeen = zoom.get() * pixelScale() > (fits ? SQUARES : 1);
         squares.setVisible(areSeen);
         picture.setOpacity(areSeen ? 0 : 1);
         otherSquares.setVisible(areSeen && second.isPresent());

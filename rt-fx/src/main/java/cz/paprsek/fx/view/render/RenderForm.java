@@ -89,6 +89,7 @@ final class RenderForm extends FormGrid {
         BooleanBinding numbers = Bindings.createBooleanBinding(() -> rays.valid().get() && exposure.validProperty().get() && region.areValid() && fields().allMatch(field -> field.validProperty().get()),
                 Stream.concat(Stream.of(sides), Stream.of(rays.valid(), exposure.validProperty(), depth.validProperty(), threads.validProperty(), region.partProperty())).toArray(Observable[]::new));
         valid = numbers.and(isUnknown.not()).and(isOutside.not());
+        size.fields().forEach(side -> side.textProperty().addListener((property, old, now) -> proposePart()));
         ask(texts.of("render.size"), size.fields(), size);
         ask(texts.of("render.region"), orElse(refusal(region.fields()), isOutside, "render.region.outside"), region);
         ask(texts.of("render.camera"), List.of(), camera, new Label(texts.of("render.lights")), lights);
@@ -106,6 +107,13 @@ final class RenderForm extends FormGrid {
                         Answer.of("transparent", transparent), Answer.of("denoise", denoise), Answer.of("mix", mix))).flatMap(List::stream).toList();
     }
 
+    /** As long as no part is wished, its numbers are those of the picture's middle. */
+    private void proposePart() {
+        if (size.areValid() && !region.partProperty().get()) {
+            region.propose(size.columns(), size.rows());
+        }
+    }
+
     private ObservableValue<String> orElse(ObservableValue<String> first, BooleanBinding holds, String key) {
         return Bindings.createStringBinding(() -> !first.getValue().isEmpty() ? first.getValue() : holds.get() ? texts.of(key) : "", first, holds);
     }
@@ -115,7 +123,7 @@ final class RenderForm extends FormGrid {
         Scene scene = state.scene();
         settings = scene.settings();
         size.ask(settings.width(), settings.height());
-        region.setWhole(settings.width(), settings.height());
+        region.setWhole();
         rays.set(settings);
         depth.set(settings.maxDepth());
         threads.set(Runtime.getRuntime().availableProcessors());

@@ -55,9 +55,13 @@ public final class RegionFields extends HBox {
         return part.selectedProperty();
     }
 
-    /** Shows that all of a picture is wished; the numbers are those of its middle, if a part should be wished later. */
-    public void setWhole(int pictureWidth, int pictureHeight) {
+    /** Shows that all of a picture is wished. */
+    public void setWhole() {
         part.setSelected(false);
+    }
+
+    /** Shows the middle of a picture, for whoever wishes a part. */
+    public void propose(int pictureWidth, int pictureHeight) {
         fill(pictureWidth / 4, pictureHeight / 4, Math.max(1, pictureWidth / 2), Math.max(1, pictureHeight / 2));
     }
 
