@@ -345,7 +345,7 @@ public final class PictureView extends Region {
             band.drag(pixel(event));
         }
         band.end();
-        if (dragged.equals(pressed)) {
+        if (dragged.equals(pressed) && event.getButton() == MouseButton.PRIMARY) {
             toPicture(event.getX(), event.getY()).ifPresent(onClicked.get());
         }
         event.consume();

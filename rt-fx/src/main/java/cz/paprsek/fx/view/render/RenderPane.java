@@ -1,6 +1,5 @@
 package cz.paprsek.fx.view.render;
 
-import cz.paprsek.drawing.Legend;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.view.explain.ExplainPane;
@@ -12,17 +11,13 @@ import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureStyle;
 import cz.paprsek.fx.view.render.fields.RegionFields;
 import cz.paprsek.fx.view.texts.Texts;
-import cz.paprsek.image.Image;
-import cz.paprsek.image.ImageFiles;
-import cz.paprsek.image.ImageFormat;
-import cz.paprsek.io.Failures;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
-import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Predicate;
+import java.util.stream.Stream;
 import javafx.beans.binding.Bindings;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
@@ -31,17 +26,16 @@ import javafx.beans.value.ObservableValue;
 import javafx.beans.value.WeakChangeListener;
 import javafx.collections.ListChangeListener;
 import javafx.collections.WeakListChangeListener;
-import javafx.concurrent.Task;
+import javafx.geometry.Pos;
 import javafx.geometry.VPos;
-import javafx.scene.Node;
 import javafx.scene.control.Button;
+import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
+import javafx.scene.control.MenuItem;
 import javafx.scene.control.SplitPane;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
-import javafx.scene.input.Clipboard;
-import javafx.scene.input.ClipboardContent;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
@@ -57,7 +51,6 @@ public final class RenderPane extends StackPane {
 
     private final EditorModel model;
     private final Texts texts;
-    private final PictureChooser chooser;
     private final RenderDesk desk;
     private final RenderForm form;
     private final RenderDialog dialog;
@@ -66,6 +59,7 @@ public final class RenderPane extends StackPane {
     private final ToggleButton queueing = new ToggleButton();
     private final ToggleButton selecting = new ToggleButton();
     private final Button clear;
+    private final ContextMenu menu;
     private final TabPane tabs = new TabPane();
     private final ComparisonBox comparison;
     private final Label message = new Label();
@@ -89,7 +83,6 @@ public final class RenderPane extends StackPane {
         this.model = model;
         this.desk = desk;
         this.texts = texts;
-        this.chooser = chooser;
         this.form = new RenderForm(texts);
         this.dialog = new RenderDialog(form, texts, body, this::takeKeys, this::answered, () -> form.set(model.state(), Map.of()));
         this.queue = new QueuePane(desk, texts, this::show);
@@ -116,13 +109,17 @@ public final class RenderPane extends StackPane {
         clear.managedProperty().bind(clear.visibleProperty());
         toggle(selecting, "render.region.drag").setTooltip(new Tooltip(texts.of("render.region.drag.hint")));
         selecting.disableProperty().bind(Bindings.isEmpty(tabs.getTabs()));
-        Node[] tools = {
-            keyed(button("render.again", this::render), "Shortcut+R"), keyed(button("render.ask", this::ask), "Shortcut+Alt+R"),
-            ofPicture(keyed(button("render.save", this::save), "Shortcut+S")), ofPicture(keyed(button("render.copy", this::copy), "Shortcut+C")),
-            ofPicture(button("render.fit", () -> shown().ifPresent(tab -> tab.view().fit()))),
-            ofPicture(button("render.actual", () -> shown().ifPresent(tab -> tab.view().actualSize()))), selecting, clear, queueing, comparison, explaining, message
-        };
-        FlowPane toolbar = new FlowPane(6, 6, tools);
+        PictureSaving saving = new PictureSaving(texts, chooser, message::setText);
+        List<Button> buttons = List.of(
+                keyed(button("render.again", this::render), "Shortcut+R"), keyed(button("render.ask", this::ask), "Shortcut+Alt+R"),
+                ofPicture(keyed(button("render.save", () -> shown().ifPresent(tab -> saving.save(getScene().getWindow(), tab.task()))), "Shortcut+S")),
+                ofPicture(keyed(button("render.copy", () -> shown().ifPresent(tab -> saving.copy(tab.task()))), "Shortcut+C")),
+                ofPicture(button("render.fit", () -> shown().ifPresent(tab -> tab.view().fit()))),
+                ofPicture(button("render.actual", () -> shown().ifPresent(tab -> tab.view().actualSize()))));
+        menu = menu(Stream.concat(buttons.stream(), Stream.of(clear)).toList());
+        FlowPane toolbar = new FlowPane(6, 6);
+        toolbar.getChildren().addAll(buttons);
+        toolbar.getChildren().addAll(selecting, clear, queueing, comparison, explaining);
         toolbar.setRowValignment(VPos.CENTER);
         toolbar.getStyleClass().add("render-tools");
         addEventHandler(KeyEvent.KEY_PRESSED, event -> {
@@ -136,7 +133,11 @@ public final class RenderPane extends StackPane {
         body.setTop(toolbar);
         body.setCenter(center);
         body.setLeft(queue);
-        getChildren().addAll(body, dialog);
+        // Over the line of the state, which would else move the picture whenever something is told.
+        setAlignment(message, Pos.BOTTOM_RIGHT);
+        message.setMouseTransparent(true);
+        message.visibleProperty().bind(message.textProperty().isNotEmpty());
+        getChildren().addAll(body, message, dialog);
         showRegion();
     }
 
@@ -290,6 +291,7 @@ public final class RenderPane extends StackPane {
         tab.view().showRegion(RegionFields.parse(desk.said().answers().getOrDefault(REGION, ""), size(tab)));
         tab.view().regionProperty().addListener((property, old, now) -> now.filter(region -> !showing).ifPresent(region -> setRegion(tab, region)));
         tab.setOnClosed(event -> tab.close());
+        tab.view().setOnContextMenuRequested(event -> menu.show(tab.view(), event.getScreenX(), event.getScreenY()));
         tabs.getTabs().add(tab);
         if (desk.queue().isEmpty()) {
             // What has to wait leaves the one under way in sight.
@@ -324,43 +326,19 @@ public final class RenderPane extends StackPane {
         }
     }
 
-    private void save() {
-        Optional<RenderTab> tab = shown();
-        Optional<Image> image = tab.flatMap(shown -> shown.task().image());
-        if (image.isEmpty()) {
-            message.setText(texts.of("render.nothing"));
-            return;
+    /** What can be done with the picture, as a menu: the same as by buttons. */
+    private static ContextMenu menu(List<Button> buttons) {
+        ContextMenu menu = new ContextMenu();
+        for (Button button : buttons) {
+            MenuItem item = new MenuItem(button.getText());
+            item.setId(button.getId() + "-item");
+            item.setMnemonicParsing(false);
+            item.disableProperty().bind(button.disabledProperty());
+            item.visibleProperty().bind(button.visibleProperty());
+            item.setOnAction(event -> button.fire());
+            menu.getItems().add(item);
         }
-        String name = tab.map(shown -> shown.task().subject().whole().name()).filter(Predicate.not(String::isBlank)).orElse("picture");
-        chooser.choose(getScene().getWindow(), name.replaceAll("[\\\\/:*?\"<>|]", "-") + ".png").ifPresent(file -> write(finished(tab.get(), image.get()), file, tab.get().task()));
-    }
-
-    /** The picture as it is saved: a heat map with its scale. */
-    private static Image finished(RenderTab tab, Image image) {
-        return tab.task().options().mode().scale().map(scale -> Legend.below(image, scale)).orElse(image);
-    }
-
-    private void write(Image image, Path file, RenderTask task) {
-        Task<Boolean> writing = new Task<>() {
-            @Override
-            protected Boolean call() throws Exception {
-                ImageFiles.write(image, file, task.saved(ImageFormat.ofFile(file.toString()).orElse(ImageFormat.PNG)));
-                return true;
-            }
-        };
-        message.setText(texts.of("render.saving", file.getFileName()));
-        writing.setOnSucceeded(event -> message.setText(texts.of("render.saved", file.getFileName())));
-        writing.setOnFailed(event -> message.setText(texts.of("render.not-saved", file.getFileName(), Failures.sentence(writing.getException()))));
-        RenderDesk.start(writing, "paprsek-save-picture");
-    }
-
-    private void copy() {
-        shown().ifPresent(tab -> {
-            ClipboardContent content = new ClipboardContent();
-            content.putImage(tab.task().buffer().image());
-            Clipboard.getSystemClipboard().setContent(content);
-            message.setText(texts.of("render.copied"));
-        });
+        return menu;
     }
 
     private Optional<RenderTab> shown() {

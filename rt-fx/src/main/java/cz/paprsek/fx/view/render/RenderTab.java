@@ -183,9 +183,14 @@ final class RenderTab extends Tab {
     }
 
     private void follow(Worker.State state) {
+        boolean hadKeys = cancel.isFocused() || goOn.isFocused();
+        goOn.setVisible(state == Worker.State.CANCELLED);
+        if (hadKeys) {
+            // Whoever has cancelled by the keyboard goes on by it.
+            (goOn.isVisible() ? goOn : view).requestFocus();
+        }
         cancel.setVisible(state != Worker.State.CANCELLED);
         cancel.setDisable(task.isOver());
-        goOn.setVisible(state == Worker.State.CANCELLED);
         if (state == Worker.State.RUNNING) {
             clock.play();
         } else if (task.isOver()) {

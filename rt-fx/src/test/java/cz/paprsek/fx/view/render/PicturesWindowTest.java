@@ -154,6 +154,7 @@ class PicturesWindowTest {
         assertThat(shown().task().saved(ImageFormat.PNG).origin().settings()).contains(" --region 31,20,60,40");
         gui.moveTo(shown().view(), shown().view().getWidth() / 2, shown().view().getHeight() / 2);
         assertThat(label("#pixel-text")).as("pixels of the whole picture").startsWith("61, 40").endsWith("ball");
+        gui.act(() -> shown().view().requestFocus());
         gui.keys(KeyCode.ESCAPE);
         assertThat(desk.said().answers()).doesNotContainKey("region");
         assertThat(Gui.on(() -> shown().view().regionProperty().get())).isEmpty();
