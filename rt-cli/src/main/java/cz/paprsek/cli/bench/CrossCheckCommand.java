@@ -1,6 +1,7 @@
 package cz.paprsek.cli.bench;
 
 import cz.paprsek.cli.input.Cameras;
+import cz.paprsek.cli.input.FrameChoice;
 import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.Pictures;
 import cz.paprsek.cli.input.SceneArguments;
@@ -42,7 +43,8 @@ import picocli.CommandLine.Parameters;
             "",
             "Examples:",
             "  paprsek crosscheck rt-core/src/test/resources/crosscheck/*.xml",
-            "  paprsek crosscheck mine.xml --size 160x90 --heatmaps differences/"
+            "  paprsek crosscheck mine.xml --size 160x90 --heatmaps differences/",
+            "  paprsek crosscheck flight.xml --frame 30"
         })
 public final class CrossCheckCommand implements Callable<Integer> {
     private static final String ROW = "%-30s %9s %9s %8s  %s";
@@ -68,6 +70,9 @@ public final class CrossCheckCommand implements Callable<Integer> {
     @Option(names = "--camera", paramLabel = "CAMERA", description = Cameras.HELP)
     private Optional<String> camera;
 
+    @Mixin
+    private FrameChoice frame;
+
     @Option(names = "--size", paramLabel = "WxH", description = "Width and height in pixels. Default: the scene's. Needs povray.")
     private Optional<Size> size;
 
@@ -89,9 +94,12 @@ public final class CrossCheckCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         Optional<PovRay> live = recorded ? Optional.empty() : PovRay.installed();
-        if (live.isEmpty() && (record || size.isPresent())) {
-            throw new WrongUsage(recorded ? "--recorded cannot be combined with --record or --size"
-                    : "--record and --size need povray, which is not installed");
+        if (live.isEmpty() && (record || size.isPresent() || frame.isChosen())) {
+            throw new WrongUsage(recorded ? "--recorded cannot be combined with --record, --size or --frame"
+                    : "--record, --size and --frame need povray, which is not installed");
+        }
+        if (record && frame.isChosen()) {
+            throw new WrongUsage("--record is of scenes as they are written, not of a --frame");
         }
         if (heatmaps.isPresent() && !isMade(heatmaps.get())) {
             return ExitCode.FAILED;
@@ -132,7 +140,7 @@ public final class CrossCheckCommand implements Callable<Integer> {
     private int check(Path file, Scene scene, Optional<PovRay> live) throws InterruptedException {
         String name = Objects.requireNonNullElse(file.getFileName(), file).toString();
         try {
-            Scene seen = Cameras.through(scene, camera);
+            Scene seen = Cameras.through(frame.of(scene), camera);
             Scene sized = size.map(s -> seen.withSettings(seen.settings().withSize(s.width(), s.height()))).orElse(seen);
             CrossCheck check = CrossCheck.of(file, sized, pictures.read(file, sized), live, record, tolerance);
             ImageComparison found = check.comparison();

@@ -11,6 +11,10 @@ public final class FrameChoice {
     @Option(names = "--frame", paramLabel = "N", description = "Frame N of the film that the scene is, the first being 1. Default: the scene as it is written.")
     private Optional<Integer> frame = Optional.empty();
 
+    public boolean isChosen() {
+        return frame.isPresent();
+    }
+
     /** @throws WrongUsage if there is no such frame */
     public Scene of(Scene scene) {
         try {

@@ -57,5 +57,8 @@ class CrossCheckCommandTest {
         assertThat(folder.resolve("ball.png")).isNotEmptyFile();
         assertThat(Run.cli("crosscheck", ball, "--recorded").code()).isZero();
         assertThat(Run.cli("crosscheck", ball, "--size", "20x10").code()).isZero();
+        Run frame = Run.cli("crosscheck", "../scenes/carousel.xml", "--frame", 30, "--size", "48x36");
+        assertThat(frame.code()).as(frame.out() + frame.err()).isZero();
+        assertThat(Run.cli("crosscheck", ball, "--record", "--frame", 2).err()).contains("--record is of scenes as they are written");
     }
 }
