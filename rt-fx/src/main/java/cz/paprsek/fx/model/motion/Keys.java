@@ -63,6 +63,11 @@ public final class Keys {
         return all(scene).filter(i -> scene.animations().get(i).attribute().equals(attribute) && place(scene, i).filter(place::equals).isPresent()).findFirst();
     }
 
+    /** The index of the animation of a parameter. */
+    public static OptionalInt of(Scene scene, String parameter) {
+        return all(scene).filter(i -> scene.animations().get(i).target().equals(Animation.PARAMETER + parameter)).findFirst();
+    }
+
     /** With a key of an attribute of what is at a place; it takes the place of one at the same time. */
     public static Scene added(Scene scene, ScenePath place, String attribute, double t, String value) {
         OptionalInt known = of(scene, place, attribute);
@@ -72,10 +77,9 @@ public final class Keys {
 
     /** As the other, of a parameter. */
     public static Scene added(Scene scene, String parameter, double t, String value) {
-        String target = Animation.PARAMETER + parameter;
-        OptionalInt known = all(scene).filter(i -> scene.animations().get(i).target().equals(target)).findFirst();
+        OptionalInt known = of(scene, parameter);
         return known.isPresent() ? added(scene, known.getAsInt(), t, value)
-                : plus(scene, new Animation(target, "value", Turning.ANGLES, List.of(new Animation.Key(t, value, Ease.LINEAR))));
+                : plus(scene, new Animation(Animation.PARAMETER + parameter, "value", Turning.ANGLES, List.of(new Animation.Key(t, value, Ease.LINEAR))));
     }
 
     private static Scene plus(Scene scene, Animation one) {

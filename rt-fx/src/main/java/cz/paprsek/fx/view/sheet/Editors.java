@@ -56,7 +56,7 @@ final class Editors {
         Entry plain = plain(property);
         return switch (property.trait().kind()) {
             case NUMBER, WHOLE, SHARE, VECTOR, FACTORS, COLOR -> new Entry(plain.row, plain.editor,
-                    Optional.of(new KeyButton(clock, texts, property, new PropertyEdit(model, texts.of("timeline.keys-of", texts.of(property.label())), refusal -> plain.row.show(refusal.map(texts::sentence))), plain.row)));
+                    Optional.of(KeyButton.of(property, clock, texts, new PropertyEdit(model, texts.of("timeline.keys-of", texts.of(property.label())), refusal -> plain.row.show(refusal.map(texts::sentence))), plain.row)));
             default -> plain;
         };
     }

@@ -7,6 +7,7 @@ import cz.paprsek.fx.model.property.Keyed;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.Scene.Recipe.Parameter;
 import cz.paprsek.text.Numbers;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -29,21 +30,94 @@ final class KeyButton {
 
     private final Clock clock;
     private final Texts texts;
-    private final Property property;
+    private final Subject subject;
     private final PropertyEdit edit;
     private final SheetRow row;
     private final Button button = new Button();
     private final FontIcon icon = new FontIcon(MaterialDesignR.RHOMBUS_OUTLINE);
-    private Optional<Keyed> keyed = Optional.empty();
-    private Optional<Object> knownAt = Optional.empty();
 
-    KeyButton(Clock clock, Texts texts, Property property, PropertyEdit edit, SheetRow row) {
+    /** What gets keys. */
+    private interface Subject {
+        /** Whether it can have any. */
+        boolean isKeyed(Scene scene);
+
+        /** The index of its animation. */
+        OptionalInt animation(Scene scene);
+
+        /** With a key that has its value as it is written. */
+        Scene added(Scene scene, double time);
+    }
+
+    /** A property. */
+    private static final class OfProperty implements Subject {
+        private final Property property;
+        private Optional<Keyed> keyed = Optional.empty();
+        private Optional<Object> knownAt = Optional.empty();
+
+        OfProperty(Property property) {
+            this.property = property;
+        }
+
+        @Override
+        public boolean isKeyed(Scene scene) {
+            // What it is of may become another thing: that of a name.
+            Optional<Object> now = Optional.of(property.target().spot(scene));
+            if (!now.equals(knownAt)) {
+                knownAt = now;
+                keyed = Keyed.of(property, scene);
+            }
+            return keyed.isPresent();
+        }
+
+        @Override
+        public OptionalInt animation(Scene scene) {
+            return keyed.map(one -> Keys.of(scene, one.place(), one.attribute())).orElse(OptionalInt.empty());
+        }
+
+        @Override
+        public Scene added(Scene scene, double time) {
+            Keyed one = keyed.orElseThrow();
+            return Keys.added(scene, one.place(), one.attribute(), time, one.value(scene).orElseThrow());
+        }
+    }
+
+    /** A parameter, by its name. */
+    private record OfParameter(String name) implements Subject {
+        private Optional<Parameter> in(Scene scene) {
+            return scene.recipe().parameters().stream().filter(one -> one.name().equals(name) && one.number().isPresent()).findFirst();
+        }
+
+        @Override
+        public boolean isKeyed(Scene scene) {
+            return in(scene).isPresent();
+        }
+
+        @Override
+        public OptionalInt animation(Scene scene) {
+            return Keys.of(scene, name);
+        }
+
+        @Override
+        public Scene added(Scene scene, double time) {
+            return Keys.added(scene, name, time, in(scene).orElseThrow().value());
+        }
+    }
+
+    static KeyButton of(Property property, Clock clock, Texts texts, PropertyEdit edit, SheetRow row) {
+        return new KeyButton(clock, texts, new OfProperty(property), String.join("-", property.path()), edit, row);
+    }
+
+    static KeyButton ofParameter(String name, Clock clock, Texts texts, PropertyEdit edit, SheetRow row) {
+        return new KeyButton(clock, texts, new OfParameter(name), "parameter-" + name, edit, row);
+    }
+
+    private KeyButton(Clock clock, Texts texts, Subject subject, String id, PropertyEdit edit, SheetRow row) {
         this.clock = clock;
         this.texts = texts;
-        this.property = property;
+        this.subject = subject;
         this.edit = edit;
         this.row = row;
-        button.setId(String.join("-", property.path()) + "-key");
+        button.setId(id + "-key");
         button.setGraphic(icon);
         button.getStyleClass().addAll("small-button", "key-button");
         button.setTooltip(new Tooltip());
@@ -64,34 +138,25 @@ final class KeyButton {
 
     /** Shows whether there can be a key, and whether there is. */
     void show(Scene scene) {
-        boolean isThere = clock.openProperty().get() && keyed(scene).isPresent();
+        boolean isThere = clock.openProperty().get() && isKeyed(scene);
         button.setVisible(isThere);
         button.setManaged(isThere);
         if (isThere) {
             icon.setIconCode(key(scene).isPresent() ? MaterialDesignR.RHOMBUS : MaterialDesignR.RHOMBUS_OUTLINE);
-            button.pseudoClassStateChanged(ANIMATED, animation(scene).isPresent());
+            button.pseudoClassStateChanged(ANIMATED, subject.animation(scene).isPresent());
             String text = text("sheet.key");
             button.getTooltip().setText(text + " (Alt+K)");
             button.setAccessibleText(text);
         }
     }
 
-    /** What the property is of may become another thing: that of a name. */
-    private Optional<Keyed> keyed(Scene scene) {
-        Optional<Object> now = Optional.of(property.target().spot(scene));
-        if (!now.equals(knownAt)) {
-            knownAt = now;
-            keyed = Keyed.of(property, scene);
-        }
-        return keyed.filter(one -> animation(scene).stream().allMatch(at -> scene.animations().get(at).path().isBlank()));
-    }
-
-    private OptionalInt animation(Scene scene) {
-        return keyed.map(one -> Keys.of(scene, one.place(), one.attribute())).orElse(OptionalInt.empty());
+    /** Not of what goes along a curve, whose keys are shares of that. */
+    private boolean isKeyed(Scene scene) {
+        return subject.isKeyed(scene) && subject.animation(scene).stream().allMatch(at -> scene.animations().get(at).path().isBlank());
     }
 
     private Optional<KeyAt> key(Scene scene) {
-        OptionalInt animation = animation(scene);
+        OptionalInt animation = subject.animation(scene);
         return animation.isEmpty() ? Optional.empty() : Keys.at(scene, animation.getAsInt(), clock.keyTime());
     }
 
@@ -100,7 +165,7 @@ final class KeyButton {
     }
 
     private void menu(ContextMenuEvent event) {
-        if (keyed(edit.scene()).isEmpty()) {
+        if (!isKeyed(edit.scene())) {
             return;
         }
         MenuItem set = new MenuItem(text("sheet.key"), new FontIcon(MaterialDesignR.RHOMBUS));
@@ -121,11 +186,10 @@ final class KeyButton {
         if (row.getScene() != null && row.getScene().getFocusOwner() instanceof TextField field && row.holds(field)) {
             field.fireEvent(new ActionEvent());
         }
-        if (keyed(edit.scene()).isEmpty() || row.isRefused()) {
+        if (!isKeyed(edit.scene()) || row.isRefused()) {
             return;
         }
-        Keyed one = keyed.orElseThrow();
-        boolean isSet = edit.change(scene -> Keys.added(scene, one.place(), one.attribute(), time, one.value(scene).orElseThrow()));
+        boolean isSet = edit.change(scene -> subject.added(scene, time));
         if (isSet && (isLookedAt || time > 0)) {
             clock.look(time);
         }

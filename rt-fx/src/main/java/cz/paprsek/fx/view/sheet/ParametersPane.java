@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.formula.Formula;
 import cz.paprsek.formula.FormulaException;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.model.property.TypedFormula;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
@@ -22,12 +23,15 @@ import javafx.scene.layout.VBox;
 final class ParametersPane extends TitledPane {
     private final EditorModel model;
     private final Texts texts;
+    private final Clock clock;
     private final VBox rows = new VBox();
     private List<String> names = List.of();
     private final List<Row> shown = new ArrayList<>();
 
-    ParametersPane(EditorModel model, Texts texts) {
+    /** @param clock says for which time keys are set */
+    ParametersPane(EditorModel model, Texts texts, Clock clock) {
         this.model = model;
+        this.clock = clock;
         this.texts = texts;
         setId("parameters");
         setText(texts.of("section.parameters"));
@@ -51,6 +55,12 @@ final class ParametersPane extends TitledPane {
         for (int i = 0; i < shown.size(); i++) {
             shown.get(i).show(parameters.get(i));
         }
+        showKeys(scene);
+    }
+
+    /** Shows which parameters have keys at the time that is looked at. */
+    void showKeys(Scene scene) {
+        shown.forEach(row -> row.key.show(scene));
     }
 
     /** One parameter. */
@@ -58,6 +68,7 @@ final class ParametersPane extends TitledPane {
         private final String name;
         private final SheetRow row;
         private final PropertyEdit edit;
+        private final KeyButton key;
         private final TextField field = new TextField();
         private final Slider slider = new Slider();
         private boolean isShowing;
@@ -95,6 +106,8 @@ final class ParametersPane extends TitledPane {
             } else {
                 row.below(field);
             }
+            PropertyEdit keys = new PropertyEdit(model, texts.of("timeline.keys-of", name), refusal -> row.show(refusal.map(texts::sentence)));
+            key = KeyButton.ofParameter(name, clock, texts, keys, row);
         }
 
         void show(Parameter parameter) {

@@ -62,7 +62,7 @@ public final class PropertySheet extends BorderPane {
         titles = new Titles(texts);
         materials = new MaterialsPane(model, texts, editors);
         ready = new ReadyPane(model, texts);
-        parameters = new ParametersPane(model, texts);
+        parameters = new ParametersPane(model, texts, clock);
         makers = new MakersPane(model, texts);
         setId("property-sheet");
         getStyleClass().add("property-sheet");
@@ -119,6 +119,7 @@ public final class PropertySheet extends BorderPane {
     private void showKeys() {
         panes.forEach(pane -> pane.showKeys(model.scene()));
         materials.showKeys(model.scene());
+        parameters.showKeys(model.scene());
     }
 
     private void rebuild(EditorState state) {

@@ -35,7 +35,7 @@ class KeysInSheetTest {
     private static Scene scene() {
         try {
             return SceneFiles.parse("""
-                    <scene xmlns="urn:paprsek:scene:1"><camera position="0 0 5" target="0 0 0"/>
+                    <scene xmlns="urn:paprsek:scene:1"><param name="w" value="3" min="1" max="9"/><camera position="0 0 5" target="0 0 0"/>
                     <sphere name="ball" radius="1"><material reflection="0.2"><checker size="1" scale="2"/></material></sphere></scene>
                     """);
         } catch (SceneFileException e) {
@@ -83,6 +83,19 @@ class KeysInSheetTest {
         assertThat(List.of("placement-position", "placement-scale", "shape-radius", "shininess")).allMatch(id -> button(id).isVisible());
         assertThat(gui.stage().getScene().getRoot().lookupAll(".key-button")).filteredOn(Node::isVisible).extracting(Node::getId).noneMatch(id -> id.contains("pattern") || id.contains("color-"));
         Screenshots.save(gui, "keys-in-sheet");
+    }
+
+    @Test
+    void parametersHaveKeysToo() {
+        gui.act(() -> {
+            clock.openProperty().set(true);
+            clock.look(1);
+        });
+        gui.click("#parameter-w");
+        gui.act(() -> ((TextField) gui.stage().getScene().lookup("#parameter-w")).setText("4"));
+        gui.keys(KeyCode.ALT, KeyCode.K);
+        assertThat(model.scene().animations()).singleElement().extracting(Animation::target).isEqualTo("param:w");
+        assertThat(keys()).containsExactly(new Animation.Key(1, "4", Animation.Ease.LINEAR));
     }
 
     private Button button(String id) {
