@@ -19,6 +19,7 @@ import cz.paprsek.fx.view.motion.OnionSkin;
 import cz.paprsek.fx.view.motion.TimelinePane;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
+import cz.paprsek.fx.view.section.SectionSkin;
 import cz.paprsek.fx.view.shell.PaneGrid;
 import cz.paprsek.fx.view.shell.TitledView;
 import cz.paprsek.fx.view.texts.PathNames;
@@ -108,6 +109,8 @@ final class Views {
         free = CameraPane.free(model, editor::fault);
         free.follow(editor.clock());
         free.acceptMaterials(commands.edits());
+        SectionSkin section = new SectionSkin(model, cut);
+        projections.forEach(pane -> pane.cutBy(section));
         camera.cutBy(cut);
         free.cutBy(cut);
         commands.setOnBlink(() -> List.of(camera, free).forEach(pane -> pane.blink(model.selection())));

@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
 /**
@@ -36,6 +37,12 @@ public record CutPlane(Axis axis, double share) {
         return box.isFinite() ? box : Bounds.EMPTY;
     }
 
+    /** Where it is along its axis; empty if there is nothing that is cut. */
+    public OptionalDouble place(Scene scene) {
+        Bounds all = IntStream.range(0, scene.objects().size()).mapToObj(i -> box(scene, i)).reduce(Bounds.EMPTY, Bounds::union);
+        return all.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(axis.least(all) + share * (axis.most(all) - axis.least(all)));
+    }
+
     /** What is seen of a scene. */
     public Visible of(Visible whole) {
         Scene scene = whole.scene();
@@ -44,7 +51,7 @@ public record CutPlane(Axis axis, double share) {
         if (all.isEmpty()) {
             return whole;
         }
-        double place = axis.least(all) + share * (axis.most(all) - axis.least(all));
+        double place = place(scene).orElseThrow();
         Bounds air = all.grown(1 + all.magnitude());
         Vec3 least = new Vec3(air.minX(), air.minY(), air.minZ());
         Vec3 from = least.plus(axis.times(place - axis.of(least)));

@@ -13,6 +13,7 @@ import cz.paprsek.fx.view.motion.OnionSkin;
 import cz.paprsek.fx.view.projection.Grips.Grip;
 import cz.paprsek.fx.view.rays.DrawnRays;
 import cz.paprsek.fx.view.rays.RayPainter;
+import cz.paprsek.fx.view.section.SectionSkin;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
@@ -68,7 +69,7 @@ public final class ProjectionPane extends Region {
     private final ReadOnlyObjectWrapper<Optional<Vec3>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
     private Optional<DrawnRays> rays = Optional.empty();
     /** Held here, because what outlives the pane holds it weakly. */
-    private final InvalidationListener onChange = changed -> changed();
+    private final InvalidationListener onChange = changed -> requestLayout();
     private Viewport view = new Viewport(0, 0, 40, 0, 0);
     /** Whether the whole scene is shown, also when the pane's size changes: until the user looks at something closer. */
     private boolean fits = true;
@@ -80,6 +81,7 @@ public final class ProjectionPane extends Region {
     private Optional<ContextMenu> menu = Optional.empty();
     private Optional<BodyAt> highlighted = Optional.empty();
     private Optional<OnionSkin> onion = Optional.empty();
+    private Optional<SectionSkin> section = Optional.empty();
 
     /**
      * @param snapping whether drags keep to the grid and to other objects
@@ -177,8 +179,10 @@ public final class ProjectionPane extends Region {
         requestLayout();
     }
 
-    private void changed() {
-        requestLayout();
+    /** Draws the plane that solids are cut by, and what they look like there. */
+    public void cutBy(SectionSkin skin) {
+        section = Optional.of(skin);
+        skin.follow(onChange);
     }
 
     /** Which tell what is refused. */
@@ -346,6 +350,7 @@ public final class ProjectionPane extends Region {
         GraphicsContext g = upper.getGraphicsContext2D();
         g.clearRect(0, 0, upper.getWidth(), upper.getHeight());
         Painter painter = new Painter(g, view, axes, theme().palette());
+        section.ifPresent(skin -> skin.draw(g, theme().palette(), axes.along(), this::toPane));
         onion.ifPresent(skin -> {
             skin.passing((object, isSelected) -> painter.moment(figures.passing(object), isSelected));
             skin.ways(g, theme().palette(), this::toPane);
