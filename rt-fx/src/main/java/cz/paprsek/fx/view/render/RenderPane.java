@@ -119,7 +119,7 @@ public final class RenderPane extends StackPane {
         menu = menu(Stream.concat(buttons.stream(), Stream.of(clear)).toList());
         FlowPane toolbar = new FlowPane(6, 6);
         toolbar.getChildren().addAll(buttons);
-        toolbar.getChildren().addAll(selecting, clear, queueing, comparison, explaining);
+        toolbar.getChildren().addAll(selecting, clear, queueing, explaining, comparison);
         toolbar.setRowValignment(VPos.CENTER);
         toolbar.getStyleClass().add("render-tools");
         addEventHandler(KeyEvent.KEY_PRESSED, event -> {

@@ -184,12 +184,12 @@ final class RenderTab extends Tab {
 
     private void follow(Worker.State state) {
         boolean hadKeys = cancel.isFocused() || goOn.isFocused();
-        goOn.setVisible(state == Worker.State.CANCELLED);
+        goOn.setVisible(state == Worker.State.CANCELLED || state == Worker.State.FAILED);
         if (hadKeys) {
             // Whoever has cancelled by the keyboard goes on by it.
             (goOn.isVisible() ? goOn : view).requestFocus();
         }
-        cancel.setVisible(state != Worker.State.CANCELLED);
+        cancel.setVisible(!goOn.isVisible());
         cancel.setDisable(task.isOver());
         if (state == Worker.State.RUNNING) {
             clock.play();
