@@ -7,6 +7,7 @@ import cz.paprsek.render.Renderer;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
 import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -37,7 +38,7 @@ class Site {
             pages = all.filter(file -> file.toString().endsWith(".md")).sorted().toList();
         }
         for (Path page : pages) {
-            String text = Files.readString(page);
+            String text = linked(page, Files.readString(page), root);
             String link = root.relativize(page).toString().replace('\\', '/').replaceFirst("md$", "html");
             index(link, text, index);
             StringBuilder with = new StringBuilder();
@@ -60,10 +61,49 @@ class Site {
                 }
                 example.appendReplacement(with, Matcher.quoteReplacement(example.group() + shown));
             }
-            Files.writeString(page, example.appendTail(with));
+            Files.writeString(page, bars(example.appendTail(with).toString()));
         }
         Files.writeString(Path.of(words[0], "resources", "search-index.js"), index.append("];\n"));
         System.out.println(pages.size() + " pages, " + pictures + " pictures");
+    }
+
+    /** A bar in code in a table is written with a backslash, which would be seen here. */
+    private static String bars(String text) {
+        return Pattern.compile("`([^`\n]*\\\\\\|[^`\n]*)`").matcher(text).replaceAll(code -> Matcher.quoteReplacement("<code>" + code.group(1).replace("&", "&amp;").replace("<", "&lt;").replace("\\|", "&#124;") + "</code>"));
+    }
+
+    /** With links as the site has them: to where the README has gone, and to headings by the names that they get there. One that leads nowhere ends the build. */
+    private static String linked(Path page, String text, Path root) {
+        return Pattern.compile("\\]\\((?!\\w+:)([^)#\\s]*)(?:#([^)\\s]+))?\\)").matcher(text).replaceAll(link -> {
+            Path target = link.group(1).isEmpty() ? page : page.resolveSibling(link.group(1)).normalize();
+            target = target.equals(root.resolve("README.md")) ? root.resolve("index.md") : target;
+            String anchor = link.group(2) == null ? "" : anchor(target, link.group(2));
+            if ((anchor.isEmpty() && link.group(2) != null) || !Files.exists(target) && !Files.exists(root.resolveSibling("resources").resolve(root.relativize(target)))) {
+                throw new IllegalStateException(root.relativize(page) + ": " + link.group() + " leads nowhere");
+            }
+            String path = link.group(1).isEmpty() ? "" : page.getParent().relativize(target).toString().replace('\\', '/');
+            return Matcher.quoteReplacement("](" + path + (anchor.isEmpty() ? "" : "#" + anchor) + ")");
+        });
+    }
+
+    /** What the site calls a heading that links call by small letters and hyphens; empty if there is none. */
+    private static String anchor(Path page, String link) {
+        try {
+            return Pattern.compile("(?m)^#+ (.*)$").matcher(Files.readString(page)).results().map(heading -> heading.group(1))
+                    .filter(heading -> heading.toLowerCase(Locale.ROOT).replaceAll("(?U)[^\\w\\- ]", "").replace(' ', '-').equals(link)).map(Site::id).findFirst().orElse("");
+        } catch (IOException e) {
+            return "";
+        }
+    }
+
+    /** As Doxia makes names of headings. */
+    private static String id(String heading) {
+        StringBuilder id = new StringBuilder();
+        for (byte one : heading.replace("`", "").strip().getBytes(StandardCharsets.UTF_8)) {
+            boolean isPlain = one > 0 && (Character.isLetterOrDigit(one) || "-_:.".indexOf(one) >= 0);
+            id.append(one == ' ' ? "_" : isPlain ? String.valueOf((char) one) : String.format(Locale.ROOT, ".%02X", one & 0xff));
+        }
+        return id.isEmpty() || Character.isLetter(id.charAt(0)) ? id.toString() : "a" + id;
     }
 
     /** At its first frame, if anything moves there. */
@@ -81,7 +121,7 @@ class Site {
             title = title.isEmpty() ? name : title;
             String words = section.replaceAll("!?\\[([^\\]]*)\\]\\([^)]*\\)", "$1").replaceAll("[#`*|]", " ").replaceAll("\\s+", " ").strip();
             if (!words.isEmpty()) {
-                into.append("[").append(quoted(link)).append(",").append(quoted(title)).append(",").append(quoted(name)).append(",").append(quoted(words)).append("],\n");
+                into.append("[").append(quoted(name.equals(title) ? link : link + "#" + id(name))).append(",").append(quoted(title)).append(",").append(quoted(name)).append(",").append(quoted(words)).append("],\n");
             }
         }
     }

@@ -33,8 +33,7 @@
       found.sort((a, b) => b.rank - a.rank);
       for (const one of found.slice(0, 12)) {
         const item = document.createElement('li'), a = document.createElement('a'), some = document.createElement('small');
-        // Browsers go to the words themselves where they know how; others to the page.
-        a.href = root + '/' + one.link + (one.heading && one.heading !== one.title ? '#:~:text=' + encodeURIComponent(one.heading.replace(/[`*]/g, '')).replace(/-/g, '%2D') : '');
+        a.href = root + '/' + one.link;
         a.textContent = one.title + (one.heading && one.heading !== one.title ? ': ' + one.heading : '');
         const at = Math.max(0, plain(one.text).indexOf(words[0]) - 30);
         some.textContent = one.text.slice(at, at + 90);
