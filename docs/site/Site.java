@@ -81,7 +81,7 @@ class Site {
             if ((anchor.isEmpty() && link.group(2) != null) || !Files.exists(target) && !Files.exists(root.resolveSibling("resources").resolve(root.relativize(target)))) {
                 throw new IllegalStateException(root.relativize(page) + ": " + link.group() + " leads nowhere");
             }
-            String path = link.group(1).isEmpty() ? "" : page.getParent().relativize(target).toString().replace('\\', '/');
+            String path = link.group(1).isEmpty() ? "" : page.getParent().relativize(target).toString().replace('\\', '/').replaceFirst("\\.md$", ".html");
             return Matcher.quoteReplacement("](" + path + (anchor.isEmpty() ? "" : "#" + anchor) + ")");
         });
     }
