@@ -15,9 +15,11 @@ import cz.paprsek.material.Material;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
+import cz.paprsek.render.RenderResult;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.Renderer;
 import cz.paprsek.render.Tile;
+import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
@@ -46,6 +48,8 @@ import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** How renders are asked for, wait for each other, are cut, go on and are compared. */
 class PicturesWindowTest {
@@ -160,23 +164,32 @@ class PicturesWindowTest {
         assertThat(Gui.on(() -> shown().view().regionProperty().get())).isEmpty();
     }
 
-    @Test
-    void whatWasCancelledGoesOnToTheSameBytes() {
-        for (RenderSettings settings : List.of(new RenderSettings(500, 400, 5, 3), PATHS.withSize(160, 120).withSamples(512))) {
-            gui.act(() -> model.edit(CHANGE, scene -> SCENE.withSettings(settings)));
-            gui.act(pane::render);
-            RenderTask first = shown().task();
-            int some = settings.isPath() ? first.options().passes() / 2 * 20 : 20;
-            gui.until("some tiles are done", () -> first.progress().done() > some);
-            gui.click("#render-cancel");
-            gui.until("the workers have stopped", first::isStopped);
-            assertThat(first.progress().done()).isLessThan(first.progress().total());
-            gui.click("#render-go-on");
-            untilDone();
-            assertThat(shown().task()).isNotSameAs(first);
-            assertThat(shown().task().image().orElseThrow().toLinear()).isEqualTo(Renderer.render(SCENE.withSettings(settings)).toLinear());
-            assertThat(Gui.on(() -> shown().task().getValue().stats().rays())).as("only what was left was traced").isLessThan(Renderer.render(RenderScene.of(SCENE), RenderOptions.of(settings), RenderMonitor.NONE).stats().rays());
+    /** Of one pass, and of passes of paths with what else is kept of each pixel. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", "denoise", "mix"})
+    void whatWasCancelledGoesOnToTheSameBytes(String how) {
+        RenderSettings settings = how.isEmpty() ? new RenderSettings(400, 300, 5, 3) : PATHS.withSize(64, 48).withSamples(384);
+        if (how.length() > 0) {
+            desk.said().put(how, "true");
         }
+        gui.act(() -> model.edit(CHANGE, scene -> SCENE.withSettings(settings)));
+        gui.act(pane::render);
+        RenderTask first = shown().task();
+        gui.until("some tiles are done", () -> first.progress().share() > 0.3);
+        gui.click("#render-cancel");
+        gui.until("the workers have stopped", first::isStopped);
+        assertThat(first.progress().done()).isLessThan(first.progress().total());
+        gui.click("#render-go-on");
+        untilDone();
+        RenderOptions options = RenderOptions.of(settings);
+        RenderOptions wished = how.equals("denoise") ? options.withDenoiser() : how.equals("mix") ? options.withLayers(List.of(Layer.LIGHT)) : options;
+        RenderResult whole = Renderer.render(RenderScene.of(model.scene()), wished, RenderMonitor.NONE);
+        assertThat(shown().task()).isNotSameAs(first);
+        assertThat(shown().task().options()).isEqualTo(wished);
+        assertThat(shown().task().image().orElseThrow().toLinear()).isEqualTo(whole.image().toLinear());
+        assertThat(Gui.on(() -> shown().task().getValue().layers())).usingRecursiveComparison().isEqualTo(whole.layers());
+        assertThat(Gui.on(() -> shown().task().getValue().stats().rays())).as("only what was left was traced").isLessThan(whole.stats().rays());
+        assertThat(shown().task().progress().share()).isEqualTo(1);
     }
 
     @Test
