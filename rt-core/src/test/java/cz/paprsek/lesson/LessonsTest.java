@@ -30,17 +30,17 @@ class LessonsTest {
     static final List<String> NAMES = Lessons.NAMES;
 
     /** What pen and paper have for their questions, lesson by lesson. */
-    private static final Map<String, List<List<Double>>> BY_HAND = Map.of(
-            "camera-rays", List.of(List.of(49.5 * pixel(), 25.5 * pixel()), unit(49.5 * pixel(), 25.5 * pixel(), -1)),
-            "sphere", List.of(List.of(5 - Math.sqrt(1 - 0.36)), List.of(0.6, 0.0, 0.8)),
-            "plane-and-block", List.of(List.of(3 / 0.6), List.of(3.5 / 0.8)),
-            "csg-on-a-line", List.of(List.of(4 + 1.25), List.of(4 - 1.25, 4.0), List.of(0.0, 0.0, 1.0)),
-            "phong", List.of(List.of(0.8), List.of(Math.pow(0.8, 10)), List.of(0.1 + 0.5 * 0.8 + 0.5 * Math.pow(0.8, 10))),
-            "shadows", List.of(List.of(0.0), List.of(0.5 * 4 / 2), List.of(Math.hypot(0.8, 4))),
-            "mirrors", List.of(List.of(0.0, 0.6, -0.8), List.of(0.25), List.of(Math.ceil(Math.log(0.01) / Math.log(0.5)))),
-            "snell", List.of(List.of(Math.toDegrees(Math.asin(0.8 / 1.5))), List.of(Math.toDegrees(Math.asin(1 / 1.5))), List.of(1.5 * Math.sqrt(1 - 0.64 / 2.25))),
-            "antialiasing", List.of(List.of(1.0), List.of(0.75), List.of(255 * (1.055 * Math.pow(0.75, 1 / 2.4) - 0.055))),
-            "indirect-light", List.of(List.of(0.2 * 1.75), List.of(0.2 / 0.5), List.of(64.0 * 16)));
+    private static final Map<String, List<List<Double>>> BY_HAND = Map.ofEntries(
+            Map.entry("camera-rays", List.of(List.of(49.5 * pixel(), 25.5 * pixel()), unit(49.5 * pixel(), 25.5 * pixel(), -1))),
+            Map.entry("sphere", List.of(List.of(5 - Math.sqrt(1 - 0.36)), List.of(0.6, 0.0, 0.8))),
+            Map.entry("plane-and-block", List.of(List.of(3 / 0.6), List.of(3.5 / 0.8))),
+            Map.entry("csg-on-a-line", List.of(List.of(4 + 1.25), List.of(4 - 1.25, 4.0), List.of(0.0, 0.0, 1.0))),
+            Map.entry("phong", List.of(List.of(0.8), List.of(Math.pow(0.8, 10)), List.of(0.1 + 0.5 * 0.8 + 0.5 * Math.pow(0.8, 10)))),
+            Map.entry("shadows", List.of(List.of(0.0), List.of(0.5 * 4 / 2), List.of(Math.hypot(0.8, 4)))),
+            Map.entry("mirrors", List.of(List.of(0.0, 0.6, -0.8), List.of(0.25), List.of(Math.ceil(Math.log(0.01) / Math.log(0.5))))),
+            Map.entry("snell", List.of(List.of(Math.toDegrees(Math.asin(0.8 / 1.5))), List.of(Math.toDegrees(Math.asin(1 / 1.5))), List.of(1.5 * Math.sqrt(1 - 0.64 / 2.25)))),
+            Map.entry("antialiasing", List.of(List.of(1.0), List.of(0.75), List.of(255 * (1.055 * Math.pow(0.75, 1 / 2.4) - 0.055)))),
+            Map.entry("indirect-light", List.of(List.of(0.2 * 1.75), List.of(0.2 / 0.5), List.of(64.0 * 16))));
 
     private static double pixel() {
         return 2 * Math.tan(Math.toRadians(30)) / 100;
