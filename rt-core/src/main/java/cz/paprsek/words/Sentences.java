@@ -73,6 +73,11 @@ final class Sentences {
         return of(english, 0);
     }
 
+    /** What is named in English or as in files, in the other language; as it is if there is no word for it. */
+    String name(String english) {
+        return of(english, 1);
+    }
+
     private String of(String english, int depth) {
         for (Form form : forms) {
             Matcher matcher = form.english.matcher(english);

@@ -29,10 +29,18 @@ public final class Words {
     private final boolean hasDecimalComma;
     private final ResourceBundle texts;
     private final UnaryOperator<String> sentences;
+    private final UnaryOperator<String> names;
 
     private Words(Locale locale) {
         hasDecimalComma = !locale.equals(Locale.ENGLISH);
-        sentences = locale.equals(Locale.ENGLISH) ? UnaryOperator.identity() : new Sentences("sentences_" + locale.getLanguage() + ".txt", this::word)::of;
+        if (locale.equals(Locale.ENGLISH)) {
+            sentences = UnaryOperator.identity();
+            names = UnaryOperator.identity();
+        } else {
+            Sentences table = new Sentences("sentences_" + locale.getLanguage() + ".txt", this::word);
+            sentences = table::of;
+            names = table::name;
+        }
         texts = ResourceBundle.getBundle("cz.paprsek.words.words", locale,
                 ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
     }
@@ -83,6 +91,11 @@ public final class Words {
     /** A sentence that the library has made in English to tell what is wrong; as it is if there are no other words for it. */
     public String sentence(String english) {
         return sentences.apply(Objects.requireNonNull(english, "english"));
+    }
+
+    /** What the library names in English, or as files have it, such as {@code area-light} or {@code a camera inside of glass}; as it is if there is no other word for it. */
+    public String name(String english) {
+        return names.apply(Objects.requireNonNull(english, "english"));
     }
 
     /** What an element or an attribute is called, by its name in files: {@code major-radius}. */

@@ -43,6 +43,26 @@ class MistakesWindowTest {
             gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
             gui.act(() -> list(gui).getSelectionModel().select(Mistake.FULL_FOVY));
             assertThat(Gui.on(() -> ((Label) gui.node("#mistakes-lines")).getText())).contains("celý svislý úhel");
+            gui.until("the picture is there", () -> picture(gui, "wrong") != null);
+            gui.pulse();
+            gui.click(gui.node("#mistakes-wrong"), 40.5, 30.5);
+            assertThat(Gui.on(() -> ((TextArea) gui.node("#mistakes-numbers")).getText())).contains("* h            0,82843");
+        } finally {
+            editor.close();
+        }
+    }
+
+    /** Pictures are small, so that each mistake shows at once; the pixels are those of the picture in full. */
+    @Test
+    void numbersAreThoseOfThePixelInFull() {
+        EditorGui editor = new EditorGui(folder, BALL.withSettings(BALL.settings().withSize(640, 480)));
+        try {
+            editor.menu("render-menu-mistakes");
+            Gui gui = Gui.open(() -> editor.editor.mistakes().stage().orElseThrow());
+            gui.until("the right picture is there", () -> picture(gui, "right") != null);
+            gui.pulse();
+            gui.click(gui.node("#mistakes-right"), 40.5, 30.5);
+            assertThat(Gui.on(() -> ((TextArea) gui.node("#mistakes-numbers")).getText())).contains("pixel 81,61");
         } finally {
             editor.close();
         }
@@ -55,6 +75,8 @@ class MistakesWindowTest {
             editor.menu("render-menu-mistakes");
             Gui gui = Gui.open(() -> editor.editor.mistakes().stage().orElseThrow());
             assertThat(Gui.on(() -> ((Label) gui.node("#mistakes-lines")).getText())).contains("torus");
+            gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+            assertThat(Gui.on(() -> ((Label) gui.node("#mistakes-lines")).getText())).contains("anuloid");
         } finally {
             editor.close();
         }

@@ -68,14 +68,16 @@ public final class MistakesPane extends BorderPane {
                 captioned(texts.of("mistakes.difference"), difference));
         VBox content = new VBox(10, lines, pictures, numbers);
         content.setStyle("-fx-padding: 10");
-        setCenter(content);
         List<String> unknown = PlainTracer.unknown(scene, settings);
         if (!unknown.isEmpty()) {
-            lines.setText(texts.of("mistakes.unknown", String.join(", ", unknown)));
+            lines.setText(texts.of("mistakes.unknown", unknown.stream().map(texts.words()::name).collect(Collectors.joining(", "))));
             content.getChildren().setAll(lines);
+            setCenter(content);
             return;
         }
+        // The keyboard comes to the list first: to the numbers, which say how they are had, when it has chosen.
         setLeft(list);
+        setCenter(content);
         fillList();
         worker.execute(() -> compute(turn.get(), List.of()));
     }
@@ -83,6 +85,7 @@ public final class MistakesPane extends BorderPane {
     private void fillList() {
         list.setId("mistakes-list");
         list.setPrefWidth(230);
+        list.setCellFactory(view -> new MistakeCell(texts.words()));
         list.getSelectionModel().setSelectionMode(SelectionMode.MULTIPLE);
         list.getItems().setAll(Mistake.values());
         list.getSelectionModel().getSelectedItems().addListener((ListChangeListener<Mistake>) change -> choose(List.copyOf(list.getSelectionModel().getSelectedItems())));
@@ -138,10 +141,14 @@ public final class MistakesPane extends BorderPane {
         return view;
     }
 
+    /** The numbers are those of the pixel of the full picture that lies there, as the command line has them. */
     private void tell(int column, int row) {
         List<Mistake> made = list.getSelectionModel().getSelectedItems();
         if (column >= 0 && row >= 0 && column < settings.width() && row < settings.height()) {
-            numbers.setText(String.join("\n", new Beside(scene, settings, Mistakes.of(made), column, row).lines(texts.words())));
+            RenderSettings full = scene.settings().withSamples(1);
+            int fullColumn = (int) ((column + 0.5) * full.width() / settings.width());
+            int fullRow = (int) ((row + 0.5) * full.height() / settings.height());
+            numbers.setText(String.join("\n", new Beside(scene, full, Mistakes.of(made), fullColumn, fullRow).lines(texts.words())));
         }
     }
 
