@@ -32,7 +32,7 @@ final class LivePicture extends Region implements AutoCloseable {
     private final LiveRender live = new LiveRender(Runtime.getRuntime().availableProcessors());
     private final ImageView view = new ImageView();
     private final Rectangle frame = new Rectangle();
-    private final RayOverlay rays = new RayOverlay();
+    private final Overlay rays = new Overlay();
     private final Overlay overlay = new Overlay();
     private final ReadOnlyBooleanWrapper complete = new ReadOnlyBooleanWrapper();
     private final Consumer<Throwable> onFault;
@@ -112,7 +112,7 @@ final class LivePicture extends Region implements AutoCloseable {
 
     /** Draws rays above the picture. */
     void setRays(Optional<DrawnRays> drawn) {
-        rays.show(drawn);
+        rays.setPainter(g -> drawn.ifPresent(known -> RayOverlay.paint(g, known)));
     }
 
     /** Is told when another picture has come to be seen. */
