@@ -72,7 +72,13 @@ final class MainWindow {
     /** Held here likewise. */
     private final ChangeListener<Object> showXml = (property, old, now) -> showXml(true);
     /** Held here, because the model, which outlives the window, holds it weakly. */
-    private final ChangeListener<Object> showSelection = (property, old, now) -> showSelection();
+    private final ChangeListener<EditorState> showSelection = (property, old, now) -> {
+        showSelection();
+        if (!old.locked().equals(now.locked())) {
+            // What was said of a lock is no longer so.
+            status.showMessage("");
+        }
+    };
 
     /** Held here likewise: what is opened by keys or dropped takes the welcome's place. */
     private final ChangeListener<Object> closeWelcome = (property, old, now) -> closeWelcome();
