@@ -3,6 +3,7 @@ package cz.paprsek.fx.model.typing;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.io.Failures;
+import cz.paprsek.math.Require;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.Problem;
@@ -30,6 +31,11 @@ import javafx.beans.property.SimpleBooleanProperty;
  * then it is held here, whatever becomes of the scene. For JavaFX's thread only.
  */
 public final class Manuscript {
+    /** Longer texts are not written by hand, and would be slow, characters. */
+    private static final int LONGEST = 4_000_000;
+    /** Of more objects it is not even asked. */
+    private static final int MOST_OBJECTS = 100_000;
+
     private final EditorModel model;
     private final Supplier<Optional<OriginalText>> kept;
     private final Worker worker;
@@ -179,7 +185,9 @@ public final class Manuscript {
             Optional<OriginalText> from = kept.get();
             int opening = model.openingsProperty().get();
             worker.run(() -> {
+                Require.that(scene.objects().size() <= MOST_OBJECTS, "the text of a scene of more than " + MOST_OBJECTS + " objects is too long to be shown here");
                 SceneText text = SceneText.of(from, scene);
+                Require.that(text.characters().length() <= LONGEST, "a text of more than " + LONGEST + " characters is too long to be shown here");
                 return new Read(text, text.stands());
             }, read -> {
                 isBusy = false;
@@ -189,6 +197,11 @@ public final class Manuscript {
                 again();
             }, fault -> {
                 isBusy = false;
+                if (!page().isHeld()) {
+                    base = Optional.empty();
+                    page.set(Page.NONE);
+                    refused(fault);
+                }
                 again();
             });
         }

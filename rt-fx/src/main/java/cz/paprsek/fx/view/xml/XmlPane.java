@@ -18,7 +18,10 @@ import javafx.beans.value.WeakChangeListener;
 import javafx.geometry.Point2D;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
+import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
@@ -41,6 +44,8 @@ public final class XmlPane extends BorderPane {
     /** How long nobody types until what was typed is looked at. */
     private static final Duration REST = Duration.millis(600);
     private static final Duration PAINT = Duration.millis(40);
+    /** Long texts are painted later, so that typing goes on. */
+    private static final double LETTERS_PER_MILLI = 2500;
 
     private final Manuscript manuscript;
     private final EditorModel model;
@@ -103,6 +108,7 @@ public final class XmlPane extends BorderPane {
         area.addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);
         area.addEventHandler(KeyEvent.KEY_PRESSED, XmlPane::keep);
         area.addEventHandler(MouseEvent.MOUSE_CLICKED, this::clicked);
+        area.setContextMenu(contextMenu());
         area.focusedProperty().addListener((property, old, now) -> {
             if (!now) {
                 proposals.hide();
@@ -134,6 +140,21 @@ public final class XmlPane extends BorderPane {
         head.setAlignment(Pos.CENTER_LEFT);
         head.getStyleClass().add("view-title");
         return head;
+    }
+
+    private ContextMenu contextMenu() {
+        return new ContextMenu(item("edit-menu.cut", area::cut), item("edit-menu.copy", area::copy), item("edit-menu.paste", area::paste), item("edit-menu.select-all", area::selectAll),
+                new SeparatorMenuItem(), item("xml.propose", this::offer));
+    }
+
+    private MenuItem item(String key, Runnable action) {
+        MenuItem item = new MenuItem(texts.of(key));
+        item.setId("xml-" + key.substring(key.indexOf('.') + 1));
+        item.setOnAction(event -> {
+            area.requestFocus();
+            action.run();
+        });
+        return item;
     }
 
     /** Gives the keyboard to the text. */
@@ -179,6 +200,7 @@ public final class XmlPane extends BorderPane {
         String shown = area.getText();
         Change change = Change.between(shown, page.text());
         if (!change.isNone()) {
+            paint.setDuration(PAINT.add(Duration.millis(page.text().length() / LETTERS_PER_MILLI)));
             int caret = area.getCaretPosition();
             proposals.hide();
             isShowing = true;
@@ -192,12 +214,15 @@ public final class XmlPane extends BorderPane {
         if (!page.isHeld()) {
             area.getUndoManager().forgetHistory();
         }
+        area.setEditable(!page.text().isEmpty());
         tell(page);
         paint.playFromStart();
     }
 
     private void tell(Page page) {
-        boolean isSaid = page.isHeld() && (!page.problems().isEmpty() || page.isCrossed());
+        boolean isSaid = !page.problems().isEmpty() || page.isCrossed();
+        giveUp.setVisible(page.isHeld());
+        giveUp.setManaged(page.isHeld());
         strip.setVisible(isSaid);
         strip.setManaged(isSaid);
         String crossed = page.isCrossed() ? texts.of("xml.crossed") : "";
@@ -207,6 +232,9 @@ public final class XmlPane extends BorderPane {
     }
 
     private String sentence(Problem problem) {
+        if (!manuscript.page().isHeld()) {
+            return texts.sentence(problem.message());
+        }
         String place = (problem.file().equals(XmlStyles.OWN) ? "" : problem.file() + ":") + problem.line() + ":" + problem.column();
         return place + "  " + texts.sentence(problem.message());
     }

@@ -119,6 +119,15 @@ class ManuscriptTest {
     }
 
     @Test
+    void whatIsTooLongIsSaidAndNotShown() {
+        model.open(Scene.EMPTY.withObjects(java.util.Collections.nCopies(100_001, SceneObject.of(new Sphere(1)))));
+        assertThat(text.page().text()).isEmpty();
+        assertThat(text.page().problems()).singleElement().satisfies(problem -> assertThat(problem.message()).startsWith("the text of a scene of more than 100000 objects"));
+        assertThat(text.page().isHeld()).isFalse();
+        assertThat(text.flush()).as("saving is not in its way").isTrue();
+    }
+
+    @Test
     void placesLeadToThingsAndBackAlsoWhileSomethingIsHeld() {
         write("name=\"a\" radius=\"1\"", "name=\"a longer name\" radius=\"?\"");
         String now = text.page().text();
