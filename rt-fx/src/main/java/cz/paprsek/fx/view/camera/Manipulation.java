@@ -5,6 +5,7 @@ import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.edit.Alignment;
 import cz.paprsek.fx.model.edit.Alignment.Line;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
+import cz.paprsek.fx.model.edit.Contact;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.edit.Rounds;
 import cz.paprsek.fx.model.edit.Structure;
@@ -18,6 +19,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /** Moving, turning or scaling under way: by the mouse, or by what is typed, which goes first. */
 final class Manipulation {
@@ -27,11 +29,16 @@ final class Manipulation {
     private static final double REACH = 7;
 
     private final Gesture gesture;
+    /** What touches a side is in line with it, scene units. */
+    private static final double SAME = 1e-6;
+
     private final Set<ScenePath> items;
     private final Handles handles;
     private final Optional<Axis> held;
     private final Alignment alignment;
     private final Bounds box;
+    /** Made when something is pulled along an axis. */
+    private @Nullable Contact contact;
     private TypedAmount typed = TypedAmount.NONE;
     private boolean copies;
     private Vec3 by = Vec3.ZERO;
@@ -77,7 +84,7 @@ final class Manipulation {
         double step = Rounds.step(handles.scale());
         for (Axis axis : held.map(List::of).orElse(List.of(Axis.X, Axis.Z))) {
             double own = axis.of(way.get());
-            Optional<Line> line = snaps ? alignment.along(axis, box, own, REACH / handles.scale()) : Optional.empty();
+            Optional<Line> line = snaps ? line(axis, own, REACH / handles.scale()) : Optional.empty();
             line.ifPresent(lines::add);
             double start = axis.of(handles.middle());
             double free = snaps ? Rounds.toGrid(start + own, step) - start : Rounds.toGrid(own, step / 20);
@@ -85,6 +92,17 @@ final class Manipulation {
         }
         guides = lines;
         return result;
+    }
+
+    /** Sides and middles of others, or what is pulled would touch, whichever is nearer. */
+    private Optional<Line> line(Axis axis, double own, double reach) {
+        Optional<Line> line = alignment.along(axis, box, own, reach);
+        if (held.isEmpty()) {
+            return line;
+        }
+        Contact known = contact == null ? Contact.with(gesture.start(), items) : contact;
+        contact = known;
+        return known.along(axis, own, line.map(found -> Math.abs(found.by() - own) - SAME).orElse(reach)).or(() -> line);
     }
 
     private Optional<Vec3> along(Axis axis, double x0, double y0, double x, double y) {
