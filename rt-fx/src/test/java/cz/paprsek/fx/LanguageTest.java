@@ -2,7 +2,9 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.present.PresenterPane;
+import cz.paprsek.scene.ScenePath;
 import java.lang.ref.WeakReference;
 import java.nio.file.Path;
 import java.util.List;
@@ -57,5 +59,32 @@ class LanguageTest {
 
     private static String tooltip(Stage window, String id) {
         return Gui.on(() -> ((ButtonBase) window.getScene().lookup("#" + id)).getTooltip().getText());
+    }
+
+    /** Pictures of the main states, in target/screenshots, to be looked at by people. */
+    @Test
+    void bothThemesAndLanguages() {
+        try (EditorGui editor = new EditorGui(folder, Templates.read("showcase"))) {
+            editor.gui.act(() -> editor.model().select(ScenePath.body(1)));
+            shoot(editor, "window-light");
+            editor.gui.act(() -> editor.editor.theme().set(Theme.DARK));
+            shoot(editor, "window-dark");
+            editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+            editor.gui.act(() -> editor.model().select(ScenePath.camera()));
+            shoot(editor, "window-dark-czech");
+            editor.gui.act(() -> editor.editor.manuscript().openProperty().set(true));
+            editor.gui.until("the text is there", () -> !editor.editor.manuscript().page().text().isEmpty());
+            shoot(editor, "window-text-dark-czech");
+        }
+        try (EditorGui editor = new EditorGui(folder, Templates.read("test"), 1600, 1000)) {
+            editor.gui.act(() -> editor.editor.theme().set(Theme.LIGHT));
+            editor.gui.act(() -> editor.model().select(ScenePath.body(8), ScenePath.light(0)));
+            shoot(editor, "window-light-1600x1000");
+        }
+    }
+
+    private static void shoot(EditorGui editor, String name) {
+        editor.gui.until("the picture is complete", editor.editor::isPictureComplete);
+        assertThat(Screenshots.save(editor.gui, name)).isNotEmptyFile();
     }
 }
