@@ -61,7 +61,7 @@ class LanguageTest {
         return Gui.on(() -> ((ButtonBase) window.getScene().lookup("#" + id)).getTooltip().getText());
     }
 
-    /** Pictures of the main states, in target/screenshots, to be looked at by people. */
+    /** Pictures of the main states, in target/screenshots, to be looked at by people; the light ones of this size are those of the manual. */
     @Test
     void bothThemesAndLanguages() {
         try (EditorGui editor = new EditorGui(folder, Templates.read("showcase"))) {
@@ -69,7 +69,11 @@ class LanguageTest {
             shoot(editor, "window-light");
             editor.gui.act(() -> editor.editor.theme().set(Theme.DARK));
             shoot(editor, "window-dark");
+            editor.gui.act(() -> editor.editor.theme().set(Theme.LIGHT));
             editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+            editor.gui.act(() -> editor.model().select(ScenePath.body(1)));
+            shoot(editor, "window-light-czech");
+            editor.gui.act(() -> editor.editor.theme().set(Theme.DARK));
             editor.gui.act(() -> editor.model().select(ScenePath.camera()));
             shoot(editor, "window-dark-czech");
             editor.gui.act(() -> editor.editor.manuscript().openProperty().set(true));
