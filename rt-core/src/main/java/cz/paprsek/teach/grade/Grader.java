@@ -112,8 +112,10 @@ public final class Grader {
         return Objects.requireNonNull(best);
     }
 
+    /** As within one number of rays, two mistakes count for more than one only if they leave much less. */
     private static double rank(Grade grade) {
-        return grade.verdict() == Verdict.RIGHT ? 2 : grade.explained() - 0.05 * grade.explanations().stream().mapToInt(one -> one.all().size()).max().orElse(0);
+        boolean isPair = grade.explanations().stream().anyMatch(one -> one.all().size() > 1);
+        return grade.verdict() == Verdict.RIGHT ? 2 : (grade.explained() - 1) / (isPair ? MUCH_BETTER : 1);
     }
 
     /** The mistakes that do not show in the scene, in pictures of this size. */

@@ -52,6 +52,15 @@ class GraderTest {
         assertThat(grader.silent()).contains(Mistake.SNELL_UPSIDE_DOWN, Mistake.NO_REFLECTION, Mistake.SPOT_HARD).doesNotContain(Mistake.NO_SHADOW, Mistake.FULL_FOVY);
     }
 
+    /** One ray a pixel is tried, too; what that explains nearly with one mistake does not stand in the way of two that explain all with the rays that were taken. */
+    @Test
+    void pairsAreFoundWhateverTheSamples() throws Exception {
+        Scene scene = SceneFiles.read(SCENES.resolve("csg.xml"));
+        RenderSettings settings = scene.settings().withSize(480, 270).withSamples(2);
+        Mistakes two = Mistakes.of(Mistake.FLIP_Y).and(Mistake.NO_HIGHLIGHT);
+        assertThat(new Grader(scene, settings, false, () -> false).grade(picture(scene, settings, two)).explanations()).contains(two);
+    }
+
     /** Takes minutes: to be had by {@code -Dpaprsek.proof}. Prints what was found of what was made, scene by scene. */
     @Test
     @EnabledIfSystemProperty(named = "paprsek.proof", matches = ".*")
