@@ -64,8 +64,9 @@ public final class OriginalText {
         this.isTyped = isTyped;
     }
 
-    OriginalText typed() {
-        return new OriginalText(file, bytes, contents, true);
+    /** What somebody has written, which says this scene. */
+    OriginalText typed(Scene scene) {
+        return new OriginalText(file, bytes, new Contents(List.of(scene), false), true);
     }
 
     boolean isTyped() {

@@ -2,6 +2,7 @@ package cz.paprsek.xml;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.xml.recipe.Script;
 import cz.paprsek.xml.text.Encoding;
@@ -101,7 +102,24 @@ public final class SceneText {
         if (read.contents().isDatabase()) {
             throw new SceneFileException(List.of(new Problem("text", 1, 1, "this is a database of " + read.contents().scenes().size() + " scenes, but one scene was expected")));
         }
-        return new SceneText(read.typed(), read.contents().scenes().get(0), file, text);
+        Scene shared = sharing(read.contents().scenes().get(0));
+        return new SceneText(read.typed(shared), shared, file, text);
+    }
+
+    /** With the objects of before where they are the same, so that a history of many steps is no larger than what has changed. */
+    private Scene sharing(Scene fresh) {
+        List<SceneObject> old = scene.objects();
+        List<SceneObject> objects = new ArrayList<>(fresh.objects());
+        int shift = objects.size() - old.size();
+        for (int i = 0; i < objects.size(); i++) {
+            SceneObject one = objects.get(i);
+            if (i < old.size() && old.get(i).equals(one)) {
+                objects.set(i, old.get(i));
+            } else if (i - shift >= 0 && i - shift < old.size() && old.get(i - shift).equals(one)) {
+                objects.set(i, old.get(i - shift));
+            }
+        }
+        return fresh.withObjects(objects);
     }
 
     private byte[] encoded(String text) throws IOException {

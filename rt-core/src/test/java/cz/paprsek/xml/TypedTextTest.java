@@ -60,6 +60,7 @@ class TypedTextTest {
             assertThat(after.scene().objects().get(0).shape()).isEqualTo(new Sphere(1.5));
             assertThat(new String(bytes(after), charset)).as(encoding).isEqualTo(mixed.replace("radius='1'", "radius='1.5'\r\n   "));
             assertThat(before.typed(before.characters(), Assets.none()).scene()).isEqualTo(before.scene());
+            assertThat(after.scene().objects().get(1)).as("what has not changed is shared").isSameAs(before.scene().objects().get(1));
             assertThat(bytes(before.typed(before.characters(), Assets.none()))).as(encoding).isEqualTo(mixed.getBytes(charset));
         }
     }

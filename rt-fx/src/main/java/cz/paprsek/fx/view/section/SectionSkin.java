@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.section;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.model.edit.CutPlane;
 import cz.paprsek.fx.model.edit.Visible;
@@ -19,6 +20,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.Function;
 import javafx.beans.InvalidationListener;
 import javafx.beans.WeakInvalidationListener;
@@ -41,6 +43,7 @@ public final class SectionSkin {
     private final ObservableValue<Optional<CutPlane>> plane;
     private final IdentityHashMap<SceneObject, Face> faces = new IdentityHashMap<>();
     private Scene known = Scene.EMPTY;
+    private Set<ScenePath> hidden = Set.of();
     private Optional<CutPlane> knownPlane = Optional.empty();
     private OptionalDouble place = OptionalDouble.empty();
     private List<Face> drawn = List.of();
@@ -85,14 +88,17 @@ public final class SectionSkin {
     /** What has not changed keeps its face. */
     @SuppressWarnings("ReferenceEquality")
     private void look() {
-        if (plane.getValue().equals(knownPlane) && model.scene() == known) {
+        Optional<CutPlane> now = plane.getValue();
+        EditorState state = model.state();
+        if (now.equals(knownPlane) && (now.isEmpty() || (state.scene() == known && state.hidden().equals(hidden)))) {
             return;
         }
-        knownPlane = plane.getValue();
-        known = model.scene();
-        Scene scene = Visible.of(model.state()).scene();
-        place = knownPlane.map(cut -> cut.place(scene)).orElse(OptionalDouble.empty());
-        drawn = place.isEmpty() ? List.of() : faces(scene, knownPlane.orElseThrow().axis(), place.getAsDouble());
+        knownPlane = now;
+        known = state.scene();
+        hidden = state.hidden();
+        Scene scene = now.isEmpty() ? known : Visible.of(state).scene();
+        place = now.map(cut -> cut.place(scene)).orElse(OptionalDouble.empty());
+        drawn = place.isEmpty() ? List.of() : faces(scene, now.orElseThrow().axis(), place.getAsDouble());
     }
 
     private List<Face> faces(Scene scene, Axis axis, double at) {

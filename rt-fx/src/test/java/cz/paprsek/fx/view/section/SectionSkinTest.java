@@ -16,6 +16,7 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Sphere;
 import java.util.Optional;
+import java.util.Set;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.Point2D;
 import javafx.scene.canvas.Canvas;
@@ -51,6 +52,15 @@ class SectionSkinTest {
         assertThat(at(face, 50, 50).getRed()).isGreaterThan(at(face, 50, 50).getBlue());
         assertThat(at(face, 90, 50).getBlue()).as("beside it, paler").isGreaterThan(0.9);
         assertThat(at(face, 90, 50).getRed()).isBetween(0.4, 0.6);
+        Gui.on(() -> {
+            model.editState(Label.of(Label.Edit.HIDE), state -> state.withHidden(Set.of(ScenePath.body(0))));
+            return true;
+        });
+        assertThat(at(drawn(), 50, 50)).as("what is hidden has no face").isEqualTo(Color.BLUE);
+        Gui.on(() -> {
+            model.undo();
+            return true;
+        });
         plane.set(Optional.of(new CutPlane(Axis.X, 0.5)));
         WritableImage side = drawn();
         assertThat(at(side, 30, 50)).as("stays").isEqualTo(Color.BLUE);
