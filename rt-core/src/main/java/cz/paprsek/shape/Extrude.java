@@ -33,6 +33,8 @@ public record Extrude(
         @Attribute(value = Kind.POSITIVE, means = "Above 0", example = "0.5") double height,
         @Attribute(value = Kind.TWIST, means = "By how many degrees the other end is turned, from +x to +y", otherwise = "0") double twist,
         @Attribute(value = Kind.NOT_NEGATIVE, means = "How large the other end is, compared with the outline; 0 for a point", otherwise = "1") double taper) implements Solid {
+    /** The largest twist there may be, either way, in degrees. */
+    public static final double MOST_TWIST = Kind.TWIST.most();
     private static final double SLICE = 15;
     private static final int MOST_SLICES = 48;
 

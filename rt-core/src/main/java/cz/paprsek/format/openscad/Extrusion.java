@@ -5,6 +5,8 @@ import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cylinder;
+import cz.paprsek.shape.Extrude;
+import cz.paprsek.shape.Lathe;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Torus;
@@ -15,6 +17,8 @@ import java.util.Optional;
 interface Extrusion {
     /** From y, which is up in shapes that are round, to z. */
     Affine ROUND = Affine.rotation(new Vec3(90, 0, 0));
+    /** Of a figure left of the axis that it is turned about. */
+    Affine MIRRORED = Affine.scaling(new Vec3(-1, 1, 1));
 
     /**
      * The body of a figure.
@@ -69,17 +73,26 @@ interface Extrusion {
         }
     }
 
-    /** Turned or made larger on the way: of triangles. */
+    /** Turned or made larger on the way; of triangles only where an {@link Extrude} is another body, or would be slower. */
     record Twisted(double from, double to, double scaleX, double scaleY, double twist, int slices) implements Extrusion {
         @Override
         public Optional<Operand> body(Figure figure, Affine inPlane, Affine map, Meshes meshes) {
             double[] corners = figure.corners(inPlane);
-            boolean isRound = twist != 0 || (figure instanceof Figure.Circle circle && circle.sides() == 0);
-            return Figure.area(corners) > 0 ? Placing.placed(meshes.solid(Sweep.up(corners, from, to, scaleX, scaleY, twist, slices), isRound), map) : Optional.empty();
+            if (Figure.area(corners) <= 0) {
+                return Optional.empty();
+            }
+            Optional<Outlined> outline = Outlined.of(figure, inPlane);
+            if (outline.isPresent() && scaleX == scaleY && Math.abs(twist) <= Extrude.MOST_TWIST) {
+                // Ours turns the other way.
+                double turn = twist == 0 ? 0 : -twist;
+                return Placing.placed(new Extrude(outline.get().path(), outline.get().points(), to - from, turn, scaleX), map.after(Affine.translation(new Vec3(0, 0, from))));
+            }
+            boolean isRound = twist != 0 || figure.isRound();
+            return Placing.placed(meshes.solid(Sweep.up(corners, from, to, scaleX, scaleY, twist, slices), isRound), map);
         }
     }
 
-    /** Around the z axis. */
+    /** Around the z axis; of triangles only where a {@link Lathe} is another body, or would be slower. */
     record Turned(double angle, int steps, boolean isFaceted) implements Extrusion {
         @Override
         public Optional<Operand> body(Figure figure, Affine inPlane, Affine map, Meshes meshes) {
@@ -100,6 +113,14 @@ interface Extrusion {
             }
             if (Figure.area(corners) <= 0 || (least < -1e-6 * most && most > 0) || angle == 0) {
                 return Optional.empty();
+            }
+            boolean isLeft = most <= 0;
+            double slack = 1e-6 * Math.max(most, -least);
+            Optional<Outlined> outline = isFaceted ? Optional.empty() : Outlined.rightOfAxis(figure, isLeft ? MIRRORED.after(inPlane) : inPlane, slack);
+            if (outline.isPresent()) {
+                double first = (isLeft ? 180 : 0) + (angle < 0 && angle > -360 ? angle : 0);
+                Affine up = Affine.rotation(new Vec3(0, 0, first)).after(ROUND);
+                return Placing.placed(new Lathe(outline.get().path(), outline.get().points(), Math.abs(angle)), map.after(up));
             }
             for (int i = 0; i < corners.length; i += 2) {
                 corners[i] = most > 0 && Math.abs(corners[i]) <= 1e-6 * most ? 0 : corners[i];

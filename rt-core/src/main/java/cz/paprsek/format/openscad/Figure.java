@@ -10,6 +10,11 @@ sealed interface Figure {
     /** Its corners, x and y in turn, counter-clockwise; after a map of the plane. */
     double[] corners(Affine map);
 
+    /** Whether corners only stand for it. */
+    default boolean isRound() {
+        return false;
+    }
+
     record Square(double minX, double minY, double maxX, double maxY) implements Figure {
         @Override
         public double[] corners(Affine map) {
@@ -22,6 +27,11 @@ sealed interface Figure {
         @Override
         public double[] corners(Affine map) {
             return mapped(ring(radius, sides > 0 ? sides : ROUND), map);
+        }
+
+        @Override
+        public boolean isRound() {
+            return sides == 0;
         }
     }
 
