@@ -9,11 +9,16 @@ import cz.paprsek.shape.Lathe;
 import cz.paprsek.shape.Text;
 import cz.paprsek.shape.outline.Lathed;
 import cz.paprsek.shape.outline.Outline;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 
 /** Solids of outlines in POV-Ray's words: Bézier curves as such where POV-Ray makes them thick, all other curves in straight pieces. */
 final class PovOutlines {
+    private static final int LINES = 200;
+    private static final int STEPS = 8;
+
     private PovOutlines() {}
 
     /** POV-Ray sweeps along y what lies in x and z, or towards the origin what lies at y = 1. */
@@ -39,6 +44,48 @@ final class PovOutlines {
         Require.that(text.isRead(), "a scene for POV-Ray needs the letters of a text, but the font \"" + text.font() + "\" has not been read");
         return "prism { linear_sweep bezier_spline 0, " + text(text.depth()) + ", " + text.curves().size() + ", " + points(text.curves())
                 + " matrix <1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0>";
+    }
+
+    /** Whether letters, or parts of one, lie over each other, so that there are holes; seen along lines across the letters. */
+    static boolean areOver(Text text) {
+        List<Vec3> curves = text.curves();
+        double low = curves.stream().mapToDouble(Vec3::y).min().orElse(0);
+        double high = curves.stream().mapToDouble(Vec3::y).max().orElse(0);
+        double slack = 1e-6 * text.size();
+        for (int line = 0; line < LINES; line++) {
+            // From left to right, where an outline goes up or down across it.
+            List<double[]> met = crossings(curves, low + (high - low) * (line + 0.5) / LINES);
+            met.sort(Comparator.comparingDouble(one -> one[0]));
+            int around = 0;
+            for (int i = 0; i + 1 < met.size(); i++) {
+                around += (int) met.get(i)[1];
+                if (around != 0 && around % 2 == 0 && met.get(i + 1)[0] - met.get(i)[0] > slack) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Of Bézier curves, in straight pieces: x, and 1 upwards or -1 downwards. */
+    private static List<double[]> crossings(List<Vec3> curves, double y) {
+        List<double[]> met = new ArrayList<>();
+        for (int i = 0; i < curves.size(); i += 4) {
+            Vec3 from = curves.get(i);
+            for (int k = 1; k <= STEPS; k++) {
+                Vec3 to = at(curves.subList(i, i + 4), (double) k / STEPS);
+                if ((from.y() > y) != (to.y() > y)) {
+                    met.add(new double[] {from.x() + (to.x() - from.x()) * (y - from.y()) / (to.y() - from.y()), to.y() > y ? 1 : -1});
+                }
+                from = to;
+            }
+        }
+        return met;
+    }
+
+    private static Vec3 at(List<Vec3> four, double t) {
+        double s = 1 - t;
+        return four.get(0).times(s * s * s).plus(four.get(1).times(3 * s * s * t)).plus(four.get(2).times(3 * s * t * t)).plus(four.get(3).times(t * t * t));
     }
 
     static String lathe(Lathe lathe) {

@@ -24,6 +24,7 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Text;
 import cz.paprsek.shape.height.HeightField;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -192,10 +193,12 @@ final class PovWarnings {
         return object.shape().bounds().transformed(object.placement().toParent());
     }
 
-    /** Of meshes whose materials are those of their files, and of relief. */
+    /** Of meshes whose materials are those of their files, of relief, and of letters. */
     private void checkFiles(String name, Shape shape, MaterialSource given) {
         if (shape instanceof Csg csg) {
             csg.operands().forEach(operand -> checkFiles(name, operand.solid(), operand.material() == Inherited.INHERITED ? given : operand.material()));
+        } else if (shape instanceof Text text && text.isRead() && PovOutlines.areOver(text)) {
+            sentences.add(name + " has letters, or parts of them, that lie over each other; POV-Ray has holes there");
         } else if (shape instanceof HeightField field) {
             PovPictures.lost(field).forEach(lost -> sentences.add(name + ": " + lost));
         } else if (given == Inherited.INHERITED && shape instanceof Mesh mesh && mesh.isRead() && !PovMesh.isTold(mesh)) {

@@ -15,6 +15,7 @@ import cz.paprsek.shape.Examples;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.Text;
 import cz.paprsek.shape.mesh.Meshes;
 import cz.paprsek.shape.mesh.Triangles;
 import cz.paprsek.xml.SceneFiles;
@@ -131,6 +132,14 @@ class PovFilesTest {
         assertThat(warnings(SceneObject.of(Csg.difference(pot, new Sphere(1))).named("bowl"))).containsExactly("\"bowl\": " + lies);
         assertThat(warnings(SceneObject.of(pot).named("red").madeOf(Material.color(255, 0, 0)))).isEmpty();
         assertThat(warnings(SceneObject.of(Csg.union(new Sphere(1), new Sphere(2))).named("balls").madeOf(lid))).containsExactly("\"balls\": " + lies);
+    }
+
+    /** A cedilla reaches into its letter, where the font has two outlines. */
+    @Test
+    void lettersWhosePartsLieOverEachOtherAreSaid() throws Exception {
+        assertThat(warnings(SceneObject.of(Text.of("ça", 1, 0.2)).named("sign"))).containsExactly("\"sign\" has letters, or parts of them, that lie over each other; POV-Ray has holes there");
+        assertThat(warnings(SceneObject.of(Csg.union(Text.of("ça", 1, 0.2), new Sphere(1))))).hasSize(1);
+        assertThat(warnings(SceneObject.of(Text.of("Příliš žluťoučký kůň B8%", 1, 0.2)))).isEmpty();
     }
 
     private static List<String> warnings(SceneObject object) throws IOException {
