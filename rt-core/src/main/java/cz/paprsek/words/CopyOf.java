@@ -19,15 +19,21 @@ public record CopyOf(int number, int count) {
     /** Of repeats within each other the outermost first; empty for what is no copy. */
     public static List<CopyOf> of(Scene scene, BodyAt at) {
         List<CopyOf> found = new ArrayList<>();
-        if (!scene.recipe().text().contains("<repeat")) {
+        String text = scene.recipe().text();
+        if (!text.contains("<repeat")) {
             return found;
         }
         Matcher own = NUMBERED.matcher(at.in(scene).name());
-        while (own.matches()) {
+        while (own.matches() && !isWritten(own.group(), text)) {
             found.add(0, new CopyOf(Integer.parseInt(own.group(2)) + 1, count(scene, at, own.group(1) + "[")));
             own = NUMBERED.matcher(own.group(1));
         }
         return found;
+    }
+
+    /** Whether somebody gave that name by hand, brackets and all: then it says nothing of copies. */
+    private static boolean isWritten(String name, String text) {
+        return text.contains("\"" + name + "\"") || text.contains("'" + name + "'");
     }
 
     private static int count(Scene scene, BodyAt at, String beginning) {

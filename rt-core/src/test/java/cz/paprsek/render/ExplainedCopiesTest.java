@@ -42,6 +42,18 @@ class ExplainedCopiesTest {
         assertThat(Words.ENGLISH.surface(new InScene<>(rows, ScenePath.body(6)))).as("without a name only its number").isEqualTo("sphere #7");
     }
 
+    @Test
+    void aNameWithBracketsWrittenByHandIsNoCopy() throws Exception {
+        Scene scene = SceneFiles.parse("""
+                <scene xmlns="urn:paprsek:scene:1"><render width="30" height="30"/><camera position="4 3 20" target="4 3 0"/>
+                <repeat name="post" count="3" position="4 0 0"><sphere radius="1"/></repeat>
+                <sphere name='lamp[3]' radius="1"/><repeat count="2" position="0 3 0"><block name="lid[1]" min="0 0 0" max="1 1 1"/></repeat></scene>
+                """);
+        assertThat(Words.ENGLISH.surface(new InScene<>(scene, ScenePath.body(2)))).endsWith("sphere \"post[2]\", copy 3 of 3");
+        assertThat(Words.ENGLISH.surface(new InScene<>(scene, ScenePath.body(3)))).endsWith("sphere \"lamp[3]\"");
+        assertThat(Words.ENGLISH.surface(new InScene<>(scene, ScenePath.body(5)))).endsWith("block \"lid[1][1]\", copy 2 of 2");
+    }
+
     private static List<String> lines(Pixel pixel, Words words) {
         return TreeText.lines(pixel, 0, Decoration.NONE, words);
     }
