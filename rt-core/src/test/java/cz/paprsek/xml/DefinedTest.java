@@ -18,6 +18,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Bodies of a scene that become definitions. */
 @Timeout(60)
@@ -80,6 +82,27 @@ class DefinedTest {
         assertThatThrownBy(() -> SceneFiles.defined(whole, List.of(0, 1), "part")).hasMessageContaining("made by a definition");
         Scene byFormula = SceneFiles.defined(plain, List.of(0, 1), "it");
         assertThat(SceneFiles.usedAgain(byFormula, 0, 1.5).recipe().text()).contains("position=\"{0.5*2 + 1.5} 0 0\"");
+    }
+
+    /** The x of a use by a formula, as it is written, and what it comes to 1.5 beside that. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"{r}|3.5", "-{r}|-0.5", "+{r}|3.5", "{r > 1 ? r : 5}|3.5", "{r == 2 or r == 3}|2.5", "2{r}|23.5", "{all}|3.5", "2e0|3.5"})
+    void anotherUseStandsBesideWhateverFormulaSaysWhere(String x, double moved) throws Exception {
+        Scene one = scene("<param name='r' value='2'/><param name='all' value='2 0 0'/><define name='it'><sphere radius='1'/></define>"
+                + "<instance of='it' position='" + x + (x.equals("{all}") ? "" : " 0 {r - 2}") + "'/>");
+        Scene two = SceneFiles.usedAgain(one, 0, 1.5);
+        assertThat(two.objects()).hasSize(2);
+        assertThat(two.objects().get(1).placement().position()).isEqualTo(new Vec3(moved, 0, 0));
+    }
+
+    @Test
+    void whatIsNoUseCannotBeUsedAgain() throws Exception {
+        Scene row = scene("<repeat count='3' position='2 0 0'><sphere radius='1'/></repeat>");
+        for (int maker : new int[] {-1, 0, 7}) {
+            assertThatThrownBy(() -> SceneFiles.usedAgain(row, maker, 1)).isInstanceOf(IllegalArgumentException.class).hasMessage("there is no use of a definition with the number " + maker);
+        }
+        Scene odd = scene("<define name='it'><sphere radius='1'/></define><repeat count='3' position='2 0 0'><instance of='it' position='1{i} 0 0'/></repeat>");
+        assertThatThrownBy(() -> SceneFiles.usedAgain(odd, 1, 1)).hasMessage("where this is, \"1{i} 0 0\" says, to which nothing can be added; write its x as one formula in braces");
     }
 
     @Test

@@ -290,18 +290,39 @@ public final class Script {
         return NodeText.of(Rewritten.defined(scene, node, name, isMoved ? Rewritten.OF_USE : Set.of("name")));
     }
 
-    /** The text of the scene with another use of a definition after one of its {@link #makers()}, without its name, so far from it along x. */
+    /**
+     * The text of the scene with another use of a definition after one of its {@link #makers()}, without its name, so far from it along x.
+     *
+     * @throws IllegalArgumentException if that is no use of a definition, or stands where a formula says to which nothing can be added
+     */
     public String usedAgain(int maker, double aside) {
         Node scene = Objects.requireNonNull(only);
-        Node node = Makers.nodes(scene).get(maker);
-        String[] place = node.attribute("position").map(Attr::text).orElse("0 0 0").strip().split("\\s+(?![^{]*})", -1);
-        place[0] = place[0].startsWith("{") ? "{" + place[0].substring(1, place[0].length() - 1) + " + " + Numbers.text(aside) + "}"
-                : Numbers.parsed(place[0]).stream().mapToObj(x -> Numbers.text(x + aside)).findFirst().orElse(place[0]);
+        List<Node> makers = Makers.nodes(scene);
+        if (maker < 0 || maker >= makers.size() || !makers.get(maker).name().equals(Node.INSTANCE)) {
+            throw new IllegalArgumentException("there is no use of a definition with the number " + maker);
+        }
+        Node node = makers.get(maker);
         IdentityHashMap<Node, List<Node>> others = new IdentityHashMap<>();
         // Behind all others, whose numbers stay.
         Node last = siblings(scene, node).stream().filter(Node::isBody).reduce((first, second) -> second).orElse(node);
-        others.put(last, List.of(last, Rewritten.with(Rewritten.with(node, "position", String.join(" ", place)), "name", "")));
+        others.put(last, List.of(last, Rewritten.with(Rewritten.with(node, "position", beside(node, aside)), "name", "")));
         return NodeText.of(Rewritten.of(scene, others));
+    }
+
+    /** Where an element stands, as it is written, but so far from there along x. */
+    private String beside(Node node, double aside) {
+        String written = node.attribute("position").map(Attr::text).orElse("0 0 0");
+        Optional<String> moved = Aside.of(written, aside);
+        return moved.or(() -> node.attribute("position").flatMap(Attr::template).flatMap(this::valueOf).flatMap(value -> Aside.of(value, aside)))
+                .orElseThrow(() -> new IllegalArgumentException("where this is, \"" + written + "\" says, to which nothing can be added; write its x as one formula in braces"));
+    }
+
+    private Optional<String> valueOf(Template template) {
+        try {
+            return Optional.of(template.value(Objects.requireNonNull(names)));
+        } catch (ToldAlready | Template.Misplaced hasNone) {
+            return Optional.empty();
+        }
     }
 
     private static List<Node> siblings(Node parent, Node node) {
