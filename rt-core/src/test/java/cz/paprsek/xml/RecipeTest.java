@@ -2,6 +2,7 @@ package cz.paprsek.xml;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Recipe;
@@ -15,6 +16,7 @@ import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import javax.xml.XMLConstants;
@@ -132,6 +134,7 @@ class RecipeTest {
         });
     }
 
+    /** A few lines that ask for more than there is room for: refused before any of it is made. */
     @Test
     void bombsGetOneLine() {
         String nested = "<repeat count='1000'>".repeat(5) + "<sphere/>" + "</repeat>".repeat(5);
@@ -143,8 +146,16 @@ class RecipeTest {
         for (int i = 1; i < 2000; i++) {
             deep.append("<define name='d" + i + "'><union><instance of='d" + (i - 1) + "'/></union></define>");
         }
-        for (String bomb : List.of(nested, laughs + "<instance of='d39'/>", deep + "<instance of='d1999'/>", "<sphere radius='{" + "(".repeat(5000) + "'/>")) {
-            assertThatThrownBy(() -> SceneFiles.parse(scene(bomb))).isInstanceOfSatisfying(SceneFileException.class, wrong -> assertThat(wrong.problems()).hasSize(1));
+        StringBuilder texts = new StringBuilder("<param name='p0' value='ab'/>");
+        for (int i = 1; i < 40; i++) {
+            texts.append("<param name='p" + i + "' value='{p" + (i - 1) + "}{p" + (i - 1) + "}'/>");
+        }
+        String rows = "<param name='n' value='2000'/><define name='row'><union><repeat count='{n}'><sphere/></repeat></union></define>"
+                + "<difference><block/><repeat count='{2*n}'><instance of='row'/></repeat></difference>";
+        for (String bomb : List.of(nested, laughs + "<instance of='d39'/>", rows, deep + "<instance of='d1999'/>", "<sphere radius='{" + "(".repeat(5000) + "'/>",
+                texts + "<text value='{p39}'/>")) {
+            assertTimeoutPreemptively(Duration.ofSeconds(2), () -> assertThatThrownBy(() -> SceneFiles.parse(scene(bomb)))
+                    .isInstanceOfSatisfying(SceneFileException.class, wrong -> assertThat(wrong.problems()).hasSize(1)));
         }
     }
 

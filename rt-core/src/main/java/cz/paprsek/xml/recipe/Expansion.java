@@ -25,11 +25,11 @@ import java.util.stream.Stream;
 /** Writes a scene out: every formula as its value, every copy as an element of its own. */
 final class Expansion {
     /** How many copies there may be in a scene: repetition within repetition makes endless ones of a few lines. */
-    private static final int MOST_COPIES = 4_000_000;
+    static final int MOST_COPIES = 4_000_000;
     private static final Set<String> PLACEMENT = Set.of("position", "rotation", "scale");
     /** What a repeat or an instance says in place of its bodies. */
     private static final List<String> INSTEAD = List.of("pivot", "hidden");
-    private static final String INDEX = "i";
+    static final String INDEX = "i";
 
     private final Output out;
     private final Names names;
@@ -86,6 +86,9 @@ final class Expansion {
         scene.attributes().forEach(one -> out.attribute(one, raw(scene, one)));
         out.content(scene.content());
         brought.forEach(material -> guarded(() -> owned(material, () -> plain(material))));
+        Ahead.tooMany(scene, names, definitions).ifPresent(child -> {
+            throw tooMany(child);
+        });
         for (Node child : scene.children()) {
             guarded(() -> owned(child, () -> child(child, Around.SCENE)));
         }
@@ -206,9 +209,13 @@ final class Expansion {
 
     private void counted(Node where) {
         if (++copies > MOST_COPIES || out.length() > mostCharacters) {
-            mistakes.add(where, "these are too many copies: more than " + (copies > MOST_COPIES ? MOST_COPIES + " in one scene" : mostCharacters + " bytes when written out"));
-            throw new Problems.Stop();
+            throw tooMany(where);
         }
+    }
+
+    private Problems.Stop tooMany(Node where) {
+        mistakes.add(where, "these are too many copies: more than " + (out.length() > mostCharacters ? mostCharacters + " bytes when written out" : MOST_COPIES + " in one scene"));
+        return new Problems.Stop();
     }
 
     private int count(Node repeat) {

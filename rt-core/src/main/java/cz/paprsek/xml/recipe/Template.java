@@ -7,9 +7,14 @@ import cz.paprsek.text.Numbers;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /** A value with formulas in braces: {@code 0 {h/2} 0}. */
 final class Template {
+    /** Of a value that is written out, in characters: parameters within parameters make endless ones of a few lines. */
+    private static final int LONGEST = 100_000;
+
     private final List<Piece> pieces;
 
     /**
@@ -73,9 +78,18 @@ final class Template {
     String value(Names names) {
         StringBuilder value = new StringBuilder();
         for (Piece piece : pieces) {
-            value.append(piece.formula().isEmpty() ? piece.text() : value(piece.formula().get(), piece.at(), names));
+            String next = piece.formula().isEmpty() ? piece.text() : value(piece.formula().get(), piece.at(), names);
+            if (piece.formula().isPresent() && value.length() + next.length() > LONGEST) {
+                throw new Misplaced(piece.at(), "with what its formulas come to, this is longer than the " + LONGEST + " characters that it may have");
+            }
+            value.append(next);
         }
         return value.toString();
+    }
+
+    /** What its formulas need. */
+    Set<String> names() {
+        return pieces.stream().flatMap(piece -> piece.formula().stream()).flatMap(formula -> formula.names().stream()).collect(Collectors.toSet());
     }
 
     private static String value(Formula formula, int at, Names names) {
