@@ -40,6 +40,7 @@ module cz.paprsek.core {
     exports cz.paprsek.render.explain.text to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.render.join to cz.paprsek.cli;
     exports cz.paprsek.render.live to cz.paprsek.fx;
+    exports cz.paprsek.resume to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.shape.placed to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.sheet to cz.paprsek.cli, cz.paprsek.fx;
     exports cz.paprsek.standard to cz.paprsek.cli, cz.paprsek.fx;

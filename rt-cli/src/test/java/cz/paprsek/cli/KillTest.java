@@ -2,8 +2,8 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.cli.output.Checkpoint;
 import cz.paprsek.cli.process.ExitCode;
+import cz.paprsek.resume.Checkpoint;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;

@@ -70,7 +70,9 @@ final class Editor implements Notices {
     private final BooleanProperty proportional = new SimpleBooleanProperty(true);
     private final Timeline disk = new Timeline(new KeyFrame(LOOK_AT_DISK, event -> lookAtDisk()));
     private @Nullable MainWindow window;
+    private boolean started;
     private boolean inFault;
+    private boolean picturesOffered;
 
     /**
      * @param folder where settings, and copies of scenes without a file, are kept
@@ -86,7 +88,7 @@ final class Editor implements Notices {
         Recovery recovery = new Recovery(folder);
         this.files = new FileActions(document, settings, recovery, dialogs, this, texts::get, this::showLibrary, manuscript);
         this.autosave = new Autosave(document, manuscript, recovery, this::say);
-        this.renders = new RenderWindow(this, dialogs);
+        this.renders = new RenderWindow(this, dialogs, folder);
         this.library = new LibraryWindow(this, document, dialogs);
         this.mistakes = new MistakesWindow(this);
         this.presenter = new PresenterWindow(this);
@@ -230,6 +232,7 @@ final class Editor implements Notices {
         document.openedWithoutFile(otherwise, Templates.pictures());
         file.ifPresent(files::open);
         files.offerUntitled();
+        started = true;
     }
 
     /** Closes the window unless the user stays because of what is unsaved. */
@@ -328,6 +331,11 @@ final class Editor implements Notices {
     }
 
     private void lookAtDisk() {
+        if (started && !picturesOffered && window != null && !window.messages().isVisible()) {
+            // After what else is asked at the start.
+            picturesOffered = true;
+            renders.offerLeft();
+        }
         if (!model.gesturingProperty().get()) {
             files.checkDisk();
             library.checkDisk();

@@ -1,11 +1,19 @@
 package cz.paprsek.fx;
 
+import cz.paprsek.fx.model.file.SceneSource;
+import cz.paprsek.fx.model.picture.UnfinishedPictures;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.render.RenderDesk;
 import cz.paprsek.fx.view.render.RenderPane;
 import cz.paprsek.fx.view.render.fields.Remembered;
+import cz.paprsek.fx.view.shell.MessageBar;
+import cz.paprsek.io.Failures;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import javafx.application.Platform;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.value.ObservableValue;
@@ -21,17 +29,21 @@ final class RenderWindow {
 
     private final Editor editor;
     private final Dialogs dialogs;
+    private final UnfinishedPictures unfinished;
     private final RenderDesk desk;
     private ObservableValue<Theme> theme;
     private @Nullable Stage stage;
     private @Nullable RenderPane pane;
     private final ReadOnlyStringWrapper status = new ReadOnlyStringWrapper("");
 
-    RenderWindow(Editor editor, Dialogs dialogs) {
+    /** @param folder where what the program keeps for its next start is kept */
+    RenderWindow(Editor editor, Dialogs dialogs, Path folder) {
         this.editor = editor;
         this.dialogs = dialogs;
+        this.unfinished = new UnfinishedPictures(folder.resolve("pictures"), () -> editor.document().sourceProperty().get().map(SceneSource::file),
+                fault -> Platform.runLater(() -> editor.say(fault)));
         // What is looked into, and by which light, is a matter of the moment.
-        this.desk = new RenderDesk(Remembered.kept(editor.settings().get(SAID), text -> editor.settings().set(SAID, text), Set.of("mode", "lights")));
+        this.desk = new RenderDesk(Remembered.kept(editor.settings().get(SAID), text -> editor.settings().set(SAID, text), Set.of("mode", "lights")), unfinished);
         this.theme = editor.followTheme();
     }
 
@@ -48,6 +60,33 @@ final class RenderWindow {
     /** Shows the window with the pictures there are. */
     void open() {
         show();
+    }
+
+    /** Offers the pictures that an earlier process left unfinished, one after the other. */
+    void offerLeft() {
+        Background.run("paprsek-pictures", unfinished::left, left -> left.stream().findFirst().ifPresent(this::offer), fault -> editor.say(Failures.sentence(fault)));
+    }
+
+    private void offer(Path left) {
+        editor.ask(editor.texts().of("recovery.picture"), List.of(
+                new MessageBar.Choice("recovery-go-on", editor.texts().of("render.go-on"), () -> goOn(left)),
+                new MessageBar.Choice("recovery-discard", editor.texts().of("recovery.discard"), () -> discard(left))));
+    }
+
+    private void goOn(Path left) {
+        Background.run("paprsek-pictures", () -> unfinished.take(left), resumed -> {
+            show().goOn(resumed);
+            offerLeft();
+        }, fault -> editor.say(Failures.sentence(fault)));
+    }
+
+    private void discard(Path left) {
+        try {
+            UnfinishedPictures.delete(left);
+            offerLeft();
+        } catch (IOException fault) {
+            editor.say(Failures.sentence(fault));
+        }
     }
 
     /** What has become of the last render, in words. */

@@ -1,7 +1,7 @@
 package cz.paprsek.spark;
 
 import cz.paprsek.cli.shard.Span;
-import cz.paprsek.cli.value.SceneDigest;
+import cz.paprsek.resume.SceneDigest;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.Serializable;

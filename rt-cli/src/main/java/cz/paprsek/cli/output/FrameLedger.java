@@ -1,5 +1,6 @@
 package cz.paprsek.cli.output;
 
+import cz.paprsek.resume.Checkpoint;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -5,6 +5,7 @@ import cz.paprsek.io.Failures;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.TileStore;
 import cz.paprsek.render.film.Film;
+import cz.paprsek.resume.Checkpoint;
 import java.io.IOException;
 import java.util.concurrent.atomic.AtomicBoolean;
 

@@ -5,6 +5,7 @@ import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.TileStore;
+import cz.paprsek.resume.Checkpoint;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -32,7 +33,12 @@ interface Tiles extends AutoCloseable {
      */
     static Tiles kept(Target target, Way way, Scene scene, Assets assets, RenderOptions options, Terminal terminal) throws IOException {
         Path picture = way.tilesBeside(target);
-        Checkpoint checkpoint = Checkpoint.open(picture, way.keptAs(scene), assets, options, way.beginsAnew());
+        Checkpoint checkpoint;
+        try {
+            checkpoint = Checkpoint.open(picture, way.keptAs(scene), assets, options, way.beginsAnew());
+        } catch (Checkpoint.Refused refused) {
+            throw new WrongUsage(String.valueOf(refused.getMessage()));
+        }
         long pixels = (long) options.region().width() * options.region().height();
         if (checkpoint.pixels() > 0 && options.isInPasses()) {
             terminal.message(target.source().label() + ": going on with the paths of an earlier render");

@@ -1,7 +1,6 @@
 package cz.paprsek.cli.shard;
 
 import cz.paprsek.asset.Assets;
-import cz.paprsek.cli.value.SceneDigest;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageOptions;
 import cz.paprsek.material.Rgb.Tone;
@@ -9,6 +8,7 @@ import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.join.JoinedNoise;
 import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.resume.SceneDigest;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;

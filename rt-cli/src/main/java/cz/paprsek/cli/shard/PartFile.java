@@ -1,9 +1,9 @@
 package cz.paprsek.cli.shard;
 
-import cz.paprsek.cli.value.SceneDigest;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.Layers;
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.resume.SceneDigest;
 import java.io.BufferedInputStream;
 import java.io.BufferedOutputStream;
 import java.io.DataInputStream;

@@ -11,6 +11,7 @@ import cz.paprsek.render.Tile;
 import cz.paprsek.render.TileStore;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.film.Film.Layer;
+import cz.paprsek.resume.Checkpoint;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;

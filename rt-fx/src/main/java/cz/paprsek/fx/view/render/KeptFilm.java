@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.model.picture.UnfinishedPicture;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.TileStore;
 import cz.paprsek.render.film.Film;
@@ -12,16 +13,27 @@ import java.util.concurrent.ConcurrentHashMap;
  */
 final class KeptFilm implements TileStore {
     private final int channels;
+    private final UnfinishedPicture onDisk;
     private final Map<Tile, Film> films = new ConcurrentHashMap<>();
 
-    /** @param channels how many numbers each pixel has */
-    KeptFilm(int channels) {
+    /**
+     * Nothing yet.
+     *
+     * @param channels how many numbers each pixel has
+     * @param onDisk what outlives the program
+     */
+    KeptFilm(int channels, UnfinishedPicture onDisk) {
         this.channels = channels;
+        this.onDisk = onDisk;
     }
 
     @Override
     public boolean load(Tile tile, int pass, Film into) {
         Film known = films.get(tile);
+        if (known == null && onDisk.load(tile, into)) {
+            films.put(tile, into);
+            return true;
+        }
         if (known == null || known == into) {
             return false;
         }
@@ -41,10 +53,12 @@ final class KeptFilm implements TileStore {
     @Override
     public void save(Tile tile, int pass, Film from) {
         films.put(tile, from);
+        onDisk.save(tile, from);
     }
 
-    /** The picture is finished: nobody will go on with it. */
+    /** The picture is finished, or closed: nobody will go on with it. */
     void forget() {
         films.clear();
+        onDisk.forget();
     }
 }

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.model.picture.UnfinishedPictures;
 import cz.paprsek.fx.view.render.fields.Remembered;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
@@ -8,11 +9,23 @@ import javafx.concurrent.Worker;
 /** What outlives the pane of renders, which is made anew for each language: the pictures that are rendered one after the other, and what was said last about how. For JavaFX's thread. */
 public final class RenderDesk {
     private final Remembered said;
+    private final UnfinishedPictures unfinished;
     private final ObservableList<RenderTask> queue = FXCollections.observableArrayList();
 
-    /** @param said what was said last of how to render */
-    public RenderDesk(Remembered said) {
+    /**
+     * A desk without pictures.
+     *
+     * @param said what was said last of how to render
+     * @param unfinished where pictures are kept for a program that ends before they are done
+     */
+    public RenderDesk(Remembered said, UnfinishedPictures unfinished) {
         this.said = said;
+        this.unfinished = unfinished;
+    }
+
+    /** Where pictures are kept for a program that ends before they are done. */
+    UnfinishedPictures unfinished() {
+        return unfinished;
     }
 
     /** What was said last about how to render, where it is not as the scene asks. */

@@ -144,7 +144,8 @@ final class RenderForm extends FormGrid {
         return words().entrySet().stream().filter(word -> !word.getValue().equals(asked.get(word.getKey()))).collect(Collectors.toUnmodifiableMap(Map.Entry::getKey, Map.Entry::getValue));
     }
 
-    private Map<String, String> words() {
+    /** All that is said here, by the names of the questions. */
+    Map<String, String> words() {
         return answers.stream().collect(Collectors.toMap(Answer::name, answer -> answer.get().get()));
     }
 

@@ -1,7 +1,10 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.picture.UnfinishedPicture;
+import cz.paprsek.fx.model.picture.UnfinishedPictures.Resumed;
 import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.explain.SurfaceSelection;
 import cz.paprsek.fx.view.explain.TreeChooser;
@@ -13,6 +16,7 @@ import cz.paprsek.fx.view.render.fields.RegionFields;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
+import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -152,7 +156,7 @@ public final class RenderPane extends StackPane {
     public void render() {
         form.set(model.state(), desk.said().answers());
         if (form.valid().get()) {
-            render(form.options());
+            render(model.scene(), model.assets(), desk.unfinished().begin(model.scene(), form.words()));
         } else {
             dialog.open();
         }
@@ -172,7 +176,7 @@ public final class RenderPane extends StackPane {
     private void answered() {
         desk.said().set(form.said());
         showRegion();
-        render(form.options());
+        render(model.scene(), model.assets(), desk.unfinished().begin(model.scene(), form.words()));
     }
 
     /** Is told where in a picture the mouse is, and when it leaves. */
@@ -215,13 +219,26 @@ public final class RenderPane extends StackPane {
         }
     }
 
-    private void render(RenderOptions options) {
+    /** Goes on with a picture that an earlier process left, whatever scene is open. */
+    public void goOn(Resumed left) {
+        form.set(EditorState.of(left.scene()), left.answers());
+        if (form.valid().get()) {
+            render(left.scene(), left.assets(), left.kept());
+        } else {
+            left.kept().forget();
+        }
+        form.set(model.state(), desk.said().answers());
+    }
+
+    /** Renders as the form says. */
+    private void render(Scene scene, Assets assets, UnfinishedPicture kept) {
+        RenderOptions options = form.options();
         message.setText("");
         RenderTask task;
         try {
-            String name = model.scene().name().isBlank() ? "" : model.scene().name() + " · ";
+            String name = scene.name().isBlank() ? "" : scene.name() + " · ";
             String title = count + 1 + ": " + name + options.settings().width() + " × " + options.settings().height() + form.remark();
-            task = new RenderTask(title, form.chosen(model.scene()), model.assets(), options);
+            task = new RenderTask(title, form.chosen(scene), assets, options, kept);
         } catch (IllegalArgumentException | ArithmeticException | OutOfMemoryError tooLarge) {
             message.setText(texts.of("render.too-large", options.settings().width(), options.settings().height()));
             return;

@@ -108,7 +108,7 @@ final class RenderTab extends Tab {
 
     /** Ends all that runs for it. */
     void close() {
-        task.cancel();
+        task.giveUp();
         difference.compare(Optional.empty());
     }
 

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.render;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.fx.model.picture.UnfinishedPicture;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFormat;
@@ -34,6 +35,7 @@ final class RenderTask extends Task<RenderResult> {
     private final PictureBuffer buffer;
     /** What it was before its noise was taken out; empty unless that is wished. */
     private final Optional<PictureBuffer> noisy;
+    private final UnfinishedPicture onDisk;
     private final KeptFilm kept;
     /** The cancelled one that this one goes on with. */
     private final Optional<RenderTask> before;
@@ -49,16 +51,18 @@ final class RenderTask extends Task<RenderResult> {
 
     /**
      * @param title what the user reads for it
+     * @param onDisk what outlives the program of it, or has outlived it
      * @throws ArithmeticException if the picture is larger than any array
      */
-    RenderTask(String title, Subject subject, Assets assets, RenderOptions options) {
+    RenderTask(String title, Subject subject, Assets assets, RenderOptions options, UnfinishedPicture onDisk) {
         this.title = title;
         this.subject = subject;
         this.assets = assets;
         this.options = options;
         this.buffer = new PictureBuffer(options.region().width(), options.region().height());
         this.noisy = options.denoised() ? Optional.of(new PictureBuffer(buffer.width(), buffer.height())) : Optional.empty();
-        this.kept = new KeptFilm(options.channels(subject.seen()));
+        this.onDisk = onDisk;
+        this.kept = new KeptFilm(options.channels(subject.seen()), onDisk);
         this.before = Optional.empty();
     }
 
@@ -69,6 +73,7 @@ final class RenderTask extends Task<RenderResult> {
         options = cancelled.options;
         buffer = cancelled.buffer;
         noisy = cancelled.noisy;
+        onDisk = cancelled.onDisk;
         kept = cancelled.kept;
         before = Optional.of(cancelled);
         RenderProgress so = cancelled.progress();
@@ -92,6 +97,7 @@ final class RenderTask extends Task<RenderResult> {
         try {
             RenderScene ready = RenderScene.of(subject.seen(), assets, new Monitor(0));
             prepared = ready;
+            onDisk.open(subject.seen(), assets, options);
             RenderResult result = Renderer.render(ready, options, new Monitor(passedBefore()), kept);
             if (options.denoised() && result.outcome() == Outcome.DONE) {
                 buffer.paint(result.image(), new Tile(0, 0, buffer.width(), buffer.height()), 1, how());
@@ -107,6 +113,12 @@ final class RenderTask extends Task<RenderResult> {
             ended = System.nanoTime();
             end.countDown();
         }
+    }
+
+    /** Nobody wants it any more. */
+    void giveUp() {
+        cancel();
+        kept.forget();
     }
 
     /** So many tiles of whole passes were done before, but for the last one, which is found again as the first of those that follow. */

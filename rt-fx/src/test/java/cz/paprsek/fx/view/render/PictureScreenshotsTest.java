@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.picture.UnfinishedPictures;
 import cz.paprsek.fx.view.camera.CameraPane;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.render.fields.Remembered;
@@ -52,7 +53,7 @@ class PictureScreenshotsTest {
     void renders(Theme theme) throws Exception {
         // Czech words are the longer ones.
         Locale language = theme == Theme.LIGHT ? Locale.ENGLISH : Locale.forLanguageTag("cs");
-        RenderPane pane = Gui.on(() -> new RenderPane(new EditorModel(scene()), new RenderDesk(Remembered.forNow()), Texts.in(language), new SimpleObjectProperty<>(Theme.LIGHT),
+        RenderPane pane = Gui.on(() -> new RenderPane(new EditorModel(scene()), new RenderDesk(Remembered.forNow(), UnfinishedPictures.notKept()), Texts.in(language), new SimpleObjectProperty<>(Theme.LIGHT),
                 (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty()));
         try (Gui gui = Gui.show(() -> pane, 1000, 720)) {
             gui.act(() -> theme.applyTo(gui.stage().getScene()));

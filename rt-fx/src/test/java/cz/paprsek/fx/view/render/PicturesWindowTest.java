@@ -6,6 +6,7 @@ import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.file.Settings;
+import cz.paprsek.fx.model.picture.UnfinishedPictures;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.render.fields.Remembered;
 import cz.paprsek.fx.view.texts.Texts;
@@ -63,7 +64,7 @@ class PicturesWindowTest {
     private Path folder = Path.of("");
 
     private final EditorModel model = new EditorModel(SCENE);
-    private final RenderDesk desk = new RenderDesk(Remembered.forNow());
+    private final RenderDesk desk = new RenderDesk(Remembered.forNow(), UnfinishedPictures.notKept());
     private final RenderPane pane = Gui.on(() -> pane(desk));
     private final Gui gui = Gui.show(() -> pane, 1000, 640);
 

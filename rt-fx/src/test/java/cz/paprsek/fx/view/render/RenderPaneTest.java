@@ -6,6 +6,7 @@ import cz.paprsek.cli.Main;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.picture.UnfinishedPictures;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureView;
@@ -72,7 +73,7 @@ class RenderPaneTest {
     private final AtomicReference<String> suggested = new AtomicReference<>("");
     private final AtomicReference<Optional<Path>> answer = new AtomicReference<>(Optional.empty());
     private final EditorModel model = new EditorModel(SCENE);
-    private final RenderPane pane = Gui.on(() -> new RenderPane(model, new RenderDesk(Remembered.forNow()), Texts.in(Locale.ENGLISH), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> {
+    private final RenderPane pane = Gui.on(() -> new RenderPane(model, new RenderDesk(Remembered.forNow(), UnfinishedPictures.notKept()), Texts.in(Locale.ENGLISH), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> {
         suggested.set(name);
         return Objects.requireNonNull(answer.get());
     }, (owner, name) -> Optional.empty()));
@@ -291,7 +292,7 @@ class RenderPaneTest {
     void aPaneInAnotherLanguageTakesThePicturesOver() {
         gui.act(pane::render);
         untilDone();
-        RenderPane czech = Gui.on(() -> new RenderPane(model, new RenderDesk(Remembered.forNow()), Texts.in(Locale.forLanguageTag("cs")), new SimpleObjectProperty<>(Theme.LIGHT),
+        RenderPane czech = Gui.on(() -> new RenderPane(model, new RenderDesk(Remembered.forNow(), UnfinishedPictures.notKept()), Texts.in(Locale.forLanguageTag("cs")), new SimpleObjectProperty<>(Theme.LIGHT),
                 (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty()));
         gui.act(() -> {
             czech.takeOver(pane);

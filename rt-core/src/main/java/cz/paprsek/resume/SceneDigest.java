@@ -1,4 +1,4 @@
-package cz.paprsek.cli.value;
+package cz.paprsek.resume;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.scene.Scene;

@@ -1,4 +1,4 @@
-package cz.paprsek.cli.value;
+package cz.paprsek.resume;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,8 +1,6 @@
-package cz.paprsek.cli.output;
+package cz.paprsek.resume;
 
 import cz.paprsek.asset.Assets;
-import cz.paprsek.cli.process.WrongUsage;
-import cz.paprsek.cli.value.SceneDigest;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
@@ -46,6 +44,15 @@ public final class Checkpoint implements AutoCloseable {
      */
     private record Places(long newer, int pass, long older) {}
 
+    /** The tiles in a file are not of use to this picture, or another process has them. The message says why, in one line that begins with the file. */
+    public static final class Refused extends IOException {
+        private static final long serialVersionUID = 1;
+
+        Refused(String message) {
+            super(message);
+        }
+    }
+
     private Checkpoint(Path file, FileChannel channel, int channels) {
         this.file = file;
         this.channel = channel;
@@ -61,15 +68,15 @@ public final class Checkpoint implements AutoCloseable {
      * Opens the file of a picture's tiles, or begins one.
      *
      * @param anew whether it is begun anew if it holds tiles of another picture
-     * @throws WrongUsage if it holds tiles of another picture, or another process is at work on it
+     * @throws Refused if it holds tiles of another picture, or another process is at work on it
      */
-    static Checkpoint open(Path picture, Scene scene, Assets assets, RenderOptions options, boolean anew) throws IOException {
+    public static Checkpoint open(Path picture, Scene scene, Assets assets, RenderOptions options, boolean anew) throws IOException {
         Path file = fileFor(picture);
         FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
         boolean opened = false;
         try {
             if (isTaken(channel)) {
-                throw new WrongUsage(file + ": another render is at work on this picture");
+                throw new Refused(file + ": another render is at work on this picture");
             }
             Checkpoint checkpoint = new Checkpoint(file, channel, options.channels(scene));
             byte[] digest = digest(scene, assets, options);
@@ -78,7 +85,7 @@ public final class Checkpoint implements AutoCloseable {
                 if (options.isInPasses()) {
                     checkpoint.checkPaths(options.keptFrom(scene), options.settings().mostRays());
                 }
-            } catch (WrongUsage another) {
+            } catch (Refused another) {
                 if (!anew) {
                     throw another;
                 }
@@ -97,13 +104,13 @@ public final class Checkpoint implements AutoCloseable {
      * Compares how many paths pixels have with how many are asked for.
      *
      * @param number which of the numbers of a pixel says so
-     * @throws WrongUsage if there are more, which could not be taken away
+     * @throws Refused if there are more, which could not be taken away
      */
-    private void checkPaths(int number, int most) {
+    private void checkPaths(int number, int most) throws Refused {
         for (FloatBuffer tile : tiles.values()) {
             for (int i = number; i < tile.limit(); i += channels) {
                 if (tile.get(i) > most) {
-                    throw new WrongUsage(file + ": has pixels of " + (int) tile.get(i) + " paths already, more than --samples " + most
+                    throw new Refused(file + ": has pixels of " + (int) tile.get(i) + " paths already, more than --samples " + most
                             + "; ask for as many, or delete it to begin anew");
                 }
             }
@@ -111,12 +118,12 @@ public final class Checkpoint implements AutoCloseable {
     }
 
     /** How many pixels are known. */
-    long pixels() {
+    public long pixels() {
         return tiles.keySet().stream().mapToLong(tile -> (long) tile.width() * tile.height()).sum();
     }
 
     /** Sets the pixels of a tile if they were there when the file was opened. */
-    boolean load(Tile tile, Film film) {
+    public boolean load(Tile tile, Film film) {
         FloatBuffer known = tiles.get(tile);
         if (known == null) {
             return false;
@@ -130,7 +137,7 @@ public final class Checkpoint implements AutoCloseable {
     }
 
     /** Adds a finished tile. */
-    synchronized void save(Tile tile, Film film) throws IOException {
+    public synchronized void save(Tile tile, Film film) throws IOException {
         ByteBuffer record = ByteBuffer.allocate(RECORD_HEAD + pixelBytes(tile));
         record.putInt(tile.x()).putInt(tile.y()).putInt(tile.width()).putInt(tile.height()).putInt(passes(tile) + 1).putInt(0);
         for (int i = 0; i < tile.width() * tile.height(); i++) {
@@ -156,7 +163,7 @@ public final class Checkpoint implements AutoCloseable {
     }
 
     /** The picture is written: its tiles are needed no more. */
-    void discard() throws IOException {
+    public void discard() throws IOException {
         Files.deleteIfExists(file);
     }
 
@@ -180,7 +187,7 @@ public final class Checkpoint implements AutoCloseable {
         }
         ByteBuffer expected = ByteBuffer.allocate(MAGIC.length + digest.length).put(MAGIC).put(digest).flip();
         if (!read(expected.limit()).equals(expected)) {
-            throw new WrongUsage(file + ": holds tiles of another picture, the scene or the settings are not the same;"
+            throw new Refused(file + ": holds tiles of another picture, the scene or the settings are not the same;"
                     + " delete it to begin anew, or give this picture another name");
         }
         long whole = channel.position();
