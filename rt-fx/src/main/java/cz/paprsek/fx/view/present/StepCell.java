@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.present;
 import cz.paprsek.render.explain.text.Step;
 import java.util.function.IntPredicate;
 import java.util.function.Predicate;
+import java.util.regex.Pattern;
 import javafx.css.PseudoClass;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
@@ -11,6 +12,8 @@ import javafx.scene.text.TextFlow;
 
 /** A line of the exercise in large type, broken where it must; blank, only its formula. */
 final class StepCell extends ListCell<Step> {
+    /** After it a line could be broken, within a number; not before a zero-width space that forbids it. */
+    private static final Pattern DECIMAL_COMMA = Pattern.compile("(?<=[0-9]),(?=[0-9])");
     private static final PseudoClass LINKED = PseudoClass.getPseudoClass("linked");
     /** Beside the words, also for a bar to scroll by: rows are measured before it is known whether there is one. */
     private static final double BESIDE = 60;
@@ -53,7 +56,7 @@ final class StepCell extends ListCell<Step> {
         if (isShown) {
             name.setText(step.name().isEmpty() ? "" : step.name() + "  ");
             String text = isHidden.test(getIndex()) && !step.result().isEmpty() ? step.formula() + " = ……" : step.equation();
-            equation.setText(text.replace(", ", ",\u00a0").replace("+ ", "+\u00a0").replace("= ", "=\u00a0"));
+            equation.setText(DECIMAL_COMMA.matcher(text).replaceAll(",\ufeff").replace(", ", ",\u00a0").replace("+ ", "+\u00a0").replace("= ", "=\u00a0"));
         }
     }
 }

@@ -4,6 +4,8 @@ import cz.paprsek.fx.model.edit.Rounds;
 import cz.paprsek.fx.view.look.Palette;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.text.DecimalFormatSymbols;
+import java.util.Locale;
 import javafx.geometry.Point2D;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -17,7 +19,7 @@ final class Grid {
 
     private Grid() {}
 
-    static void draw(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
+    static void draw(GraphicsContext g, Viewport view, Axes axes, Palette palette, Locale locale) {
         g.setFill(palette.background());
         g.fillRect(0, 0, view.width(), view.height());
         double step = Rounds.step(view.scale());
@@ -25,7 +27,7 @@ final class Grid {
         lines(g, view, 5 * step, palette.major());
         g.setLineWidth(1);
         axis(g, view, axes, palette);
-        labels(g, view, axes, 5 * step, palette);
+        labels(g, view, axes, 5 * step, palette, DecimalFormatSymbols.getInstance(locale).getDecimalSeparator());
     }
 
     private static void lines(GraphicsContext g, Viewport view, double step, Color color) {
@@ -54,20 +56,20 @@ final class Grid {
         g.strokeLine(0, y, view.width(), y);
     }
 
-    private static void labels(GraphicsContext g, Viewport view, Axes axes, double step, Palette palette) {
+    private static void labels(GraphicsContext g, Viewport view, Axes axes, double step, Palette palette, char point) {
         // Wide numbers need more room than the lines have.
         long skip = step * view.scale() < 55 ? 2 : 1;
         for (long i = first(view.u(0), skip * step); i * skip * step <= view.u(view.width()); i++) {
             double x = view.x(i * skip * step);
             if (x > 34 && x < view.width() - 16) {
-                String text = number(axes.worldU(i * skip * step), step);
+                String text = number(axes.worldU(i * skip * step), step, point);
                 label(g, view, text, x - Plate.size(FONT, text).getWidth() / 2, view.height() - 4, palette);
             }
         }
         for (long i = first(view.v(view.height()), skip * step); i * skip * step <= view.v(0); i++) {
             double y = view.y(i * skip * step);
             if (y > 12 && y < view.height() - 16) {
-                label(g, view, number(axes.worldV(i * skip * step), step), 4, y + 3, palette);
+                label(g, view, number(axes.worldV(i * skip * step), step, point), 4, y + 3, palette);
             }
         }
         g.setFont(Font.font("System", FontWeight.BOLD, 11));
@@ -108,11 +110,11 @@ final class Grid {
     }
 
     /** A multiple of the step without the rounding errors of multiplying. */
-    private static String number(double value, double step) {
+    private static String number(double value, double step, char point) {
         if (value == 0) {
             return "0";
         }
         int digits = Math.max(1, (int) Math.ceil(Math.log10(Math.abs(value) / step)) + 3);
-        return new BigDecimal(value).round(new MathContext(digits)).stripTrailingZeros().toPlainString().replace('-', '−');
+        return new BigDecimal(value).round(new MathContext(digits)).stripTrailingZeros().toPlainString().replace('-', '−').replace('.', point);
     }
 }

@@ -341,7 +341,7 @@ public final class ProjectionPane extends Region {
 
     private void drawRest(EditorState state, Set<ScenePath> apart) {
         GraphicsContext g = lower.getGraphicsContext2D();
-        Grid.draw(g, view, axes, theme().palette());
+        Grid.draw(g, view, axes, theme().palette(), texts.locale());
         new Painter(g, view, axes, theme().palette()).rest(state.hidden(), apart, figures);
         Grid.names(g, view, axes, theme().palette());
     }
