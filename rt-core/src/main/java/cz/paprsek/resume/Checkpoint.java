@@ -19,6 +19,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.Map;
+import java.util.Objects;
 import java.util.zip.CRC32;
 
 /**
@@ -71,6 +72,9 @@ public final class Checkpoint implements AutoCloseable {
      * @throws Refused if it holds tiles of another picture, or another process is at work on it
      */
     public static Checkpoint open(Path picture, Scene scene, Assets assets, RenderOptions options, boolean anew) throws IOException {
+        Objects.requireNonNull(scene, "scene");
+        Objects.requireNonNull(assets, "assets");
+        Objects.requireNonNull(options, "options");
         Path file = fileFor(picture);
         FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
         boolean opened = false;
