@@ -24,7 +24,7 @@ final class Sizes {
         }
     }
 
-    /** Gives a window a size in pixels, and a place if it has one, when it is shown for the first time. Some window managers make it as small as can be if that is told before. */
+    /** Gives a window a size in pixels, as far as its screen has room, and a place if it has one, when it is shown for the first time. Some window managers make it as small as can be if that is told before. */
     static void opened(Stage stage, double width, double height, Optional<Rectangle2D> place) {
         stage.addEventHandler(WindowEvent.WINDOW_SHOWN, new EventHandler<>() {
             @Override
@@ -34,8 +34,9 @@ final class Sizes {
                     if (stage.isMaximized()) {
                         return;
                     }
-                    stage.setWidth(width);
-                    stage.setHeight(height);
+                    Rectangle2D room = screen(place).getVisualBounds();
+                    stage.setWidth(Math.min(width, room.getWidth()));
+                    stage.setHeight(Math.min(height, room.getHeight()));
                     place.ifPresentOrElse(known -> {
                         stage.setX(known.getMinX());
                         stage.setY(known.getMinY());
@@ -43,5 +44,9 @@ final class Sizes {
                 });
             }
         });
+    }
+
+    private static Screen screen(Optional<Rectangle2D> place) {
+        return place.flatMap(known -> Screen.getScreensForRectangle(known.getMinX(), known.getMinY(), known.getWidth(), known.getHeight()).stream().findFirst()).orElseGet(Screen::getPrimary);
     }
 }
