@@ -21,9 +21,16 @@ final class Formulated {
 
     private Formulated() {}
 
+    /** Of what is repeated, copies follow the first. */
     static Scene of(Scene scene, DoubleFunction<Scene> change, String formula) {
-        double value = scene.recipe().isNone() ? Script.valueOfPlain(formula) : Settled.script(scene.recipe()).value(formula);
-        Scene wanted = change.apply(value + 0.0);
+        double value = (scene.recipe().isNone() ? Script.valueOfPlain(formula) : Settled.script(scene.recipe()).value(formula)) + 0.0;
+        Optional<Scene> followed = scene.recipe().text().contains("<repeat") ? with(number -> Settled.following(change.apply(number)), value, formula) : Optional.empty();
+        return followed.or(() -> with(change, value, formula)).orElseThrow(() -> new IllegalArgumentException("no formula can stand here"));
+    }
+
+    /** Empty if another number changes nothing, or more than numbers. */
+    private static Optional<Scene> with(DoubleFunction<Scene> change, double value, String formula) {
+        Scene wanted = change.apply(value);
         List<String> others = new ArrayList<>();
         for (double[] other : OTHERS) {
             Optional<String> text = text(change, value * other[1] + other[0]);
@@ -32,13 +39,13 @@ final class Formulated {
                 for (String one : others) {
                     Optional<String> told = told(one, text.get(), "{" + formula + "}");
                     if (told.isPresent()) {
-                        return Settled.made(wanted, told.get());
+                        return Optional.of(Settled.made(wanted, told.get()));
                     }
                 }
                 others.add(text.get());
             }
         }
-        throw new IllegalArgumentException("no formula can stand here");
+        return Optional.empty();
     }
 
     private static Optional<String> text(DoubleFunction<Scene> change, double value) {

@@ -272,7 +272,8 @@ public final class SceneFiles {
     }
 
     /**
-     * A scene with a formula where a change of it puts a number.
+     * A scene with a formula where a change of it puts a number. Where that is in the first copy of what is repeated, it is so in all copies, as with
+     * {@link #following}.
      *
      * @param change puts a number there
      * @param formula without braces; it may have the names of the scene's parameters

@@ -56,6 +56,26 @@ class FormulatedTest {
         assertThat(SceneFiles.with(made, Map.of("w", "5")).objects().get(0).shape()).isEqualTo(new Sphere(4));
     }
 
+    /** What is repeated stays so, and all copies have the formula of the first; one in another copy is its own. */
+    @Test
+    void copiesFollowTheFormulaOfTheFirst() throws Exception {
+        Scene row = SceneFiles.parse("<scene xmlns='urn:paprsek:scene:1'><camera position='0 0 9' target='0 0 0'/><param name='r' value='0.5'/>"
+                + "<repeat name='row' count='3' position='2 0 0'><sphere radius='{r}'/></repeat>"
+                + "<difference><sphere radius='4'/><repeat count='2' position='2 0 0'><sphere radius='1'/></repeat></difference></scene>");
+        for (String formula : List.of("r*1.4", "r")) {
+            Scene made = SceneFiles.withFormula(row, value -> radius(row, value), formula);
+            assertThat(made.recipe().text()).contains("<repeat name=\"row\" count=\"3\"", "<sphere radius=\"{" + formula + "}\"/>");
+            double radius = formula.equals("r") ? 0.5 : 0.7;
+            assertThat(made.objects().subList(0, 3)).extracting(SceneObject::shape).containsOnly(new Sphere(radius));
+            assertThat(SceneFiles.with(made, Map.of("r", "1")).objects().subList(0, 3)).extracting(SceneObject::shape).containsOnly(new Sphere(2 * radius));
+        }
+        ScenePath.BodyAt inside = ScenePath.body(3, 1, 0);
+        Scene operands = SceneFiles.withFormula(row, value -> row.with(inside, body -> body.withShape(new Sphere(value))), "r/2");
+        assertThat(operands.recipe().text()).contains("<repeat count=\"2\"", "radius=\"{r/2}\"");
+        Scene second = SceneFiles.withFormula(row, value -> row.with(ScenePath.body(1), body -> body.withShape(new Sphere(value))), "r*3");
+        assertThat(second.objects().subList(0, 3)).extracting(SceneObject::shape).containsExactly(new Sphere(0.5), new Sphere(1.5), new Sphere(0.5));
+    }
+
     @Test
     void theOtherNumbersOfAnAttributeKeepTheirs() throws Exception {
         Scene scene = SceneFiles.parse(TEXT);
