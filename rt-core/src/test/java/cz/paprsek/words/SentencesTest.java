@@ -38,6 +38,7 @@ class SentencesTest {
             no other pixel is like 3,4, whose rays meet the same: choose one that has such neighbours | žádný jiný bod není jako 3,4, aby jeho paprsky potkaly totéž: zvolte bod, který má takové sousedy
             nothing is repeated in the scene, and no definition used                   | ve scéně se nic neopakuje a není použita žádná definice
             frame 41: sphere radius must be a finite number above 0, but is -0.6       | snímek 41: koule, poloměr: má být konečné číslo větší než 0, ale je -0.6
+            "pictures/oak.png": there is no such file beside the scene                 | "pictures/oak.png": vedle scény takový soubor není
             a sentence that nobody has translated                                      | a sentence that nobody has translated
             """)
     void aSentenceIsSaidInCzech(String english, String czech) {

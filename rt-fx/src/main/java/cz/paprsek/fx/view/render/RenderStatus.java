@@ -23,7 +23,7 @@ final class RenderStatus {
                     percent(progress), time(progress.elapsedSeconds()), time(progress.remainingSeconds()), speed(progress));
             case SUCCEEDED -> texts.of("render.done", time(progress.elapsedSeconds()), speed(progress)) + certainty.map(this::known).orElse("");
             case CANCELLED -> texts.of("render.cancelled", percent(progress), time(progress.elapsedSeconds()));
-            case FAILED -> texts.of("render.failed", fault.map(Failures::sentence).orElse(""));
+            case FAILED -> texts.of("render.failed", fault.map(Failures::sentence).map(texts::sentence).orElse(""));
         };
     }
 
