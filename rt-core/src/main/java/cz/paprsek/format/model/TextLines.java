@@ -252,7 +252,10 @@ public final class TextLines {
         if (read == 0) {
             throw notANumber(what);
         }
-        double value = Digits.areExact(read, digits, power) ? Digits.scaled(digits, power) : parsed(what);
+        int least = first == '-' || first == '+' ? from + 1 : from;
+        boolean fits = read <= Digits.FITTING || read - Digits.leadingZeros(bytes, least, wordEnd) <= Digits.FITTING;
+        double rounded = fits ? Digits.rounded(digits, power) : Double.NaN;
+        double value = Double.isNaN(rounded) ? parsed(what) : rounded;
         return first == '-' ? -Math.abs(value) : value;
     }
 

@@ -272,16 +272,29 @@ final class Block {
         }
         long word = Digits.word(b, i + 1);
         int places = Digits.count(word);
-        i += 1 + places;
-        byte after = b[i];
-        if (places == 0 || (after != ' ' && after != '\n' && after != '\r' && after != '\t')) {
+        if (places == 0) {
             return unusual(first);
         }
         long all = Digits.followed(whole, word, places);
-        if (!Digits.areExact(0, all, 0)) {
+        i += 1 + places;
+        for (int more = places; more == Digits.MOST;) {
+            word = Digits.word(b, i);
+            more = Digits.count(word);
+            if (more > 0) {
+                all = Digits.followed(all, word, more);
+                places += more;
+                i += more;
+            }
+        }
+        byte after = b[i];
+        int digits = whole == 0 ? places : i - 1 - begin;
+        if (digits > Digits.FITTING || (after != ' ' && after != '\n' && after != '\r' && after != '\t')) {
             return unusual(first);
         }
-        double size = Digits.scaled(all, -places);
+        double size = Digits.rounded(all, -places);
+        if (Double.isNaN(size)) {
+            return unusual(first);
+        }
         put(b[first] == '-' ? -size : size);
         return i;
     }
@@ -293,6 +306,7 @@ final class Block {
         int begin = i;
         long digits = 0;
         int count = 0;
+        int significant = 0;
         int power = 0;
         boolean isFraction = false;
         for (; (b[i] >= '0' && b[i] <= '9') || (b[i] == '.' && !isFraction); i++) {
@@ -301,6 +315,7 @@ final class Block {
             } else {
                 digits = digits * 10 + b[i] - '0';
                 count++;
+                significant += digits == 0 ? 0 : 1;
                 power -= isFraction ? 1 : 0;
             }
         }
@@ -319,7 +334,8 @@ final class Block {
         if (count == 0 || (b[i] != ' ' && b[i] != '\n' && b[i] != '\r' && b[i] != '\t')) {
             return NONE;
         }
-        double size = Digits.areExact(count, digits, power) ? Digits.scaled(digits, power)
+        double rounded = significant <= Digits.FITTING ? Digits.rounded(digits, power) : Double.NaN;
+        double size = !Double.isNaN(rounded) ? rounded
                 : Double.parseDouble(new String(b, begin, i - begin, StandardCharsets.ISO_8859_1));
         put(b[first] == '-' ? -size : size);
         return size <= Float.MAX_VALUE ? i : NONE;

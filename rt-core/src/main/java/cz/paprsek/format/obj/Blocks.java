@@ -13,7 +13,7 @@ import java.util.concurrent.ForkJoinPool;
 
 /** A file in blocks of whole lines, some of which other threads read ahead while the first is made use of. */
 final class Blocks {
-    private static final int SIZE = 1 << 20;
+    private static final int SIZE = 1 << 18;
     private static final int LARGEST = 1 << 28;
     private static final int AHEAD = 6;
     /** For a line end that is missing, and what is to be behind it. */

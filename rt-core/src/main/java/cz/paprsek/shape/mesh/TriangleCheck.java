@@ -79,17 +79,24 @@ final class TriangleCheck {
     }
 
     private static Bounds bounds(double[] places, int[] corners) {
+        int vertices = places.length / 3;
+        boolean[] isCorner = new boolean[vertices];
+        for (int i = 0; i < corners.length; i++) {
+            int vertex = corners[i];
+            if (vertex < 0 || vertex >= vertices) {
+                throw new IllegalArgumentException("a corner of triangle " + i / 3 + " is vertex " + vertex + ", but vertices have numbers from 0 to " + (vertices - 1));
+            }
+            isCorner[vertex] = true;
+        }
         double minX = Double.POSITIVE_INFINITY;
         double minY = minX;
         double minZ = minX;
         double maxX = Double.NEGATIVE_INFINITY;
         double maxY = maxX;
         double maxZ = maxX;
-        int vertices = places.length / 3;
-        for (int i = 0; i < corners.length; i++) {
-            int vertex = corners[i];
-            if (vertex < 0 || vertex >= vertices) {
-                throw new IllegalArgumentException("a corner of triangle " + i / 3 + " is vertex " + vertex + ", but vertices have numbers from 0 to " + (vertices - 1));
+        for (int vertex = 0; vertex < vertices; vertex++) {
+            if (!isCorner[vertex]) {
+                continue;
             }
             double x = places[3 * vertex];
             double y = places[3 * vertex + 1];
