@@ -21,9 +21,12 @@ import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -33,6 +36,9 @@ import java.util.stream.Stream;
 
 /** New, open, save and reload. What is asked, and what goes wrong, is said here; the files themselves are the model's business. */
 final class FileActions {
+    /** Bytes, within which a scene in XML begins. */
+    private static final int HEAD = 512;
+
     /** A scene with where it came from. */
     private record Loaded(SceneSource.Kept kept, Optional<Path> left, Optional<DatabaseFile> database) {}
 
@@ -94,14 +100,30 @@ final class FileActions {
 
     /** Opens a file; if something is wrong with it, says what, and stays with the scene there is. One of another program becomes a scene that is not saved. */
     void open(Path file) {
-        if (mayLeave()) {
-            String name = String.valueOf(file.getFileName());
-            Optional<ForeignFormat> foreign = ForeignFormat.ofName(name);
+        String name = String.valueOf(file.getFileName());
+        Optional<ForeignFormat> foreign = ForeignFormat.ofName(name);
+        if (foreign.isEmpty() && isOther(file)) {
+            notices.say(texts.get().of("file.other", name));
+        } else if (mayLeave()) {
             if (foreign.isPresent()) {
                 bring(file, name, foreign.get());
             } else {
                 load(() -> read(file), file);
             }
+        }
+    }
+
+    /** Whether a file neither is named as scenes are nor begins as XML does, in any encoding. */
+    private static boolean isOther(Path file) {
+        if (!Files.isRegularFile(file) || file.toString().toLowerCase(Locale.ROOT).endsWith(".xml")) {
+            return false;
+        }
+        try (InputStream input = Files.newInputStream(file)) {
+            String head = new String(input.readNBytes(HEAD), StandardCharsets.ISO_8859_1);
+            return !head.replaceFirst("^[\\s\\x00\u00EF\u00BB\u00BF\u00FE\u00FF]+", "").startsWith("<");
+        } catch (IOException unreadable) {
+            // What is wrong is said by who opens it.
+            return false;
         }
     }
 

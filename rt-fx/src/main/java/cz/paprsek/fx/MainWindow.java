@@ -263,19 +263,22 @@ final class MainWindow {
     }
 
     /**
-     * Opens a file that is dropped on the window; one of triangles that is dropped on a view becomes part of the scene. Adds what is dropped as text: a
+     * Opens a file that is dropped anywhere on the window; one of triangles that is dropped on a view becomes part of the scene. Adds what is dropped as text: a
      * scene or material out of the library.
      */
     private void acceptFiles(Edits edits, SceneMeshes meshes) {
-        root.setOnDragOver(event -> {
+        whole.setOnDragOver(event -> {
             if (event.getDragboard().hasFiles() || event.getDragboard().hasString()) {
                 event.acceptTransferModes(TransferMode.COPY);
             }
         });
-        root.setOnDragDropped(event -> {
+        whole.setOnDragDropped(event -> {
             List<File> files = event.getDragboard().getFiles();
             if (event.getDragboard().hasFiles() && !files.isEmpty()) {
-                dropped(files.stream().map(File::toPath).toList(), event.getPickResult().getIntersectedNode(), meshes);
+                List<Path> paths = files.stream().map(File::toPath).toList();
+                Node on = event.getPickResult().getIntersectedNode();
+                // The program that files come from waits for the end of this event, and is not to wait for a question to be answered.
+                Platform.runLater(() -> dropped(paths, on, meshes));
                 event.setDropCompleted(true);
             } else if (event.getDragboard().hasString()) {
                 edits.paste(event.getDragboard().getString());
@@ -284,8 +287,9 @@ final class MainWindow {
         });
     }
 
-    /** On the views all meshes are added, and a scene among them is passed over; elsewhere the first file takes the place of all. */
+    /** On the views all meshes are added, and a scene among them is passed over; elsewhere the first file takes the place of all. The welcome would hide what is said. */
     private void dropped(List<Path> files, @Nullable Node on, SceneMeshes meshes) {
+        closeWelcome();
         Node node = on;
         while (node != null && node != views.root()) {
             node = node.getParent();

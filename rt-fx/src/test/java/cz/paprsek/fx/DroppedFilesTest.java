@@ -131,4 +131,31 @@ class DroppedFilesTest {
         drop("#projection-front", scene);
         editor.gui.until("it is open", () -> editor.gui.stage().getTitle().startsWith("second.xml"));
     }
+
+    @Test
+    void onTheMenuBarAModelIsOpened() {
+        drop("#menu-bar", corner);
+        editor.gui.until("it is open", () -> editor.status().contains("corner.obj"));
+        assertThat(editor.model().scene().objects().stream().map(SceneObject::shape)).hasAtLeastOneElementOfType(Mesh.class);
+    }
+
+    @Test
+    void whatIsNoModelIsSaidToBeNoneAndNotAskedFor() throws IOException {
+        Path text = Files.writeString(folder.resolve("notes.txt"), "no mesh");
+        Path picture = Files.write(folder.resolve("picture.png"), new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'});
+        drop("#menu-bar", text);
+        editor.gui.until("told", () -> editor.status().startsWith("notes.txt is neither a scene nor a model"));
+        drop("#projection-front", picture);
+        editor.gui.until("told", () -> editor.status().startsWith("picture.png is neither a scene nor a model"));
+        assertThat(editor.model().scene().objects()).hasSize(1);
+    }
+
+    @Test
+    void overTheWelcomeFilesAreOpenedToo() {
+        editor.gui.act(() -> editor.editor.welcome());
+        Node welcome = editor.gui.node("#welcome");
+        drop("#welcome", corner);
+        editor.gui.until("it is open", () -> editor.status().contains("corner.obj"));
+        assertThat(Gui.on(welcome::isVisible)).isFalse();
+    }
 }
