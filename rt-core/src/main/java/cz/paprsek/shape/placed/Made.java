@@ -138,7 +138,7 @@ public final class Made implements Part {
             Line line = made.crossed(ray);
             int start = start(line, ray);
             for (int i = 0; i < line.crossings(); i++) {
-                if (i != start && line.t(i) > ray.min && line.t(i) < ray.reach) {
+                if (i != start && isWithin(line.t(i), ray.min, ray.reach)) {
                     ray.accept(line.t(i), made.part, line.face(i));
                 }
             }
@@ -149,7 +149,7 @@ public final class Made implements Part {
             Line line = made.crossed(ray);
             int start = start(line, ray);
             for (int i = 0; i < line.crossings(); i++) {
-                if (i != start && line.t(i) > ray.contact && line.t(i) < ray.max) {
+                if (i != start && isWithin(line.t(i), ray.contact, ray.max)) {
                     return true;
                 }
             }
@@ -161,23 +161,27 @@ public final class Made implements Part {
             Line line = made.crossed(ray);
             int start = start(line, ray);
             for (int i = 0; i < line.crossings(); i++) {
-                if (i != start && line.t(i) > ray.min && line.t(i) < ray.max) {
+                if (i != start && isWithin(line.t(i), ray.min, ray.max)) {
                     out.add(line.t(i), made.part, line.face(i));
                 }
             }
         }
 
-        /** Which crossing is where the ray starts, if it starts from this figure: the one nearest to that place. */
+        private static boolean isWithin(double t, double from, double to) {
+            return t > from && t < to;
+        }
+
+        /** Which crossing is where the ray starts, if it starts from this figure: the one nearest to that place; −1 for none. */
         private int start(Line line, Ray ray) {
-            int start = -1;
-            if (made.part == ray.left) {
-                for (int i = 0; i < line.crossings(); i++) {
-                    if (start < 0 || Math.abs(line.t(i)) < Math.abs(line.t(start))) {
-                        start = i;
-                    }
-                }
+            if (made.part != ray.left) {
+                return -1;
             }
-            return start;
+            int nearest = line.crossings() - 1;
+            for (int i = nearest - 1; i >= 0; i--) {
+                // <=: of several in one place the first.
+                nearest = Math.abs(line.t(i)) <= Math.abs(line.t(nearest)) ? i : nearest;
+            }
+            return nearest;
         }
     }
 
