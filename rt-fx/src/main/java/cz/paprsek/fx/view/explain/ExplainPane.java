@@ -24,6 +24,7 @@ import javafx.beans.value.ObservableValue;
 import javafx.concurrent.Task;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
+import javafx.geometry.VPos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
@@ -32,8 +33,8 @@ import javafx.scene.control.TreeItem;
 import javafx.scene.control.TreeView;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 
@@ -46,12 +47,14 @@ public final class ExplainPane extends BorderPane {
     static final double SMALLEST_SHARE = 0.002;
     /** Up to so many levels one ray of a pixel is explained at once. */
     private static final int SHALLOW = 16;
+    private static final double SLIDER = 140;
 
     private final Texts texts;
     private final Words words;
     private final Label title = new Label();
     private final Label message = new Label();
-    private final HBox top = new HBox(10);
+    /** In several rows, where the pane is narrow. */
+    private final FlowPane top = new FlowPane(10, 4);
     private final Slider grown = new Slider(1, 1, 1);
     private final TreeView<Outline> tree = new TreeView<>();
     private final StepTable steps;
@@ -89,11 +92,13 @@ public final class ExplainPane extends BorderPane {
         grown.setMinorTickCount(0);
         grown.setSnapToTicks(true);
         grown.valueProperty().addListener((property, old, now) -> grow());
-        HBox.setHgrow(grown, Priority.ALWAYS);
+        grown.setPrefWidth(SLIDER);
         Label growing = new Label(texts.of("explain.rays"));
         growing.setMinWidth(Region.USE_PREF_SIZE);
-        top.getChildren().addAll(title, growing, grown, new TreeExport(this, texts, chooser, message::setText));
-        top.setAlignment(Pos.CENTER_LEFT);
+        HBox shown = new HBox(10, growing, grown);
+        shown.setAlignment(Pos.CENTER_LEFT);
+        top.getChildren().addAll(title, shown, new TreeExport(this, texts, chooser, message::setText));
+        top.setRowValignment(VPos.CENTER);
         top.getStyleClass().add("explain-top");
         samples = new SampleList(words);
         samples.setOnChosen(this::choose);
