@@ -67,10 +67,16 @@ class ReadmeTest {
         Map<Path, String> pages = new LinkedHashMap<>();
         pages.put(README, Files.readString(README));
         for (String folder : List.of("../docs", "../docs/cs")) {
-            try (Stream<Path> others = Files.list(Path.of(folder))) {
-                for (Path page : others.filter(file -> file.toString().endsWith(".md")).sorted().toList()) {
-                    pages.put(page, Files.readString(page));
-                }
+            pages.putAll(pages(folder));
+        }
+        return pages;
+    }
+
+    private static Map<Path, String> pages(String folder) throws IOException {
+        Map<Path, String> pages = new LinkedHashMap<>();
+        try (Stream<Path> files = Files.list(Path.of(folder))) {
+            for (Path page : files.filter(file -> file.toString().endsWith(".md")).sorted().toList()) {
+                pages.put(page, Files.readString(page));
             }
         }
         return pages;
@@ -181,9 +187,10 @@ class ReadmeTest {
         for (String beside : List.of("CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md")) {
             pages.put(Path.of("../" + beside), Files.readString(Path.of("../" + beside)));
         }
+        pages.putAll(pages("../docs/decisions"));
         assertThat(Files.readAllLines(README)).hasSizeLessThanOrEqualTo(130);
         assertThat(Files.readString(README)).as("every page is found from it")
-                .contains(pages.keySet().stream().skip(1).map(page -> "(" + Path.of("..").relativize(page).toString().replace('\\', '/') + ")").toList());
+                .contains(pages().keySet().stream().skip(1).map(page -> "(" + Path.of("..").relativize(page).toString().replace('\\', '/') + ")").toList());
         List<String> lost = new ArrayList<>();
         pages.forEach((page, text) -> Pattern.compile("\\]\\(([^)#\\s]*)(#[^)\\s]+)?\\)").matcher(text).results().filter(link -> !link.group(1).startsWith("http")).forEach(link -> {
             Path target = link.group(1).isEmpty() ? page : page.resolveSibling(link.group(1)).normalize();
@@ -198,6 +205,16 @@ class ReadmeTest {
     void theSiteLeadsToEveryPage() throws IOException {
         String site = Files.readString(Path.of("../docs/site/site.xml"));
         assertThat(site).contains(pages().keySet().stream().skip(1).map(page -> "href=\"" + Path.of("..").relativize(page).toString().replace('\\', '/').replaceFirst("md$", "html") + "\"").toList());
+    }
+
+    /** A decision is a file, and stands on their page once, by the heading that it has. */
+    @Test
+    void everyDecisionIsAFileThatIsListed() throws IOException {
+        List<String> listed = Pattern.compile("(?m)^- \\[(.+)\\]\\((decisions/[a-z0-9-]+\\.md)\\): .+$").matcher(Files.readString(Path.of("../docs/decisions.md"))).results()
+                .map(line -> line.group(2) + " # " + line.group(1)).toList();
+        List<String> files = pages("../docs/decisions").entrySet().stream().map(page -> "decisions/" + page.getKey().getFileName() + " " + page.getValue().lines().findFirst().orElse("")).toList();
+        assertThat(listed).hasSizeGreaterThan(50).containsExactlyInAnyOrderElementsOf(files);
+        assertThat(pages("../docs/decisions")).allSatisfy((page, text) -> assertThat(text.lines().skip(1).filter(line -> !line.isBlank() && !line.startsWith("#"))).as("%s says more", page).isNotEmpty());
     }
 
     /** Who follows CONTRIBUTING.md finds the files where it says. */

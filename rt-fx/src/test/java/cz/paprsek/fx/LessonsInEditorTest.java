@@ -20,6 +20,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.IntStream;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
+import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.ListView;
 import javafx.scene.control.TextField;
@@ -292,6 +293,33 @@ class LessonsInEditorTest {
         assertThat(Gui.on(pane::path)).isEqualTo("docs/editor.md");
         editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
         assertThat(Gui.on(() -> pane().path())).as("the same page").isEqualTo("docs/cs/editor.md");
+    }
+
+    /** Decisions are too many for the list, and are found by a link or a word. */
+    @Test
+    void theManualOpensADecisionByItsLinkAndByItsWords() {
+        editor.menu("help-menu-manual");
+        ManualPane pane = pane();
+        ListView<?> names = (ListView<?>) pane.lookup("#manual-pages");
+        int listed = Gui.on(() -> names.getItems().size());
+        assertThat(listed).isLessThan(40);
+        editor.gui.act(() -> pane.show("docs/decisions.md"));
+        editor.gui.act(() -> link(pane, "Objects have no id").fire());
+        assertThat(Gui.on(pane::path)).isEqualTo("docs/decisions/objects-have-no-id.md");
+        assertThat(Gui.on(() -> names.getSelectionModel().isEmpty())).as("no other name is marked").isTrue();
+        editor.gui.act(() -> ((Button) pane.lookup("#manual-back")).fire());
+        assertThat(Gui.on(pane::path)).isEqualTo("docs/decisions.md");
+        TextField search = (TextField) pane.lookup("#manual-search");
+        editor.gui.act(() -> search.setText("JSqlParser overflow"));
+        String found = "docs/decisions/the-filter-language-is-our-own.md";
+        assertThat(Gui.on(pane::path)).isEqualTo(found);
+        editor.gui.act(search::clear);
+        assertThat(Gui.on(pane::path)).as("whoever has found it reads on").isEqualTo(found);
+        assertThat(Gui.on(() -> names.getItems().size())).isEqualTo(listed);
+    }
+
+    private static Hyperlink link(ManualPane pane, String text) {
+        return pane.lookupAll(".hyperlink").stream().filter(Hyperlink.class::isInstance).map(Hyperlink.class::cast).filter(link -> link.getText().equals(text)).findFirst().orElseThrow();
     }
 
     private ManualPane pane() {

@@ -23,10 +23,26 @@ record ManualPage(String path, String title, List<Block> blocks) {
             "docs/performance.md", "docs/cluster.md", "docs/proofs.md", "docs/architecture.md", "docs/decisions.md");
     private static final List<String> CZECH = List.of("docs/cs/start.md", "docs/cs/editor.md", "docs/cs/scene-file.md", "docs/cs/explain.md", "docs/cs/lessons.md");
 
-    /** All pages, those in the language first. What is not there in Czech is there in English. */
+    /** Where decisions are listed: each is a page of its own, which is found by its link or its words. */
+    private static final String DECISIONS = "docs/decisions.md";
+
+    /** All pages, those in the language first, and those that are not listed last. What is not there in Czech is there in English. */
     static List<ManualPage> all(Locale language) {
         boolean isCzech = language.getLanguage().equals("cs");
-        return (isCzech ? Stream.concat(CZECH.stream(), ENGLISH.stream()) : Stream.concat(ENGLISH.stream(), CZECH.stream())).map(ManualPage::read).toList();
+        List<ManualPage> listed = (isCzech ? Stream.concat(CZECH.stream(), ENGLISH.stream()) : Stream.concat(ENGLISH.stream(), CZECH.stream())).map(ManualPage::read).toList();
+        return Stream.concat(listed.stream(), listed.stream().filter(page -> page.path().equals(DECISIONS)).flatMap(ManualPage::below)).toList();
+    }
+
+    /** The pages in the folder of its name that it links to. */
+    private Stream<ManualPage> below() {
+        String folder = path.replaceFirst("\\.md$", "/");
+        return blocks.stream().filter(Block.Paragraph.class::isInstance).flatMap(block -> ((Block.Paragraph) block).text().stream()).flatMap(span -> resolve(span.link()).stream())
+                .filter(found -> found.startsWith(folder)).distinct().map(ManualPage::read);
+    }
+
+    /** Whether it stands among the names beside the pages, rather than being found by a link or a word only. */
+    boolean isListed() {
+        return ENGLISH.contains(path) || CZECH.contains(path);
     }
 
     /** Whether it is written in that language. */

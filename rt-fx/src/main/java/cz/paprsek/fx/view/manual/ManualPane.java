@@ -63,7 +63,7 @@ public final class ManualPane extends BorderPane {
         list.setId("manual-pages");
         list.setCellFactory(cells -> new PageCell());
         list.setPlaceholder(new Label(texts.of("manual.nothing")));
-        list.getItems().setAll(pages);
+        list.getItems().setAll(listed(List.of()));
         VBox.setVgrow(list, Priority.ALWAYS);
         VBox left = new VBox(6, top, list);
         left.getStyleClass().add("manual-left");
@@ -112,7 +112,17 @@ public final class ManualPane extends BorderPane {
 
     private void begin(ManualPage page) {
         view = page(page);
-        list.getSelectionModel().select(page);
+        mark(page);
+    }
+
+    /** In the list, where it may not stand. */
+    private void mark(ManualPage page) {
+        if (list.getItems().contains(page)) {
+            list.getSelectionModel().select(page);
+            list.scrollTo(page);
+        } else {
+            list.getSelectionModel().clearSelection();
+        }
     }
 
     private PageView page(ManualPage page) {
@@ -139,8 +149,7 @@ public final class ManualPane extends BorderPane {
         if (!page.path().equals(path())) {
             view = page(page);
         }
-        list.getSelectionModel().select(page);
-        list.scrollTo(page);
+        mark(page);
         if (!anchor.isEmpty()) {
             Platform.runLater(() -> view.anchored(anchor).ifPresent(this::reveal));
         }
@@ -156,7 +165,7 @@ public final class ManualPane extends BorderPane {
         back.setDisable(before.isEmpty());
         place.ifPresent(there -> {
             view = page(there.page());
-            list.getSelectionModel().select(there.page());
+            mark(there.page());
             Platform.runLater(() -> {
                 room.applyCss();
                 scroll.layout();
@@ -171,10 +180,15 @@ public final class ManualPane extends BorderPane {
 
     private void filter() {
         List<String> words = words();
-        List<ManualPage> having = pages.stream().filter(page -> page.has(words)).toList();
+        List<ManualPage> having = listed(words);
         list.getItems().setAll(having);
-        having.stream().filter(page -> page.path().equals(path())).findFirst().or(() -> having.stream().findFirst()).ifPresent(list.getSelectionModel()::select);
+        pages.stream().filter(page -> page.path().equals(path()) && page.has(words)).findFirst().or(() -> having.stream().findFirst()).ifPresent(this::mark);
         showFound();
+    }
+
+    /** What has the words; without any, the pages that are listed. */
+    private List<ManualPage> listed(List<String> words) {
+        return pages.stream().filter(page -> words.isEmpty() ? page.isListed() : page.has(words)).toList();
     }
 
     /** Goes to the next place of the page where something is found; after its last one, to the next page. */
