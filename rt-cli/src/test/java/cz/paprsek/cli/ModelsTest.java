@@ -187,7 +187,7 @@ class ModelsTest {
         assertThat(run.err()).isEqualTo(to.resolve("painted.xml") + ": there is another picture pictures/p.png beside it; give one of them another name\n");
         assertThat(to.resolve("pictures/p.png")).hasContent("somebody's");
         assertThat(to.resolve("painted.xml")).doesNotExist();
-        Path csg = Files.writeString(folder.resolve("thing.csg"), "linear_extrude(height=1,twist=90,slices=9,scale=[1,1]) { square(size=[1,1],center=false); }");
+        Path csg = Files.writeString(folder.resolve("thing.csg"), "linear_extrude(height=1,twist=0,scale=[2,1]) { square(size=[1,1],center=false); }");
         Files.writeString(folder.resolve("thing-1.obj"), OBJ);
         assertThat(Run.cli("convert", csg, folder.resolve("thing.xml")).err()).contains("there is another mesh thing-1.obj beside it").hasLineCount(1);
         assertThat(folder.resolve("thing-1.obj")).hasContent(OBJ);
@@ -215,12 +215,13 @@ class ModelsTest {
                 }
                 hull() { cube(size=1); }
                 linear_extrude(height=1,twist=90,slices=9,scale=[1,1]) { square(size=[1,1],center=false); }
+                linear_extrude(height=1,twist=0,scale=[2,1]) { square(size=[1,1],center=false); }
                 """);
         Path scene = folder.resolve("thing.xml");
         Run run = Run.cli("convert", csg, scene);
         assertThat(run.code()).isZero();
         assertThat(run.err()).isEqualTo(csg + ": note: line 5: hull() is not read, and left out\n");
-        assertThat(scene).content().contains("<difference", "<sphere radius=\"1.2\"/>", "<mesh file=\"thing-1.obj\"");
+        assertThat(scene).content().contains("<difference", "<sphere radius=\"1.2\"/>", "twist=\"-90\"", "<mesh file=\"thing-1.obj\"");
         assertThat(Run.cli("validate", "--strict", scene).code()).isZero();
         assertThat(Run.cli("explain", csg, "400,300", "--samples", "1").code()).isZero();
     }
