@@ -47,8 +47,12 @@ public final class Manuscript {
     private Optional<SceneText> base = Optional.empty();
     private boolean isBusy;
     private boolean isStale;
+    /** Whether it is to be looked at as soon as the scene's text is known and nothing is being dragged. */
+    private boolean isWaiting;
+    /** Counts what makes texts that are still being found out those of another scene. */
+    private int turn;
 
-    /** Does what takes long elsewhere, and tells on JavaFX's thread what has come of it. */
+    /** Does what takes long elsewhere, and tells on JavaFX's thread what has come of it, later. */
     public interface Worker {
         <T> void run(Callable<T> work, Consumer<T> done, Consumer<Throwable> failed);
     }
@@ -66,9 +70,11 @@ public final class Manuscript {
             }
         });
         model.openingsProperty().addListener((property, old, now) -> {
+            turn++;
             base = Optional.empty();
             page.set(Page.NONE);
         });
+        model.gesturingProperty().addListener((property, old, now) -> checkAgain());
         page.addListener((property, old, now) -> held.set(now.isHeld()));
         open.addListener((property, old, now) -> follow());
     }
@@ -125,13 +131,17 @@ public final class Manuscript {
         base.ifPresent(now -> write(now.characters()));
     }
 
-    /** Puts what is written into the scene if it is valid, else finds out what is wrong with it; when somebody has stopped typing. */
+    /**
+     * Puts what is written into the scene if it is valid, else finds out what is wrong with it; when somebody has stopped typing. Waits for what is being dragged,
+     * and until the text has what has become of the scene elsewhere.
+     */
     public void check() {
-        if (page().isHeld() && base.isPresent()) {
-            SceneText from = base.get();
+        isWaiting = page().isHeld() && !isCurrent();
+        if (page().isHeld() && !isWaiting) {
+            SceneText from = base.orElseThrow();
             String text = page().text();
             worker.run(() -> from.typed(text, model.assets()), typed -> {
-                if (base.filter(from::equals).isPresent() && page().text().equals(text)) {
+                if (isCurrent() && base.filter(from::equals).isPresent() && page().text().equals(text)) {
                     take(typed);
                 } else {
                     check();
@@ -144,10 +154,25 @@ public final class Manuscript {
         }
     }
 
-    /** As {@link #check}, at once; false if it is not valid. */
+    private void checkAgain() {
+        if (isWaiting && isCurrent()) {
+            check();
+        }
+    }
+
+    /** Whether the text is that of the scene as it is and stays until the next step. */
+    private boolean isCurrent() {
+        return !isBusy && !model.gesturingProperty().get() && base.filter(text -> text.scene().equals(model.scene())).isPresent();
+    }
+
+    /** As {@link #check}, at once, with what has become of the scene elsewhere; false if it is not valid. */
     public boolean flush() {
         if (page().isHeld() && base.isPresent()) {
             try {
+                if (!isCurrent()) {
+                    turn++;
+                    followed(read(kept.get(), model.scene()));
+                }
                 take(base.get().typed(page().text(), model.assets()));
             } catch (SceneFileException | IOException | IllegalArgumentException fault) {
                 refused(fault);
@@ -157,12 +182,15 @@ public final class Manuscript {
     }
 
     private void take(SceneText typed) {
+        Optional<SceneText> before = base;
+        Page old = page();
         try {
-            Page old = page();
             base = Optional.of(typed);
             page.set(new Page(typed.characters(), Change.between("", ""), List.of(), false, old.stands()));
             model.editState(Label.of(Label.Edit.WRITE, "XML"), state -> Followed.to(state, typed.scene()).withTyped(Optional.of(typed.kept())));
         } catch (IllegalArgumentException fault) {
+            base = before;
+            page.set(old);
             refused(fault);
         }
     }
@@ -183,23 +211,20 @@ public final class Manuscript {
             isBusy = true;
             Scene scene = model.scene();
             Optional<OriginalText> from = kept.get();
-            int opening = model.openingsProperty().get();
-            worker.run(() -> {
-                Require.that(scene.objects().size() <= MOST_OBJECTS, "the text of a scene of more than " + MOST_OBJECTS + " objects is too long to be shown here");
-                SceneText text = SceneText.of(from, scene);
-                Require.that(text.characters().length() <= LONGEST, "a text of more than " + LONGEST + " characters is too long to be shown here");
-                return new Read(text, text.stands());
-            }, read -> {
+            int now = turn;
+            worker.run(() -> read(from, scene), read -> {
                 isBusy = false;
-                if (opening == model.openingsProperty().get()) {
+                if (now == turn) {
                     followed(read);
                 }
                 again();
             }, fault -> {
                 isBusy = false;
-                if (!page().isHeld()) {
+                if (now == turn && !page().isHeld()) {
                     base = Optional.empty();
                     page.set(Page.NONE);
+                }
+                if (now == turn) {
                     refused(fault);
                 }
                 again();
@@ -207,11 +232,19 @@ public final class Manuscript {
         }
     }
 
+    private static Read read(Optional<OriginalText> kept, Scene scene) {
+        Require.that(scene.objects().size() <= MOST_OBJECTS, "the text of a scene of more than " + MOST_OBJECTS + " objects is too long to be shown here");
+        SceneText text = SceneText.of(kept, scene);
+        Require.that(text.characters().length() <= LONGEST, "a text of more than " + LONGEST + " characters is too long to be shown here");
+        return new Read(text, text.stands());
+    }
+
     private void again() {
         if (isStale) {
             isStale = false;
             follow();
         }
+        checkAgain();
     }
 
     private void followed(Read read) {
