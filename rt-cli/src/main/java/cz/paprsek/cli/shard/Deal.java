@@ -11,7 +11,7 @@ import java.util.function.Predicate;
 /**
  * How the work on a picture, or on the frames of a film, is dealt out, in parts of which each becomes a file. It depends on nothing but the picture and the
  * number of shares; that of a share takes as long as that of any other, about, as of each few neighbours in picture and time everybody gets one. Of many frames
- * everybody gets whole ones, as each must be prepared by whoever renders something of it, and of many passes likewise.
+ * everybody gets whole ones with all their passes, as each must be prepared by whoever renders something of it; of fewer frames with many passes, whole passes.
  */
 final class Deal {
     /** How many parts a share has at least, if the picture is large enough: who is killed loses one of them. */
@@ -92,8 +92,12 @@ final class Deal {
 
     /** Whose work a tile is. */
     private int owner(long slice, int tile) {
+        int ofFrame = Math.max(1, passes);
+        if (slices / ofFrame >= (long) FRAMES * shards) {
+            return 1 + (int) (slice / ofFrame % shards);
+        }
         // Passes take as long as each other.
-        if (slices >= (long) FRAMES * shards || (passes > 0 && slices % shards == 0)) {
+        if (passes > 0 && (slices >= (long) FRAMES * shards || slices % shards == 0)) {
             return 1 + (int) (slice % shards);
         }
         long number = slice * tiles.size() + tile;

@@ -8,18 +8,21 @@ import cz.paprsek.render.Tile;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class DealTest {
     @ParameterizedTest
-    @CsvSource({"1,1,0,0,1", "1920,1080,0,0,8", "1920,1080,0,0,5000", "640,361,1,8,8", "100,70,3,1000,7", "33,31,0,0,3"})
-    void everyPixelOfEveryFrameIsDealtOnce(int width, int height, int first, int last, int shards) {
+    @CsvSource({"1,1,0,0,0,1", "1920,1080,0,0,0,8", "1920,1080,0,0,0,5000", "640,361,1,8,0,8", "100,70,3,1000,0,7", "33,31,0,0,0,3", "640,361,0,0,6,3", "640,361,0,0,40,5", "640,361,0,0,3,8",
+            "100,70,3,90,4,7", "100,70,3,9,16,5", "100,70,3,9,2,5"})
+    void everyPixelOfEveryPassOfEveryFrameIsDealtOnce(int width, int height, int first, int last, int passes, int shards) {
         Tile region = new Tile(5, 7, width, height);
-        Deal deal = new Deal(region, new Span(first, last), 0, shards);
+        Deal deal = new Deal(region, new Span(first, last), passes, shards);
         List<Piece> all = new ArrayList<>();
         for (int i = 1; i <= shards; i++) {
             all.addAll(deal.of(new Shard(i, shards)));
@@ -27,11 +30,14 @@ class DealTest {
         assertThat(new HashSet<>(all)).hasSize(all.size()).hasSize((int) deal.parts());
         assertThat(all).allMatch(piece -> Grid.has(region, piece.tile()));
         for (int frame : new int[] {first, last}) {
-            Grid grid = new Grid(region);
-            List<Tile> tiles = all.stream().filter(piece -> piece.frame() == frame).map(Piece::tile).toList();
-            tiles.forEach(grid::cover);
-            assertThat(grid.covers(region)).isTrue();
-            assertThat(tiles.stream().mapToLong(tile -> (long) tile.width() * tile.height()).sum()).isEqualTo((long) width * height);
+            for (int pass = Math.min(1, passes); pass <= passes; pass++) {
+                Piece any = new Piece(frame, pass, region);
+                Grid grid = new Grid(region);
+                List<Tile> tiles = all.stream().filter(piece -> piece.frame() == any.frame() && piece.pass() == any.pass()).map(Piece::tile).toList();
+                tiles.forEach(grid::cover);
+                assertThat(grid.covers(region)).isTrue();
+                assertThat(tiles.stream().mapToLong(tile -> (long) tile.width() * tile.height()).sum()).isEqualTo((long) width * height);
+            }
         }
     }
 
@@ -58,9 +64,24 @@ class DealTest {
     }
 
     /** To prepare each frame on all machines would take longer than to render it. */
-    @Test
-    void ofManyFramesEverybodyGetsWholeOnes() {
-        Deal deal = new Deal(new Tile(0, 0, 640, 360), new Span(1, 80), 0, 10);
-        assertThat(deal.of(new Shard(3, 10)).stream().map(Piece::frame).distinct()).containsExactly(3, 13, 23, 33, 43, 53, 63, 73);
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 7, 10, 16})
+    void ofManyFramesEverybodyGetsWholeOnesWithAllTheirPasses(int passes) {
+        Deal deal = new Deal(new Tile(0, 0, 640, 360), new Span(1, 80), passes, 10);
+        List<Piece> own = deal.of(new Shard(3, 10));
+        assertThat(own.stream().map(Piece::frame).distinct()).containsExactly(3, 13, 23, 33, 43, 53, 63, 73);
+        assertThat(own).hasSize((int) (deal.parts() / 10));
+    }
+
+    /** Of one frame, and of a few: whole passes if there are enough of them, or as many for each. */
+    @ParameterizedTest
+    @CsvSource({"0,0,6,3", "0,0,40,5", "0,0,41,5", "1,4,16,8", "1,79,3,10"})
+    void ofFewFramesWithManyPassesEverybodyGetsWholePasses(int first, int last, int passes, int shards) {
+        Deal deal = new Deal(new Tile(0, 0, 640, 360), new Span(first, last), passes, shards);
+        long tiles = deal.parts() / ((last - first + 1L) * passes);
+        for (int i = 1; i <= shards; i++) {
+            assertThat(deal.of(new Shard(i, shards)).stream().collect(Collectors.groupingBy(piece -> List.of(piece.frame(), piece.pass()), Collectors.counting())).values())
+                    .isNotEmpty().allMatch(count -> count == tiles);
+        }
     }
 }
