@@ -201,10 +201,11 @@ final class MergeCommand implements Callable<Integer> {
         }
     }
 
-    private int refuse(Survey survey) {
-        survey.obstacles().forEach(terminal::message);
+    private int refuse(Survey survey) throws IOException {
+        List<String> obstacles = survey.obstacles(stop);
+        obstacles.forEach(terminal::message);
         if (telling.isJson()) {
-            terminal.result(said("parts lacking").with("parts", survey.parts().size()).withTexts("problems", survey.obstacles()).toString());
+            terminal.result(said("parts lacking").with("parts", survey.parts().size()).withTexts("problems", obstacles).toString());
         }
         return ExitCode.PARTS_LACKING;
     }

@@ -94,8 +94,10 @@ public record Assembly(Image image, Layers layers, Origin origin) {
         // There may be more than one part that has a pass of a pixel, but it counts once.
         float[][] pass = new float[region.height()][size * region.width()];
         float[] numbers = new float[size];
-        for (int number = 1; number <= card.passes(); number++) {
+        // Where one is not there at all, there are parts with all of them.
+        for (int number : survey.parts().stream().map(part -> part.head().pass()).filter(number -> number > 0).distinct().sorted().toList()) {
             read(survey, number, stop, (column, row, kept) -> System.arraycopy(kept, 0, pass[row - region.y()], size * (column - region.x()), size));
+            requireTime(stop);
             for (int i = 0; i < region.width() * region.height(); i++) {
                 System.arraycopy(pass[i / region.width()], size * (i % region.width()), numbers, 0, size);
                 joined.add(i % region.width(), i / region.width(), numbers);

@@ -37,6 +37,8 @@ import java.util.Optional;
  */
 public record Card(String program, String settings, double exposure, Tone tone, RenderMode mode, boolean numbers, boolean legend, boolean transparent, Tile region, List<String> planes,
         int passes, PixelFilter filter, String scene, String options) {
+    private static final int MOST_PASSES = RenderSettings.MOST_PATHS / RenderSettings.USUAL_PATHS;
+
     public Card {
         planes = List.copyOf(planes);
     }
@@ -109,7 +111,7 @@ public record Card(String program, String settings, double exposure, Tone tone, 
         return text.toString();
     }
 
-    /** @throws IllegalArgumentException if a value is none that its kind has, or there can be no such picture */
+    /** @throws IllegalArgumentException if a value is none that its kind has, or there can be no such picture, or not in so many passes */
     static Card read(Fields fields) throws IOException {
         String program = fields.next("program");
         String settings = fields.next("settings");
@@ -121,7 +123,14 @@ public record Card(String program, String settings, double exposure, Tone tone, 
         Tile region = tile(fields, "region");
         Image.requireRoom(region.width(), region.height());
         List<String> planes = fields.all("plane");
+        if (!JoinedNoise.areWhole(planes) || (mode != RenderMode.SHADED && planes.stream().anyMatch(JoinedNoise::has))) {
+            throw new IllegalArgumentException("what it knows of noise is not all there, or not in order, or of a picture that has none");
+        }
         int passes = fields.numbers("passes", 1)[0];
+        boolean isOfLight = mode == RenderMode.SHADED && !transparent && planes.isEmpty();
+        if (passes < 0 || passes > (isOfLight ? MOST_PASSES : 0)) {
+            throw new IllegalArgumentException(isOfLight ? "a picture has no more than " + MOST_PASSES + " passes, and not " + passes : "only a picture of light alone is in passes, and this one is more");
+        }
         PixelFilter filter = PixelFilter.valueOf(fields.next("filter"));
         return new Card(program, settings, how.exposure(), how.tone(), mode, numbers, legend, transparent, region, planes, passes, filter, fields.next("scene"), fields.next("options"));
     }

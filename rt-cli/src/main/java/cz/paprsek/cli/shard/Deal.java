@@ -1,7 +1,9 @@
 package cz.paprsek.cli.shard;
 
+import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.value.Shard;
 import cz.paprsek.render.Tile;
+import java.io.InterruptedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
@@ -73,10 +75,17 @@ final class Deal {
         return own;
     }
 
-    /** Whose work some pieces are, in order. */
-    List<Integer> owners(Predicate<Piece> which) {
+    /**
+     * Whose work some pieces are, in order.
+     *
+     * @throws InterruptedIOException if a stop is asked for: of a long film there are many pieces
+     */
+    List<Integer> owners(Predicate<Piece> which, Stop stop) throws InterruptedIOException {
         SortedSet<Integer> owners = new TreeSet<>();
-        for (long slice = 0; slice < slices; slice++) {
+        for (long slice = 0; slice < slices && owners.size() < shards; slice++) {
+            if (stop.requested()) {
+                throw new InterruptedIOException("interrupted");
+            }
             for (int i = 0; i < tiles.size(); i++) {
                 if (which.test(piece(slice, i))) {
                     owners.add(owner(slice, i));

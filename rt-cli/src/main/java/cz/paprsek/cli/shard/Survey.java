@@ -1,10 +1,12 @@
 package cz.paprsek.cli.shard;
 
+import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.cli.shard.PartFile.OtherVersion;
 import cz.paprsek.io.Failures;
 import cz.paprsek.render.Tile;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -20,6 +22,7 @@ import java.util.function.IntFunction;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * What a folder of parts has in it, by the heads of its files.
@@ -118,8 +121,12 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
         return frame -> frames.getOrDefault(frame, nothing);
     }
 
-    /** What stands in the way of the picture, a sentence each: files first, then what is missing, then the line that makes it. */
-    public List<String> obstacles() {
+    /**
+     * What stands in the way of the picture, a sentence each: files first, then what is missing, then the line that makes it.
+     *
+     * @throws InterruptedIOException if a stop is asked for before all is known
+     */
+    public List<String> obstacles(Stop stop) throws InterruptedIOException {
         List<String> sentences = new ArrayList<>(foreign);
         sentences.addAll(damaged);
         if (parts.isEmpty()) {
@@ -127,35 +134,35 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
             return sentences;
         }
         IntFunction<Coverage> covered = covered();
-        List<Integer> lacking = lacking(covered).boxed().toList();
-        if (!lacking.isEmpty()) {
-            sentences.add(folder + ": " + missing(covered, lacking) + "; this makes them, where the others were made:");
-            sentences.add(line(covered));
+        if (lacking(covered).findAny().isPresent()) {
+            sentences.add(folder + ": " + missing(covered) + "; this makes them, where the others were made:");
+            sentences.add(line(covered, stop));
         }
         return sentences;
     }
 
-    private String missing(IntFunction<Coverage> covered, List<Integer> lacking) {
+    private String missing(IntFunction<Coverage> covered) {
         if (!span().isStill()) {
-            return "of " + lacking.size() + " of " + span().count() + " frames tiles are missing: " + told(lacking.stream().map(String::valueOf).toList());
+            return "of " + lacking(covered).count() + " of " + span().count() + " frames tiles are missing: " + told(lacking(covered).mapToObj(String::valueOf));
         }
         Tile region = card.orElseThrow().region();
         int passes = card.orElseThrow().passes();
         if (covered.apply(0).isInPasses()) {
             List<Integer> some = IntStream.rangeClosed(1, passes).filter(pass -> !covered.apply(0).covers(pass, region)).boxed().toList();
-            return "of " + some.size() + " of " + passes + " passes tiles are missing: " + told(some.stream().map(String::valueOf).toList());
+            return "of " + some.size() + " of " + passes + " passes tiles are missing: " + told(some.stream().map(String::valueOf));
         }
         List<Tile> tiles = Grid.tiles(region, Grid.SIDE);
         List<Tile> missing = tiles.stream().filter(tile -> !covered.apply(0).covers(tile)).toList();
-        return missing.size() + " of " + tiles.size() + " tiles are missing: " + told(missing.stream().map(tile -> tile.x() + "," + tile.y() + "," + tile.width() + "," + tile.height()).toList());
+        return missing.size() + " of " + tiles.size() + " tiles are missing: " + told(missing.stream().map(tile -> tile.x() + "," + tile.y() + "," + tile.width() + "," + tile.height()));
     }
 
-    private static String told(List<String> places) {
-        return places.stream().limit(MOST_TOLD).collect(Collectors.joining(" ")) + (places.size() > MOST_TOLD ? " and others" : "");
+    private static String told(Stream<String> places) {
+        List<String> first = places.limit(MOST_TOLD + 1L).toList();
+        return first.stream().limit(MOST_TOLD).collect(Collectors.joining(" ")) + (first.size() > MOST_TOLD ? " and others" : "");
     }
 
     /** What makes all that is missing, by the shares into which most of the parts were dealt. */
-    private String line(IntFunction<Coverage> covered) {
+    private String line(IntFunction<Coverage> covered, Stop stop) throws InterruptedIOException {
         boolean isByPasses = usual(part -> part.pass() > 0, part -> true, Comparator.<Boolean>naturalOrder());
         int count = usual(part -> part.shard().count(), part -> part.pass() > 0 == isByPasses, Comparator.<Integer>naturalOrder());
         Predicate<PartHead> alike = part -> part.shard().count() == count && part.pass() > 0 == isByPasses;
@@ -164,7 +171,7 @@ public record Survey(Path folder, Optional<Span> frames, Optional<Card> card, Li
         int passes = isByPasses ? card.orElseThrow().passes() : 0;
         Span all = usual.with(span());
         List<String> words = all.equals(usual) ? usualWords : Again.ofFrames(usualWords, all);
-        List<Integer> shares = new Deal(card.orElseThrow().region(), all, passes, count).owners(piece -> span().has(piece.frame()) && !covered.apply(piece.frame()).covers(piece.pass(), piece.tile()));
+        List<Integer> shares = new Deal(card.orElseThrow().region(), all, passes, count).owners(piece -> span().has(piece.frame()) && !covered.apply(piece.frame()).covers(piece.pass(), piece.tile()), stop);
         return Again.line(words, shares, count, folder);
     }
 

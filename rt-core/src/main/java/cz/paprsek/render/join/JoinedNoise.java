@@ -17,6 +17,13 @@ public final class JoinedNoise {
         return Denoiser.PLANES.contains(Objects.requireNonNull(plane, "plane"));
     }
 
+    /** Whether those of some planes that tell of noise are all there are, in their order, behind all others; or none of them does. */
+    public static boolean areWhole(List<String> planes) {
+        Objects.requireNonNull(planes, "planes");
+        long others = planes.stream().filter(plane -> !has(plane)).count();
+        return others == planes.size() || planes.subList((int) others, planes.size()).equals(Denoiser.PLANES);
+    }
+
     /**
      * Takes it out: to the last bit as if the picture had been rendered as a whole.
      *
