@@ -142,12 +142,14 @@ class BuildSceneTest {
                 .filter(window -> window.getScene().getRoot().getId().equals("render-pane")).findFirst().orElseThrow());
         try (Gui renders = Gui.open(() -> stage)) {
             renders.keys(KeyCode.ESCAPE);
+            renders.click("#render-ask");
             enter(renders, "#render-width", "1920");
             enter(renders, "#render-height", "1080");
             renders.click("#render-start");
             renders.until("it has begun", () -> said(renders, "#render-status").contains("%"));
             renders.click("#render-cancel");
             renders.until("it says that it was cancelled", () -> said(renders, "#render-status").startsWith("Cancelled"));
+            renders.click("#render-ask");
             enter(renders, "#render-width", "160");
             enter(renders, "#render-height", "90");
             renders.click("#render-start");

@@ -115,7 +115,7 @@ class FilesTest {
 
     @Test
     void aModelOfAnotherProgramIsOpenedAndSavedWithItsMeshes() throws IOException, SceneFileException {
-        Path model = Files.writeString(folder.resolve("thing.csg"), "cube(size=[1,1,1]);\nlinear_extrude(height=1,twist=90,slices=9,scale=[1,1]) { square(size=[1,1]); }\n");
+        Path model = Files.writeString(folder.resolve("thing.csg"), "cube(size=[1,1,1]);\nlinear_extrude(height=1,twist=0,scale=[2,1]) { square(size=[1,1]); }\n");
         editor.dialogs.open = Optional.of(model);
         editor.gui.keys(KeyCode.CONTROL, KeyCode.O);
         editor.gui.until("the model is open", () -> editor.model().scene().name().equals("thing"));
