@@ -62,6 +62,7 @@ public final class PictureView extends Region {
     private final ReadOnlyObjectWrapper<Optional<Point2D>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
     private final ObjectProperty<Consumer<Point2D>> onClicked = new SimpleObjectProperty<>(point -> {});
     private final BooleanProperty selecting = new SimpleBooleanProperty();
+    private Consumer<Tile> onRegion = tile -> {};
     private double left;
     private double top;
     private boolean fits = true;
@@ -178,7 +179,12 @@ public final class PictureView extends Region {
         return selecting;
     }
 
-    /** The rectangle that has been drawn, in pixels of the whole picture; empty if there is none. */
+    /** Is told of a rectangle, in pixels of the whole picture, when it has been drawn or moved: not of one that is given up, nor on the way. */
+    public void setOnRegion(Consumer<Tile> listener) {
+        onRegion = listener;
+    }
+
+    /** The rectangle that is shown, in pixels of the whole picture; empty if there is none. */
     public ReadOnlyObjectProperty<Optional<Tile>> regionProperty() {
         return band.regionProperty();
     }
@@ -343,6 +349,7 @@ public final class PictureView extends Region {
     private void released(MouseEvent event) {
         if (band.isDragging() && !dragged.equals(pressed)) {
             band.drag(pixel(event));
+            regionProperty().get().ifPresent(onRegion);
         }
         band.end();
         if (dragged.equals(pressed) && event.getButton() == MouseButton.PRIMARY) {
@@ -363,6 +370,7 @@ public final class PictureView extends Region {
         if (selecting.get()) {
             int far = event.isShiftDown() ? LEAP : 1;
             band.nudge(far * x, far * y, event.isAltDown());
+            regionProperty().get().ifPresent(onRegion);
         } else {
             pan(-NUDGE * x, -NUDGE * y);
         }

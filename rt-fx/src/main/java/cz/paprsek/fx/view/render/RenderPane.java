@@ -79,8 +79,6 @@ public final class RenderPane extends StackPane {
     private final ListChangeListener<RenderTask> queued = change -> follow();
     private final WeakListChangeListener<RenderTask> onQueue = new WeakListChangeListener<>(queued);
     private int count;
-    /** While rectangles are shown that nobody draws. */
-    private boolean showing;
 
     /** @param desk what outlives this pane */
     public RenderPane(EditorModel model, RenderDesk desk, Texts texts, ObservableValue<Theme> theme, PictureChooser chooser, TreeChooser trees) {
@@ -296,9 +294,7 @@ public final class RenderPane extends StackPane {
     private void showRegion() {
         String word = desk.said().answers().getOrDefault(REGION, "");
         clear.setVisible(!word.isEmpty());
-        showing = true;
         tabs.getTabs().stream().map(RenderTab.class::cast).forEach(tab -> tab.view().showRegion(RegionFields.parse(word, size(tab))));
-        showing = false;
     }
 
     private void add(RenderTab tab) {
@@ -306,7 +302,7 @@ public final class RenderPane extends StackPane {
         tab.setOnClicked(this::clicked);
         tab.view().selectingProperty().bind(selecting.selectedProperty());
         tab.view().showRegion(RegionFields.parse(desk.said().answers().getOrDefault(REGION, ""), size(tab)));
-        tab.view().regionProperty().addListener((property, old, now) -> now.filter(region -> !showing).ifPresent(region -> setRegion(tab, region)));
+        tab.view().setOnRegion(region -> setRegion(tab, region));
         tab.setOnClosed(event -> tab.close());
         tab.view().setOnContextMenuRequested(event -> menu.show(tab.view(), event.getScreenX(), event.getScreenY()));
         tabs.getTabs().add(tab);

@@ -46,6 +46,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -163,6 +164,27 @@ class PicturesWindowTest {
         gui.keys(KeyCode.ESCAPE);
         assertThat(desk.said().answers()).doesNotContainKey("region");
         assertThat(Gui.on(() -> shown().view().regionProperty().get())).isEmpty();
+    }
+
+    /** What is on its way is neither remembered nor written, and Escape leaves what was before: here, nothing. */
+    @Test
+    void aRectangleThatIsGivenUpOnItsWayIsNotRendered() {
+        gui.act(pane::render);
+        untilDone();
+        gui.click("#render-region-drag-toggle");
+        Node view = shown().view();
+        double middle = view.getLayoutBounds().getWidth() / 2;
+        gui.moveTo(view, middle - 40, 100);
+        gui.press(MouseButton.PRIMARY);
+        gui.moveTo(view, middle, 130);
+        gui.moveTo(view, middle + 40, 160);
+        assertThat(Gui.on(() -> shown().view().regionProperty().get())).as("it is drawn").isPresent();
+        assertThat(desk.said().answers()).isEmpty();
+        gui.keys(KeyCode.ESCAPE);
+        gui.release(MouseButton.PRIMARY);
+        assertThat(Gui.on(() -> shown().view().regionProperty().get())).isEmpty();
+        assertThat(desk.said().answers()).isEmpty();
+        assertThat(gui.stage().getScene().lookup("#render-region-clear").isVisible()).isFalse();
     }
 
     /** Of one pass, and of passes of paths with what else is kept of each pixel. */
