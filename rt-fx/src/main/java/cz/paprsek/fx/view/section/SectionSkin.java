@@ -46,10 +46,13 @@ public final class SectionSkin {
     private Set<ScenePath> hidden = Set.of();
     private Optional<CutPlane> knownPlane = Optional.empty();
     private OptionalDouble place = OptionalDouble.empty();
-    private List<Face> drawn = List.of();
+    private List<Seen> drawn = List.of();
 
-    /** What is seen of one object: its face where the plane was when that was looked for. */
-    private record Face(double place, Axis axis, int squares, CutFace face, Color color) {}
+    /** The face of one object where the plane was when that was looked for. */
+    private record Face(double place, Axis axis, int squares, CutFace face) {}
+
+    /** A face, of the colour that its object has now: a named material may become another while the object stays the same. */
+    private record Seen(CutFace face, Color color) {}
 
     public SectionSkin(EditorModel model, ObservableValue<Optional<CutPlane>> plane) {
         this.model = model;
@@ -101,9 +104,9 @@ public final class SectionSkin {
         drawn = place.isEmpty() ? List.of() : faces(scene, now.orElseThrow().axis(), place.getAsDouble());
     }
 
-    private List<Face> faces(Scene scene, Axis axis, double at) {
+    private List<Seen> faces(Scene scene, Axis axis, double at) {
         int squares = (int) Math.max(LEAST, Math.min(MOST, Math.sqrt(ALL / Math.max(1, scene.objects().size()))));
-        List<Face> found = new ArrayList<>();
+        List<Seen> found = new ArrayList<>();
         IdentityHashMap<SceneObject, Face> before = new IdentityHashMap<>(faces);
         faces.clear();
         for (int i = 0; i < scene.objects().size(); i++) {
@@ -111,9 +114,9 @@ public final class SectionSkin {
             if (object.shape() instanceof Solid && !object.hidden()) {
                 Face old = before.get(object);
                 Face face = old != null && old.place == at && old.axis == axis && old.squares == squares ? old
-                        : new Face(at, axis, squares, CutFace.of(ScenePath.body(i).placed(scene), axis, at, squares), color(ScenePath.body(i).material(scene)));
+                        : new Face(at, axis, squares, CutFace.of(ScenePath.body(i).placed(scene), axis, at, squares));
                 faces.put(object, face);
-                found.add(face);
+                found.add(new Seen(face.face(), color(ScenePath.body(i).material(scene))));
             }
         }
         return found;
@@ -125,7 +128,7 @@ public final class SectionSkin {
         return Color.color(color.red() / 255, color.green() / 255, color.blue() / 255, 0.55);
     }
 
-    private static void face(GraphicsContext g, Palette palette, Face face, Function<Vec3, Point2D> to) {
+    private static void face(GraphicsContext g, Palette palette, Seen face, Function<Vec3, Point2D> to) {
         if (face.face().outlines().isEmpty()) {
             return;
         }

@@ -15,6 +15,7 @@ import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Sphere;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import javafx.beans.property.SimpleObjectProperty;
@@ -70,5 +71,22 @@ class SectionSkinTest {
             return true;
         });
         assertThat(at(drawn(), 70, 50)).as("the plane goes with what it cuts").isEqualTo(Color.BLUE);
+    }
+
+    @Test
+    void aFaceHasTheColourThatItsNamedMaterialHasNow() {
+        Scene red = Scene.EMPTY.plus("paint", Material.color(255, 0, 0)).plus(SceneObject.of(new Sphere(2)).madeOf("paint"));
+        Gui.on(() -> {
+            model.edit(Label.of(Label.Edit.CHANGE), scene -> red);
+            return true;
+        });
+        plane.set(Optional.of(new CutPlane(Axis.Z, 0.5)));
+        assertThat(at(drawn(), 50, 50).getGreen()).isLessThan(0.5);
+        Gui.on(() -> {
+            model.edit(Label.of(Label.Edit.CHANGE), scene -> scene.withMaterials(Map.of("paint", Material.color(0, 255, 0))));
+            return true;
+        });
+        assertThat(model.scene().objects().get(0)).isSameAs(red.objects().get(0));
+        assertThat(at(drawn(), 50, 50).getGreen()).isGreaterThan(at(drawn(), 50, 50).getRed());
     }
 }
