@@ -10,6 +10,7 @@ import cz.paprsek.fx.view.shell.MessageBar;
 import cz.paprsek.io.Failures;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -31,6 +32,8 @@ final class RenderWindow {
     private final Dialogs dialogs;
     private final UnfinishedPictures unfinished;
     private final RenderDesk desk;
+    /** What has been offered, and answered. */
+    private final Set<Path> passed = new HashSet<>();
     private ObservableValue<Theme> theme;
     private @Nullable Stage stage;
     private @Nullable RenderPane pane;
@@ -41,7 +44,7 @@ final class RenderWindow {
         this.editor = editor;
         this.dialogs = dialogs;
         this.unfinished = new UnfinishedPictures(folder.resolve("pictures"), () -> editor.document().sourceProperty().get().map(SceneSource::file),
-                fault -> Platform.runLater(() -> editor.say(fault)));
+                fault -> Platform.runLater(() -> editor.say(editor.texts().sentence(fault))));
         // What is looked into, and by which light, is a matter of the moment.
         this.desk = new RenderDesk(Remembered.kept(editor.settings().get(SAID), text -> editor.settings().set(SAID, text), Set.of("mode", "lights")), unfinished);
         this.theme = editor.followTheme();
@@ -64,7 +67,7 @@ final class RenderWindow {
 
     /** Offers the pictures that an earlier process left unfinished, one after the other. */
     void offerLeft() {
-        Background.run("paprsek-pictures", unfinished::left, left -> left.stream().findFirst().ifPresent(this::offer), fault -> editor.say(Failures.sentence(fault)));
+        Background.run("paprsek-pictures", unfinished::left, left -> left.stream().filter(room -> !passed.contains(room)).findFirst().ifPresent(this::offer), this::tell);
     }
 
     private void offer(Path left) {
@@ -74,19 +77,28 @@ final class RenderWindow {
     }
 
     private void goOn(Path left) {
+        passed.add(left);
         Background.run("paprsek-pictures", () -> unfinished.take(left), resumed -> {
             show().goOn(resumed);
             offerLeft();
-        }, fault -> editor.say(Failures.sentence(fault)));
+        }, fault -> {
+            tell(fault);
+            offerLeft();
+        });
     }
 
     private void discard(Path left) {
+        passed.add(left);
         try {
-            UnfinishedPictures.delete(left);
-            offerLeft();
+            unfinished.discard(left);
         } catch (IOException fault) {
-            editor.say(Failures.sentence(fault));
+            tell(fault);
         }
+        offerLeft();
+    }
+
+    private void tell(Throwable fault) {
+        editor.say(editor.texts().sentence(Failures.sentence(fault)));
     }
 
     /** What has become of the last render, in words. */

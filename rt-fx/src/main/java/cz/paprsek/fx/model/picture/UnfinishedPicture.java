@@ -2,12 +2,14 @@ package cz.paprsek.fx.model.picture;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.io.Failures;
+import cz.paprsek.io.FileLock;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.resume.Checkpoint;
 import cz.paprsek.scene.Scene;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -26,12 +28,14 @@ public final class UnfinishedPicture {
     private long soon = System.nanoTime();
     private @Nullable Opening opening;
     private @Nullable Checkpoint tiles;
+    /** Says to others, as long as it is held, that somebody is at work on it. */
+    private Optional<FileLock> lock;
     private boolean given;
 
-    /** Writes what a picture is one of. */
+    /** Keeps others from the room, and writes what the picture is one of. */
     @FunctionalInterface
     interface Preparation {
-        void of(Path room) throws IOException;
+        FileLock of(Path room) throws IOException;
     }
 
     /** Whether there is room for so many bytes more. */
@@ -51,11 +55,13 @@ public final class UnfinishedPicture {
      * One in a folder of its own.
      *
      * @param room empty if it is not to be kept
+     * @param lock of the room, if that is there already
      * @param hasFiles whether files that the scene needs are found again
      * @param quick how long it takes before anything is kept
      */
-    UnfinishedPicture(Optional<Path> room, Preparation preparation, boolean hasFiles, Duration quick, Room free, Consumer<String> onFault) {
+    UnfinishedPicture(Optional<Path> room, Optional<FileLock> lock, Preparation preparation, boolean hasFiles, Duration quick, Room free, Consumer<String> onFault) {
         this.room = room;
+        this.lock = lock;
         this.preparation = preparation;
         this.hasFiles = hasFiles;
         this.quick = quick;
@@ -106,7 +112,7 @@ public final class UnfinishedPicture {
 
     private void begin(Opening picture) throws IOException {
         if (free.isFor(picture.bytes())) {
-            preparation.of(room.orElseThrow());
+            lock = Optional.of(preparation.of(room.orElseThrow()));
             openTiles();
         } else {
             given = true;
@@ -128,12 +134,28 @@ public final class UnfinishedPicture {
         if (isOpen || room.filter(Files::isDirectory).isPresent()) {
             attempt(() -> UnfinishedPictures.delete(room.orElseThrow()));
         }
+        attempt(this::unlock);
+    }
+
+    /** What is kept of it stays, for whoever goes on with it some day. */
+    public synchronized void leave() {
+        given = true;
+        attempt(this::close);
+        attempt(this::unlock);
     }
 
     private void close() throws IOException {
         if (tiles != null) {
             tiles.close();
             tiles = null;
+        }
+    }
+
+    private void unlock() throws IOException {
+        Optional<FileLock> held = lock;
+        lock = Optional.empty();
+        if (held.isPresent()) {
+            held.get().close();
         }
     }
 
@@ -146,7 +168,7 @@ public final class UnfinishedPicture {
     private void attempt(Deed deed) {
         try {
             deed.run();
-        } catch (IOException | IllegalArgumentException e) {
+        } catch (IOException | UncheckedIOException | IllegalArgumentException e) {
             given = true;
             onFault.accept(Failures.sentence(e));
         }

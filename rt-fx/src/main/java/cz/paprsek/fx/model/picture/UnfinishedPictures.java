@@ -2,6 +2,7 @@ package cz.paprsek.fx.model.picture;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.io.AtomicFile;
+import cz.paprsek.io.FileLock;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -10,23 +11,32 @@ import java.io.OutputStreamWriter;
 import java.io.Reader;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Properties;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Where pictures under way are kept until they are finished, for a program that ends before: a folder for each, which names the process that has it, so that what
- * another open window renders is left alone. Any number of threads may use it.
+ * Where pictures under way are kept until they are finished, for a program that ends before: a folder for each, of a name that comes but once, with a lock beside it
+ * as long as a process has it, so that what another open window renders is left alone, be it on another machine. Any number of threads may use it.
  */
 public final class UnfinishedPictures {
     /** How many bytes all of them may have together: 512 MiB. */
@@ -37,13 +47,12 @@ public final class UnfinishedPictures {
     private static final String PICTURE = "picture.properties";
     private static final String ANSWER = "answer.";
     private static final String SOURCE = "source";
+    private static final Pattern ROOM = Pattern.compile("[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}");
 
     private final Optional<Path> folder;
-    private final long process;
     private final Supplier<Optional<Path>> source;
     private final Consumer<String> onFault;
     private final Duration quick;
-    private final AtomicInteger count = new AtomicInteger();
 
     /**
      * One that goes on.
@@ -63,12 +72,11 @@ public final class UnfinishedPictures {
      * @param onFault is told in a sentence why one is not kept, on any thread
      */
     public UnfinishedPictures(Path folder, Supplier<Optional<Path>> source, Consumer<String> onFault) {
-        this(Optional.of(folder), ProcessHandle.current().pid(), QUICK, source, onFault);
+        this(Optional.of(folder), QUICK, source, onFault);
     }
 
-    UnfinishedPictures(Optional<Path> folder, long process, Duration quick, Supplier<Optional<Path>> source, Consumer<String> onFault) {
+    UnfinishedPictures(Optional<Path> folder, Duration quick, Supplier<Optional<Path>> source, Consumer<String> onFault) {
         this.folder = folder;
-        this.process = process;
         this.quick = quick;
         this.source = source;
         this.onFault = onFault;
@@ -76,7 +84,7 @@ public final class UnfinishedPictures {
 
     /** Keeps none. */
     public static UnfinishedPictures notKept() {
-        return new UnfinishedPictures(Optional.empty(), 0, QUICK, Optional::empty, fault -> {});
+        return new UnfinishedPictures(Optional.empty(), QUICK, Optional::empty, fault -> {});
     }
 
     /**
@@ -87,14 +95,35 @@ public final class UnfinishedPictures {
      */
     public UnfinishedPicture begin(Scene scene, Map<String, String> answers) {
         Optional<Path> from = source.get();
-        return new UnfinishedPicture(next(), room -> prepare(room, scene, answers, from), from.isPresent(), quick, this::hasRoom, onFault);
+        return new UnfinishedPicture(folder.map(all -> all.resolve(UUID.randomUUID().toString())), Optional.empty(), room -> prepare(room, scene, answers, from), from.isPresent(), quick, this::hasRoom, onFault);
     }
 
-    private Optional<Path> next() {
-        return folder.map(all -> all.resolve(process + "-" + count.incrementAndGet()));
+    /** Has others see that the picture is under way, before there is anything to see of it. */
+    private static FileLock prepare(Path room, Scene scene, Map<String, String> answers, Optional<Path> source) throws IOException {
+        Files.createDirectories(Objects.requireNonNull(room.getParent()));
+        FileLock lock = lock(room);
+        boolean isWritten = false;
+        try {
+            write(room, scene, answers, source);
+            isWritten = true;
+            return lock;
+        } finally {
+            if (!isWritten) {
+                lock.close();
+            }
+        }
     }
 
-    private static void prepare(Path room, Scene scene, Map<String, String> answers, Optional<Path> source) throws IOException {
+    /**
+     * By the one name that the room has, however the way to it is written.
+     *
+     * @throws IOException also if somebody has it
+     */
+    private static FileLock lock(Path room) throws IOException {
+        return FileLock.of(Objects.requireNonNull(room.toAbsolutePath().getParent()).toRealPath().resolve(room.getFileName()), 0);
+    }
+
+    private static void write(Path room, Scene scene, Map<String, String> answers, Optional<Path> source) throws IOException {
         Files.createDirectories(room);
         SceneFiles.write(scene, room.resolve(SCENE));
         Properties said = new Properties();
@@ -112,50 +141,87 @@ public final class UnfinishedPictures {
         if (bytes > MOST_BYTES || folder.isEmpty() || !Files.isDirectory(folder.get())) {
             return bytes <= MOST_BYTES;
         }
-        long together = 0;
-        try (Stream<Path> files = Files.walk(folder.get(), 2)) {
-            for (Path file : files.filter(Files::isRegularFile).toList()) {
-                together += Files.size(file);
+        AtomicLong together = new AtomicLong(bytes);
+        Files.walkFileTree(folder.get(), Set.of(), 2, new SimpleFileVisitor<>() {
+            @Override
+            public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
+                together.addAndGet(attributes.isRegularFile() ? attributes.size() : 0);
+                return FileVisitResult.CONTINUE;
             }
-        }
-        return together + bytes <= MOST_BYTES;
+
+            @Override
+            public FileVisitResult visitFileFailed(Path file, IOException gone) {
+                // Another window has finished its picture.
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult postVisitDirectory(Path room, @Nullable IOException gone) {
+                return FileVisitResult.CONTINUE;
+            }
+        });
+        return together.get() <= MOST_BYTES;
     }
 
-    /** The folders of pictures that processes left which are no more. What one of those left that had not begun is deleted. */
+    /** The folders of pictures that nobody is at work on. What is there of one that had not begun is deleted. */
     public List<Path> left() throws IOException {
         if (folder.isEmpty() || !Files.isDirectory(folder.get())) {
             return List.of();
         }
-        List<Path> left;
-        try (Stream<Path> rooms = Files.list(folder.get())) {
-            left = rooms.filter(this::isLeft).sorted().toList();
+        List<Path> rooms;
+        try (Stream<Path> all = Files.list(folder.get())) {
+            rooms = all.filter(room -> ROOM.matcher(room.getFileName().toString()).matches() && Files.isDirectory(room)).sorted().toList();
         }
-        for (Path room : left) {
+        List<Path> left = new ArrayList<>();
+        for (Path room : rooms) {
+            if (isLeft(room)) {
+                left.add(room);
+            }
+        }
+        return left;
+    }
+
+    private static boolean isLeft(Path room) {
+        try (FileLock nobodyElse = lock(room)) {
+            Objects.requireNonNull(nobodyElse);
             if (!Files.exists(room.resolve(PICTURE))) {
                 delete(room);
             }
-        }
-        return left.stream().filter(Files::isDirectory).toList();
-    }
-
-    private boolean isLeft(Path room) {
-        String name = room.getFileName().toString();
-        if (!name.matches("\\d{1,18}-\\d{1,9}") || !Files.isDirectory(room)) {
+            return Files.isDirectory(room);
+        } catch (IOException taken) {
             return false;
         }
-        long writer = Long.parseLong(name.substring(0, name.indexOf('-')));
-        return writer != process && ProcessHandle.of(writer).filter(ProcessHandle::isAlive).isEmpty();
     }
 
     /**
-     * Takes one that was left for this process.
+     * Takes one that was left for this process. What cannot be read stays where it is.
      *
      * @throws IOException if it cannot be read, or another process was quicker
      * @throws SceneFileException if its scene is not valid
      */
     public Resumed take(Path left) throws IOException, SceneFileException {
-        Path room = next().orElseThrow();
-        Files.move(left, room);
+        FileLock lock = taken(left);
+        boolean isRead = false;
+        try {
+            Resumed resumed = read(left, lock);
+            isRead = true;
+            return resumed;
+        } finally {
+            if (!isRead) {
+                lock.close();
+            }
+        }
+    }
+
+    private static FileLock taken(Path left) throws IOException {
+        try {
+            return lock(left);
+        } catch (IOException e) {
+            throw new IOException(left + ": another render is at work on this picture", e);
+        }
+    }
+
+    private Resumed read(Path room, FileLock lock) throws IOException, SceneFileException {
         Properties said = new Properties();
         try (Reader reader = Files.newBufferedReader(room.resolve(PICTURE))) {
             said.load(reader);
@@ -166,7 +232,7 @@ public final class UnfinishedPictures {
         Scene scene = SceneFiles.read(room.resolve(SCENE), Map.of(), from.map(Assets::beside).orElseGet(Assets::none));
         Map<String, String> answers = said.stringPropertyNames().stream().filter(name -> name.startsWith(ANSWER))
                 .collect(Collectors.toUnmodifiableMap(name -> name.substring(ANSWER.length()), said::getProperty));
-        UnfinishedPicture kept = new UnfinishedPicture(Optional.of(room), itself -> {}, from.isPresent(), quick, bytes -> true, onFault);
+        UnfinishedPicture kept = new UnfinishedPicture(Optional.of(room), Optional.of(lock), itself -> lock, from.isPresent(), quick, bytes -> true, onFault);
         return new Resumed(kept, scene, from.map(Assets::beside).orElseGet(Assets::none), answers);
     }
 
@@ -178,15 +244,27 @@ public final class UnfinishedPictures {
         }
     }
 
+    /**
+     * Deletes one that was left.
+     *
+     * @throws IOException if that cannot be, or another process is at work on it
+     */
+    public void discard(Path left) throws IOException {
+        try (FileLock nobodyElse = taken(left)) {
+            Objects.requireNonNull(nobodyElse);
+            delete(left);
+        }
+    }
+
     /** Deletes all that is kept of one. */
-    public static void delete(Path room) throws IOException {
+    static void delete(Path room) throws IOException {
         if (Files.isDirectory(room)) {
             try (Stream<Path> files = Files.list(room)) {
                 for (Path file : files.toList()) {
-                    Files.delete(file);
+                    Files.deleteIfExists(file);
                 }
             }
-            Files.delete(room);
+            Files.deleteIfExists(room);
         }
     }
 }

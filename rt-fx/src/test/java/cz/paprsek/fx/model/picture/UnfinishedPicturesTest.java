@@ -1,10 +1,12 @@
 package cz.paprsek.fx.model.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.model.picture.UnfinishedPictures.Resumed;
 import cz.paprsek.image.Image;
+import cz.paprsek.io.FileLock;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.RenderResult;
@@ -17,8 +19,10 @@ import cz.paprsek.render.film.Film;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.time.Duration;
@@ -27,6 +31,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,8 +40,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class UnfinishedPicturesTest {
     private static final Path SHIPPED = Path.of("../scenes/lens.xml");
     private static final Map<String, String> ANSWERS = Map.of("size", "160x110", "camera", "two = words\n& more");
-    /** No system has processes of such numbers. */
-    private static final long GONE = 999_999_999_999L;
+    private static final String GONE = "00000000-0000-4000-8000-00000000000";
 
     @TempDir
     private Path folder = Path.of("");
@@ -74,18 +78,25 @@ class UnfinishedPicturesTest {
         });
     }
 
-    private UnfinishedPictures of(long process, Duration quick) {
-        return new UnfinishedPictures(Optional.of(folder), process, quick, () -> Optional.of(SHIPPED.toAbsolutePath()), faults::add);
+    private UnfinishedPictures of(Duration quick) {
+        return new UnfinishedPictures(Optional.of(folder), quick, () -> Optional.of(SHIPPED.toAbsolutePath()), faults::add);
     }
 
     /** What the process has written, when it is killed in the midst of a tile. */
-    private void kill(Path room) throws IOException {
-        Path left = Files.createDirectory(folder.resolve(GONE + "-7"));
+    private Path kill(Path room) throws IOException {
+        Path left = Files.createDirectory(folder.resolve(GONE + "7"));
         for (String name : List.of("scene.xml", "picture.properties", "tiles.resume")) {
             Files.copy(room.resolve(name), left.resolve(name));
         }
         try (FileChannel tiles = FileChannel.open(left.resolve("tiles.resume"), StandardOpenOption.WRITE)) {
             tiles.truncate(tiles.size() - 5);
+        }
+        return left;
+    }
+
+    private List<Path> rooms() throws IOException {
+        try (Stream<Path> all = Files.list(folder)) {
+            return all.filter(Files::isDirectory).toList();
         }
     }
 
@@ -97,17 +108,24 @@ class UnfinishedPicturesTest {
         RenderOptions options = samples == 1 ? once : RenderOptions.of(once.settings().withSize(64, 40).withIntegrator(cz.paprsek.scene.RenderSettings.Integrator.PATH).withSamples(samples));
         Assets assets = Assets.beside(SHIPPED);
         Image whole = Renderer.render(RenderScene.of(scene, assets, RenderMonitor.NONE), options, RenderMonitor.NONE).image();
-        UnfinishedPicture begun = of(3, Duration.ZERO).begin(scene, ANSWERS);
+        UnfinishedPictures first = of(Duration.ZERO);
+        UnfinishedPicture begun = first.begin(scene, ANSWERS);
         assertThat(render(begun, scene, assets, options, 6, new AtomicInteger()).outcome()).isEqualTo(Outcome.CANCELLED);
-        kill(folder.resolve("3-1"));
+        assertThat(of(Duration.ZERO).left()).as("under way").isEmpty();
+        Path room = rooms().get(0);
+        Path left = kill(room);
         begun.forget();
-        assertThat(folder.resolve("3-1")).doesNotExist();
+        assertThat(room).doesNotExist();
 
-        UnfinishedPictures next = of(4, Duration.ofHours(1));
-        assertThat(next.left()).containsExactly(folder.resolve(GONE + "-7"));
-        Resumed resumed = next.take(next.left().get(0));
+        UnfinishedPictures next = of(Duration.ofHours(1));
+        assertThat(next.left()).containsExactly(left);
+        next.take(left).kept().leave();
+        assertThat(next.left()).as("nobody goes on with it after all").containsExactly(left);
+        Resumed resumed = next.take(left);
         assertThat(resumed.answers()).isEqualTo(ANSWERS);
-        assertThat(next.left()).as("taken by a process that lives").isEmpty();
+        assertThat(next.left()).as("taken").isEmpty();
+        assertThatThrownBy(() -> first.take(left)).hasMessage(left + ": another render is at work on this picture");
+        assertThatThrownBy(() -> first.discard(left)).hasMessage(left + ": another render is at work on this picture");
         AtomicInteger known = new AtomicInteger();
         RenderResult result = render(resumed.kept(), resumed.scene(), resumed.assets(), options, Integer.MAX_VALUE, known);
         assertThat(known.get()).isPositive();
@@ -131,9 +149,9 @@ class UnfinishedPicturesTest {
     void quickPicturesAndLargeOnesLeaveNothing() throws Exception {
         Scene scene = SceneFiles.read(SHIPPED);
         RenderOptions options = RenderOptions.of(scene.settings().withSize(64, 40));
-        render(of(3, Duration.ofHours(1)).begin(scene, ANSWERS), scene, Assets.none(), options, Integer.MAX_VALUE, new AtomicInteger());
+        render(of(Duration.ofHours(1)).begin(scene, ANSWERS), scene, Assets.none(), options, Integer.MAX_VALUE, new AtomicInteger());
         AtomicInteger asked = new AtomicInteger();
-        UnfinishedPicture large = new UnfinishedPicture(Optional.of(folder.resolve("3-9")), room -> Files.createDirectory(room), true, Duration.ZERO, bytes -> {
+        UnfinishedPicture large = new UnfinishedPicture(Optional.of(folder.resolve(GONE + "9")), Optional.empty(), room -> FileLock.of(room, 0), true, Duration.ZERO, bytes -> {
             asked.set((int) bytes);
             return false;
         }, faults::add);
@@ -144,19 +162,54 @@ class UnfinishedPicturesTest {
 
     @Test
     void whatHadNotBegunIsDeletedAndWhatIsNoneIsLeftAlone() throws Exception {
-        Files.writeString(Files.createDirectory(folder.resolve(GONE + "-1")).resolve("scene.xml"), "<sce");
+        Files.writeString(Files.createDirectory(folder.resolve(GONE + "1")).resolve("scene.xml"), "<sce");
         Files.createDirectory(folder.resolve("mine"));
-        Files.createDirectory(folder.resolve(ProcessHandle.current().pid() + "-1"));
-        assertThat(of(3, Duration.ZERO).left()).isEmpty();
-        assertThat(folder.toFile().list()).containsExactlyInAnyOrder("mine", ProcessHandle.current().pid() + "-1");
+        assertThat(of(Duration.ZERO).left()).isEmpty();
+        assertThat(folder.toFile().list()).containsExactly("mine");
+    }
+
+    /** A process whose number, in a container, is that of the one before: what it begins is a picture of its own. */
+    @Test
+    void eachPictureHasARoomOfItsOwn() throws Exception {
+        Scene scene = SceneFiles.read(SHIPPED);
+        RenderOptions options = RenderOptions.of(scene.settings().withSize(64, 40));
+        for (int i = 1; i <= 2; i++) {
+            render(of(Duration.ZERO).begin(scene, ANSWERS), scene, Assets.none(), options, 1, new AtomicInteger());
+            assertThat(rooms()).hasSize(i).allSatisfy(room -> assertThat(room.resolve("picture.properties")).exists());
+        }
+        assertThat(of(Duration.ZERO).left()).isEmpty();
+    }
+
+    @Test
+    void whatCannotBeReadStaysWhereItIs() throws Exception {
+        Path damaged = Files.createDirectory(folder.resolve(GONE + "1"));
+        Files.writeString(damaged.resolve("picture.properties"), "source=\\u00zz");
+        UnfinishedPictures pictures = of(Duration.ZERO);
+        assertThatThrownBy(() -> pictures.take(damaged)).hasMessage(damaged.resolve("picture.properties") + ": is damaged");
+        assertThat(pictures.left()).containsExactly(damaged);
+        pictures.discard(damaged);
+        assertThat(folder).isEmptyDirectory();
     }
 
     @Test
     void aDiskThatTakesNothingIsToldOnceAndThePictureIsMade() throws Exception {
-        Files.writeString(folder.resolve("3-1"), "in the way");
+        Path file = Files.writeString(folder.resolve("file"), "in the way");
         Scene scene = SceneFiles.read(SHIPPED);
         RenderOptions options = RenderOptions.of(scene.settings().withSize(64, 40));
-        assertThat(render(of(3, Duration.ZERO).begin(scene, ANSWERS), scene, Assets.none(), options, Integer.MAX_VALUE, new AtomicInteger()).outcome()).isEqualTo(Outcome.DONE);
+        UnfinishedPictures nowhere = new UnfinishedPictures(Optional.of(file.resolve("pictures")), Duration.ZERO, Optional::empty, faults::add);
+        assertThat(render(nowhere.begin(scene, ANSWERS), scene, Assets.none(), options, Integer.MAX_VALUE, new AtomicInteger()).outcome()).isEqualTo(Outcome.DONE);
         assertThat(faults).hasSize(1);
+    }
+
+    /** As a walk through a folder fails that another window deletes meanwhile. */
+    @Test
+    void noFaultOfKeepingIsOneOfThePicture() throws Exception {
+        Scene scene = SceneFiles.read(SHIPPED);
+        RenderOptions options = RenderOptions.of(scene.settings().withSize(64, 40));
+        UnfinishedPicture kept = new UnfinishedPicture(Optional.of(folder.resolve(GONE + "9")), Optional.empty(), room -> FileLock.of(room, 0), true, Duration.ZERO, bytes -> {
+            throw new UncheckedIOException(new NoSuchFileException("gone"));
+        }, faults::add);
+        assertThat(render(kept, scene, Assets.none(), options, Integer.MAX_VALUE, new AtomicInteger()).outcome()).isEqualTo(Outcome.DONE);
+        assertThat(faults).containsExactly("gone: no such file");
     }
 }
