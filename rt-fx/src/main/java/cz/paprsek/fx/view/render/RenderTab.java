@@ -15,6 +15,7 @@ import javafx.animation.Timeline;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.ReadOnlyStringProperty;
+import javafx.beans.value.ChangeListener;
 import javafx.concurrent.Worker;
 import javafx.geometry.Point2D;
 import javafx.geometry.Pos;
@@ -49,6 +50,7 @@ final class RenderTab extends Tab {
     private final Timeline clock = new Timeline(new KeyFrame(BETWEEN_UPDATES, event -> update()));
     private final ReadOnlyObjectWrapper<Optional<PicturePoint>> pointed = new ReadOnlyObjectWrapper<>(Optional.empty());
 
+    private final ChangeListener<Worker.State> onState = (property, old, now) -> follow(now);
     private RenderTask task;
     private Optional<RenderTab> compared = Optional.empty();
 
@@ -104,6 +106,13 @@ final class RenderTab extends Tab {
 
     RenderTask task() {
         return task;
+    }
+
+    /** Another tab shows the picture from now on: nothing goes on here. */
+    void release() {
+        task.stateProperty().removeListener(onState);
+        clock.stop();
+        difference.compare(Optional.empty());
     }
 
     /** Ends all that runs for it. */
@@ -167,19 +176,15 @@ final class RenderTab extends Tab {
 
     /** Goes on where it was cancelled. */
     private void goOn(RenderDesk desk) {
+        task.stateProperty().removeListener(onState);
         task = task.goOn();
         watch();
         desk.add(task);
     }
 
     private void watch() {
-        RenderTask watched = task;
-        watched.stateProperty().addListener((property, old, now) -> {
-            if (watched == task) {
-                follow(now);
-            }
-        });
-        follow(watched.getState());
+        task.stateProperty().addListener(onState);
+        follow(task.getState());
     }
 
     private void follow(Worker.State state) {
