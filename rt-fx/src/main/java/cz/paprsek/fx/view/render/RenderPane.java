@@ -150,11 +150,14 @@ public final class RenderPane extends StackPane {
         return button;
     }
 
-    /** Renders as was said last, and else as the scene asks; asks if that cannot be. */
+    /** Renders as was said last, and else as the scene asks; asks if that cannot be. What is asked just now waits for its answer. */
     public void render() {
+        if (dialog.isVisible()) {
+            return;
+        }
         form.set(model.state(), desk.said().answers());
         if (form.valid().get()) {
-            render(model.scene(), model.assets(), desk.unfinished().begin(model.scene(), form.words()));
+            render(form, model.scene(), model.assets(), desk.unfinished().begin(model.scene(), form.words()));
         } else {
             dialog.open();
         }
@@ -162,8 +165,10 @@ public final class RenderPane extends StackPane {
 
     /** Asks how to render. */
     public void ask() {
-        form.set(model.state(), desk.said().answers());
-        dialog.open();
+        if (!dialog.isVisible()) {
+            form.set(model.state(), desk.said().answers());
+            dialog.open();
+        }
     }
 
     /** Has the picture that is shown take the keyboard. */
@@ -174,7 +179,7 @@ public final class RenderPane extends StackPane {
     private void answered() {
         desk.said().set(form.said());
         showRegion();
-        render(model.scene(), model.assets(), desk.unfinished().begin(model.scene(), form.words()));
+        render(form, model.scene(), model.assets(), desk.unfinished().begin(model.scene(), form.words()));
     }
 
     /** Is told where in a picture the mouse is, and when it leaves. */
@@ -195,7 +200,7 @@ public final class RenderPane extends StackPane {
     /** Takes in the pictures of another pane, such as one in another language, also those that are still being rendered. */
     public void takeOver(RenderPane other) {
         other.tabs.getTabs().stream().map(RenderTab.class::cast).toList().forEach(tab -> {
-            tab.compareWith(Optional.empty());
+            tab.release();
             add(new RenderTab(tab.task(), desk, texts));
         });
         count = other.count;
@@ -219,17 +224,18 @@ public final class RenderPane extends StackPane {
 
     /** Goes on with a picture that an earlier process left, whatever scene is open. */
     public void goOn(Resumed left) {
-        form.set(EditorState.of(left.scene()), left.answers());
-        if (form.valid().get()) {
-            render(left.scene(), left.assets(), left.kept());
+        // Another form than the one that may be open.
+        RenderForm its = new RenderForm(texts);
+        its.set(EditorState.of(left.scene()), left.answers());
+        if (its.valid().get()) {
+            render(its, left.scene(), left.assets(), left.kept());
         } else {
-            left.kept().forget();
+            left.kept().leave();
+            message.setText(texts.of("render.left-unfit"));
         }
-        form.set(model.state(), desk.said().answers());
     }
 
-    /** Renders as the form says. */
-    private void render(Scene scene, Assets assets, UnfinishedPicture kept) {
+    private void render(RenderForm form, Scene scene, Assets assets, UnfinishedPicture kept) {
         RenderOptions options = form.options();
         message.setText("");
         RenderTask task;
