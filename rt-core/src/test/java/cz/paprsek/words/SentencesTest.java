@@ -39,6 +39,7 @@ class SentencesTest {
             nothing is repeated in the scene, and no definition used                   | ve scéně se nic neopakuje a není použita žádná definice
             frame 41: sphere radius must be a finite number above 0, but is -0.6       | snímek 41: koule, poloměr: má být konečné číslo větší než 0, ale je -0.6
             "pictures/oak.png": there is no such file beside the scene                 | "pictures/oak.png": vedle scény takový soubor není
+            /home/eva/picture.properties: is damaged                                   | /home/eva/picture.properties: je poškozen
             a sentence that nobody has translated                                      | a sentence that nobody has translated
             """)
     void aSentenceIsSaidInCzech(String english, String czech) {

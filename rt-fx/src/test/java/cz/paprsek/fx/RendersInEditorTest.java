@@ -4,10 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.TabPane;
@@ -45,6 +48,34 @@ class RendersInEditorTest {
             editor.menu("render-menu-render");
             editor.gui.until("it is rendered as was said before", () -> tabs().getTabs().size() == 1 && tabs().getTabs().get(0).getText().equals("1: empty · 32 × 48"));
         }
+    }
+
+    /** One is damaged, one discarded, and one goes on. */
+    @Test
+    void whatAnEarlierProcessLeftIsOfferedOneAfterTheOther() throws IOException {
+        Scene scene = Scene.EMPTY.withName("left").withSettings(new RenderSettings(64, 48, 3, 1));
+        for (String number : List.of("1", "2", "3")) {
+            Path room = Files.createDirectories(folder.resolve("pictures/00000000-0000-4000-8000-00000000000" + number));
+            SceneFiles.write(scene, room.resolve("scene.xml"));
+            Files.writeString(room.resolve("picture.properties"), number.equals("1") ? "source=\\u00zz" : "answer.size=32x24");
+        }
+        try (EditorGui editor = new EditorGui(folder, Scene.EMPTY)) {
+            editor.gui.until("the first is offered", () -> isOffered(editor));
+            editor.gui.click("#recovery-go-on");
+            editor.gui.until("it is told what is the matter with it", () -> editor.status().endsWith("picture.properties: is damaged"));
+            editor.gui.until("the next is offered", () -> isOffered(editor));
+            editor.gui.click("#recovery-discard");
+            editor.gui.until("the last is offered", () -> isOffered(editor));
+            editor.gui.click("#recovery-go-on");
+            editor.gui.until("it is rendered", () -> status(editor).startsWith("Done in"));
+            assertThat(Gui.on(() -> tabs().getTabs().get(0).getText())).isEqualTo("1: left · 32 × 24");
+            assertThat(folder.resolve("pictures").toFile().list()).containsExactly("00000000-0000-4000-8000-000000000001");
+        }
+    }
+
+    private static boolean isOffered(EditorGui editor) {
+        Node bar = editor.gui.stage().getScene().lookup("#message-bar");
+        return bar.isVisible() && bar.lookup("#recovery-go-on") != null;
     }
 
     /** What the main window tells of renders; for JavaFX's thread. */

@@ -52,8 +52,12 @@ class FinishedPicturesTest {
             .plus(SceneObject.of(new Sphere(0.6)).at(-0.5, 0.6, 0).madeOf(Material.color(250, 250, 250)));
 
     private final EditorModel model = new EditorModel(SCENE);
-    private final RenderPane pane = Gui.on(() -> new RenderPane(model, new RenderDesk(Remembered.forNow(), UnfinishedPictures.notKept()), Texts.in(Locale.ENGLISH), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty()));
+    private final RenderPane pane = Gui.on(() -> pane(Locale.ENGLISH));
     private final Gui gui = Gui.show(() -> pane, 1000, 640);
+
+    private RenderPane pane(Locale language) {
+        return new RenderPane(model, new RenderDesk(Remembered.forNow(), UnfinishedPictures.notKept()), Texts.in(language), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty());
+    }
 
     @AfterEach
     void close() {
@@ -80,6 +84,9 @@ class FinishedPicturesTest {
         assertThat(shown().view().lookup(".wipe").isVisible()).isTrue();
         assertThat(shown().task().saved(ImageFormat.PNG).origin().settings()).contains(" --denoise");
         assertThat(Screenshots.save(gui, "render-denoised")).isNotEmptyFile();
+        RenderTab old = shown();
+        gui.act(() -> pane(Locale.forLanguageTag("cs")).takeOver(pane));
+        assertThat(old.view().lookup(".wipe").isVisible()).as("the old view compares no more").isFalse();
     }
 
     @Test

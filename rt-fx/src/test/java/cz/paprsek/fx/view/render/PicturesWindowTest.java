@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
@@ -33,8 +34,11 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.concurrent.Worker;
@@ -109,9 +113,10 @@ class PicturesWindowTest {
 
     @Test
     void picturesWaitForTheirTurnWithTheSceneAsItWas() {
-        model.edit(CHANGE, scene -> scene.withSettings(PATHS.withSize(600, 400)));
+        AtomicBoolean shut = new AtomicBoolean(true);
+        model.edit(CHANGE, scene -> scene.withSettings(PATHS.withSize(600, 400)).plus(SceneObject.of(new Gate(shut::get))));
         gui.act(pane::render);
-        gui.act(() -> model.edit(CHANGE, scene -> scene.withSettings(PATHS.withSize(20, 10)).withName("second")));
+        gui.act(() -> model.edit(CHANGE, scene -> SCENE.withSettings(PATHS.withSize(20, 10)).withName("second")));
         gui.act(pane::render);
         gui.act(() -> model.edit(CHANGE, scene -> scene.withSettings(PATHS.withSize(30, 20)).withName("third")));
         gui.act(pane::render);
@@ -132,6 +137,7 @@ class PicturesWindowTest {
         assertThat(Screenshots.save(gui, "render-queue")).isNotEmptyFile();
         gui.act(() -> list.getSelectionModel().select(0));
         gui.click("#render-queue-cancel");
+        shut.set(false);
         gui.until("the others are done by themselves", () -> task(1).getState() == Worker.State.SUCCEEDED && task(2).getState() == Worker.State.SUCCEEDED);
         assertThat(Gui.on(() -> task(0).getState())).isEqualTo(Worker.State.CANCELLED);
         assertThat(task(1).image().orElseThrow().toLinear()).isEqualTo(Renderer.render(SCENE.withSettings(PATHS.withSize(20, 10))).toLinear());
@@ -187,6 +193,27 @@ class PicturesWindowTest {
         assertThat(gui.stage().getScene().lookup("#render-region-clear").isVisible()).isFalse();
     }
 
+    @Test
+    void aFormThatIsBeingFilledInIsNotOverwritten() {
+        gui.click("#render-ask");
+        enter("#render-width", "77");
+        gui.act(pane::render);
+        gui.act(pane::ask);
+        assertThat(tabs().getTabs()).as("the answer is waited for").isEmpty();
+        gui.act(() -> pane.goOn(left(Map.of("size", "30x20"))));
+        gui.until("what was left is done", () -> task(0).getState() == Worker.State.SUCCEEDED);
+        assertThat(shown().getText()).isEqualTo("1: ball · 30 × 20");
+        gui.act(() -> pane.goOn(left(Map.of("depth", "0"))));
+        assertThat(tabs().getTabs()).hasSize(1);
+        assertThat(label("#render-message")).startsWith("The unfinished picture is kept");
+        assertThat(gui.node("#render-dialog").isVisible()).isTrue();
+        assertThat(((TextField) gui.node("#render-width")).getText()).isEqualTo("77");
+    }
+
+    private static UnfinishedPictures.Resumed left(Map<String, String> answers) {
+        return new UnfinishedPictures.Resumed(UnfinishedPictures.notKept().begin(SCENE, Map.of()), SCENE, Assets.none(), answers);
+    }
+
     /** Of one pass, and of passes of paths with what else is kept of each pixel. */
     @ParameterizedTest
     @ValueSource(strings = {"", "denoise", "mix"})
@@ -195,9 +222,12 @@ class PicturesWindowTest {
         if (how.length() > 0) {
             desk.said().put(how, "true");
         }
-        gui.act(() -> model.edit(CHANGE, scene -> SCENE.withSettings(settings)));
+        AtomicReference<Optional<RenderTask>> held = new AtomicReference<>(Optional.empty());
+        Gate gate = new Gate(() -> Objects.requireNonNull(held.get()).map(task -> !task.isCancelled() && task.progress().share() > 0.4).orElse(true));
+        gui.act(() -> model.edit(CHANGE, scene -> SCENE.withSettings(settings).plus(SceneObject.of(gate))));
         gui.act(pane::render);
         RenderTask first = shown().task();
+        held.set(Optional.of(first));
         gui.until("some tiles are done", () -> first.progress().share() > 0.3);
         gui.click("#render-cancel");
         gui.until("the workers have stopped", first::isStopped);
