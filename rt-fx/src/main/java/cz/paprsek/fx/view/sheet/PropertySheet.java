@@ -86,6 +86,9 @@ public final class PropertySheet extends BorderPane {
     /** What takes the material of something else, as a button beside that of what is selected. */
     public void offerPipette(Command pipette) {
         editors.offerPipette(pipette);
+        // What is selected already, as when the language changes, has one, too.
+        sections = List.of();
+        refresh();
     }
 
     /** Is told when the field that had the keyboard is gone, and nothing in its place. */
