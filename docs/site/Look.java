@@ -104,12 +104,33 @@ class Look {
 
     private static List<String> opened(String chromium, String theme, List<Path> pages) throws Exception {
         Path folder = Files.createTempDirectory("look");
+        try {
+            return opened(chromium, theme, pages, folder);
+        } finally {
+            delete(folder);
+        }
+    }
+
+    private static void delete(Path folder) throws IOException {
+        try (Stream<Path> all = Files.walk(folder)) {
+            for (Path one : all.sorted(Comparator.reverseOrder()).toList()) {
+                Files.deleteIfExists(one);
+            }
+        }
+    }
+
+    private static List<String> opened(String chromium, String theme, List<Path> pages, Path folder) throws Exception {
         String list = pages.stream().map(page -> '"' + page.toUri().toString() + '"').collect(Collectors.joining(",", "[", "]"));
         Path looks = Files.writeString(folder.resolve("look.html"), LOOK.replace("PAGES", list).replace("LEAST", LEAST_CONTRAST));
         Process process = new ProcessBuilder(chromium, "--headless=new", "--no-sandbox", "--disable-gpu", "--allow-file-access-from-files", "--user-data-dir=" + folder.resolve("profile"),
                 "--blink-settings=preferredColorScheme=" + theme, "--virtual-time-budget=300000", "--dump-dom", looks.toUri().toString()).redirectError(ProcessBuilder.Redirect.DISCARD).start();
-        String dom = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        process.waitFor();
+        String dom;
+        try {
+            dom = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        } finally {
+            process.destroy();
+            process.waitFor();
+        }
         int begin = dom.indexOf('\u00ab');
         int end = dom.indexOf('\u00bb');
         if (begin < 0 || end < begin) {
