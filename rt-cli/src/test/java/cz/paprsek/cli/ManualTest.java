@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -53,6 +54,18 @@ class ManualTest {
     private static Set<String> options(String text) {
         return Pattern.compile("(?m)^ {2,6}(?:-\\w, )?(--[a-z-]+)|\\\\fB(--[a-z-]+)").matcher(text).results()
                 .map(found -> found.group(1) == null ? found.group(2) : found.group(1)).collect(Collectors.toCollection(TreeSet::new));
+    }
+
+    /** A row for each, with all that it can be told; databases have a page of their own. */
+    @Test
+    void thePageOfCommandsHasAllTheirOptions() throws IOException {
+        List<MatchResult> rows = Pattern.compile("(?m)^\\| `([a-z-]+)[ `].*$").matcher(Files.readString(Path.of("../docs/command-line.md"))).results()
+                .filter(row -> !row.group(1).equals("db")).toList();
+        assertThat(rows).hasSizeGreaterThan(14).allSatisfy(row -> {
+            Set<String> known = options(Run.cli(row.group(1), "--help").out());
+            known.removeAll(Set.of("--help", "--output"));
+            assertThat(Pattern.compile("--[a-z][a-z-]*").matcher(row.group()).results().map(MatchResult::group)).as(row.group(1)).containsAll(known);
+        });
     }
 
     @Test

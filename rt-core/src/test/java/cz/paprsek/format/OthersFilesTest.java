@@ -46,6 +46,11 @@ class OthersFilesTest {
         return Files.readAllLines(FOLDER.resolve("files.txt")).stream().filter(line -> !line.startsWith("#")).map(Expected::of).toList();
     }
 
+    @Test
+    void theManualTellsHowManyThereAre() throws IOException {
+        assertThat(Files.readString(Path.of("../docs/models.md"))).contains("The " + files().size() + " files of eight programs");
+    }
+
     private static double[] array(Bounds b) {
         return new double[] {b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()};
     }
