@@ -73,6 +73,7 @@ public final class PictureView extends Region {
     private final WeakInvalidationListener painted = new WeakInvalidationListener(onPainted);
     private Point2D pressed = Point2D.ZERO;
     private Point2D dragged = Point2D.ZERO;
+    private boolean pans;
 
     public PictureView(PictureBuffer buffer) {
         this.buffer = buffer;
@@ -326,6 +327,7 @@ public final class PictureView extends Region {
         if (event.getButton() == MouseButton.PRIMARY && (selecting.get() || event.isShiftDown())) {
             band.begin(pixel(event));
         }
+        pans = !band.isDragging();
         event.consume();
     }
 
@@ -334,7 +336,7 @@ public final class PictureView extends Region {
         if (now.distance(pressed) > CLICK_SLACK || !dragged.equals(pressed)) {
             if (band.isDragging()) {
                 band.drag(pixel(event));
-            } else {
+            } else if (pans) {
                 pan(now.getX() - dragged.getX(), now.getY() - dragged.getY());
             }
             dragged = now;

@@ -187,6 +187,10 @@ class PicturesWindowTest {
         assertThat(Gui.on(() -> shown().view().regionProperty().get())).as("it is drawn").isPresent();
         assertThat(desk.said().answers()).isEmpty();
         gui.keys(KeyCode.ESCAPE);
+        Node picture = shown().view().getChildrenUnmodifiable().get(1);
+        double left = picture.getLayoutX();
+        gui.moveTo(view, middle + 60, 180);
+        assertThat(picture.getLayoutX()).as("the picture stays").isEqualTo(left);
         gui.release(MouseButton.PRIMARY);
         assertThat(Gui.on(() -> shown().view().regionProperty().get())).isEmpty();
         assertThat(desk.said().answers()).isEmpty();
