@@ -1,6 +1,7 @@
 package cz.paprsek.xml;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.math.Require;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Recipe;
 import cz.paprsek.scene.SceneDatabase;
@@ -67,6 +68,16 @@ public final class OriginalText {
     /** What somebody has written, which says this scene. */
     OriginalText typed(Scene scene) {
         return new OriginalText(file, bytes, new Contents(List.of(scene), false), true);
+    }
+
+    /**
+     * The same, as what somebody has written: it takes the place of the text that a scene has where it goes, also if that scene is the same.
+     *
+     * @throws IllegalArgumentException if that is not the text of one scene
+     */
+    public OriginalText asTyped() {
+        Require.that(contents.scenes().size() == 1 && !contents.isDatabase(), "what is typed must be the text of one scene");
+        return new OriginalText("text", bytes, contents, true);
     }
 
     boolean isTyped() {

@@ -219,7 +219,7 @@ final class FileActions {
     }
 
     private void restore(Optional<SceneSource> source, Path copy) {
-        Background.run("paprsek-restore", () -> Map.entry(SceneFiles.read(copy), Recovery.textBeside(copy)), left -> {
+        Background.run("paprsek-restore", () -> Map.entry(Recovery.read(copy), Recovery.textBeside(copy)), left -> {
             document.recovered(source, left.getKey());
             left.getValue().ifPresent(written -> {
                 manuscript.restore(written);

@@ -227,6 +227,12 @@ public final class EditorModel {
         show(state());
     }
 
+    /** As {@link #openUnsaved(Scene)}, with the text that somebody has written for it. */
+    public void openUnsaved(Scene fresh, OriginalText typed) {
+        openUnsaved(fresh);
+        show(state().withTyped(Optional.of(typed)));
+    }
+
     /** Takes another scene in the place of this one as a step that can be undone, and which counts as saved: the file changed on disk. */
     public void reload(Label label, Scene fresh) {
         editState(label, old -> old.withScene(fresh).withTyped(Optional.empty()));

@@ -6,8 +6,11 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.SceneFile;
 import cz.paprsek.xml.SceneFileException;
+import cz.paprsek.xml.SceneFiles;
+import cz.paprsek.xml.SceneText;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -75,14 +78,21 @@ public final class Document {
         model.openUnsaved(scene);
     }
 
-    /** Takes a scene that was to be saved at a source, or at none, and was not. */
-    public void recovered(Optional<SceneSource> from, Scene scene) {
+    /** Takes a scene that was to be saved at a source, or at none, and was not, with its comments and wording. */
+    public void recovered(Optional<SceneSource> from, OriginalText copy) {
+        Scene scene = copy.contents().scenes().get(0);
         text = from.equals(source.get()) ? text : KeptText.NONE;
         source.set(from);
         stamp = from.flatMap(place -> FileStamp.of(place.file()));
         known = Optional.empty();
         model.setAssets(from.map(place -> Assets.beside(place.file())).orElseGet(Assets::none));
-        model.openUnsaved(scene);
+        // Without anything of its own, it is not written over the text of a database.
+        boolean isPlain = from.flatMap(SceneSource::inDatabase).isPresent() && SceneText.of(Optional.of(copy), scene).characters().equals(SceneFiles.format(scene));
+        if (isPlain || copy.contents().isDatabase()) {
+            model.openUnsaved(scene);
+        } else {
+            model.openUnsaved(scene, copy.asTyped());
+        }
     }
 
     /**

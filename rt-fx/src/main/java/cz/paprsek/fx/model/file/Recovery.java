@@ -2,7 +2,9 @@ package cz.paprsek.fx.model.file;
 
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.OriginalText;
 import cz.paprsek.xml.SceneFile;
+import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -47,6 +49,8 @@ public final class Recovery {
             text.file().get().saveAs(scene, place);
         } else if (text.typed().isPresent()) {
             SceneFile.of(place, text.typed().get()).saveAs(scene, place);
+        } else if (text.database().isPresent()) {
+            SceneFile.create(place, scene, text.database().get().text());
         } else {
             SceneFiles.write(scene, place);
         }
@@ -60,6 +64,16 @@ public final class Recovery {
         } else {
             Files.deleteIfExists(place);
         }
+    }
+
+    /**
+     * Reads a copy with its comments and wording.
+     *
+     * @throws SceneFileException if it is not the text of one scene
+     * @throws IOException if it cannot be read
+     */
+    public static OriginalText read(Path copy) throws IOException, SceneFileException {
+        return SceneFiles.open(copy).text();
     }
 
     /** What was written beside a copy. */

@@ -3,12 +3,14 @@ package cz.paprsek.fx.model.file;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.TestScenes;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
+import cz.paprsek.xml.SceneText;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -136,6 +138,42 @@ class DocumentTest {
         assertThat(alive.left(Optional.empty())).isEmpty();
         alive.discard(source);
         assertThat(alive.place(source)).doesNotExist();
+    }
+
+    @Test
+    void whatWasWrittenInTheTextIsThereAfterACrashAndGoesIntoTheFile() throws IOException, SceneFileException {
+        String text = "<scene xmlns='urn:paprsek:scene:1'>\r\n  <camera position='0 0 5.0' direction='0 0 -1'/> <!-- old -->\r\n</scene>\r\n";
+        Path file = Files.writeString(folder.resolve("lens.xml"), text);
+        SceneSource source = SceneSource.file(file);
+        Document document = new Document(new EditorModel(kitchen));
+        document.opened(source.read());
+        SceneText now = SceneText.of(document.text().original(), document.model().scene());
+        SceneText typed = now.typed(now.characters().replace("old", "new").replace("5.0", "5.00"), Assets.none());
+        document.model().editState(Label.of(Label.Edit.WRITE, "XML"), state -> state.withScene(typed.scene()).withTyped(Optional.of(typed.kept())));
+        new Recovery(folder, DEAD).keep(Optional.of(source), document.model().scene(), document.text());
+        Document next = new Document(new EditorModel(kitchen));
+        next.opened(source.read());
+        next.recovered(Optional.of(source), Recovery.read(new Recovery(folder).left(Optional.of(source)).orElseThrow()));
+        assertThat(next.model().unsavedProperty().get()).isTrue();
+        next.save(source);
+        assertThat(Files.readString(file)).isEqualTo(text.replace("old", "new").replace("5.0", "5.00"));
+        assertThat(next.model().unsavedProperty().get()).isFalse();
+    }
+
+    @Test
+    void commentsOfADatabaseAreThereAfterACrash() throws IOException, SceneFileException {
+        String text = "<database xmlns='urn:paprsek:scene:1'>\n  <scene name='a'> <!-- one -->\n    <camera direction='0 0 -1' position='0 0 5.0'/>\n  </scene>\n</database>\n";
+        Path file = Files.writeString(folder.resolve("d.xml"), text);
+        SceneSource source = SceneSource.of(file);
+        SceneSource.Kept kept = source.read();
+        for (KeptText known : List.of(kept.text(), KeptText.NONE)) {
+            new Recovery(folder, DEAD).keep(Optional.of(source), kept.scene().withDescription("new"), known);
+            Document next = new Document(new EditorModel(kitchen));
+            next.recovered(Optional.of(source), Recovery.read(new Recovery(folder).left(Optional.of(source)).orElseThrow()));
+            next.save(source);
+            assertThat(Files.readString(file)).contains("<!-- one -->", "5.0'", "<description>new");
+            Files.writeString(file, text);
+        }
     }
 
     @Test
