@@ -8,10 +8,12 @@ import cz.paprsek.fx.model.typing.Manuscript;
 import cz.paprsek.fx.model.typing.Page;
 import cz.paprsek.io.Failures;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.OriginalText;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import javafx.animation.KeyFrame;
 import javafx.animation.Timeline;
@@ -27,6 +29,9 @@ final class Autosave {
     private final Manuscript manuscript;
     private final Recovery recovery;
     private final Consumer<String> onFault;
+    /** Copies are written and discarded one after the other. */
+    private final Object copying = new Object();
+    private final AtomicInteger discards = new AtomicInteger();
     private final ExecutorService writer = Executors.newSingleThreadExecutor(work -> {
         Thread thread = new Thread(work, "paprsek-autosave");
         thread.setDaemon(true);
@@ -34,6 +39,7 @@ final class Autosave {
     });
     private final Timeline timer = new Timeline(new KeyFrame(INTERVAL, event -> keepIfNew()));
     private @Nullable Scene kept;
+    private Optional<OriginalText> keptTyped = Optional.empty();
     private Optional<String> keptText = Optional.empty();
 
     Autosave(Document document, Manuscript manuscript, Recovery recovery, Consumer<String> onFault) {
@@ -48,23 +54,43 @@ final class Autosave {
     /** Keeps a copy now if there is something unsaved that no copy has. */
     void keepIfNew() {
         Scene scene = document.model().scene();
+        Optional<OriginalText> typed = document.model().state().typed();
         Optional<String> written = Optional.of(manuscript.page()).filter(Page::isHeld).map(Page::text);
         boolean isUnsaved = document.model().unsavedProperty().get() || written.isPresent();
-        if (!isUnsaved || document.model().gesturingProperty().get() || (scene.equals(kept) && written.equals(keptText))) {
+        if (!isUnsaved || document.model().gesturingProperty().get() || (scene.equals(kept) && typed.equals(keptTyped) && written.equals(keptText))) {
             return;
         }
         kept = scene;
+        keptTyped = typed;
         keptText = written;
         Optional<SceneSource> source = document.sourceProperty().get();
         KeptText text = document.text();
+        int before = discards.get();
         writer.execute(() -> {
             try {
-                recovery.keep(source, scene, text);
-                recovery.keepText(source, written);
+                synchronized (copying) {
+                    if (before == discards.get()) {
+                        recovery.keep(source, scene, text);
+                        recovery.keepText(source, written);
+                    }
+                }
             } catch (IOException | IllegalArgumentException e) {
                 Platform.runLater(() -> onFault.accept(Failures.sentence(e)));
             }
         });
+    }
+
+    /**
+     * Forgets the copy of a scene, because it was saved or given up. What is still unsaved, such as a text with mistakes, is kept anew.
+     *
+     * @throws IOException if it cannot be deleted
+     */
+    void discard(Optional<SceneSource> source) throws IOException {
+        kept = null;
+        discards.incrementAndGet();
+        synchronized (copying) {
+            recovery.discard(source);
+        }
     }
 
     void stop() {

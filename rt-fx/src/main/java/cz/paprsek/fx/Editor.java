@@ -86,8 +86,8 @@ final class Editor implements Notices {
         this.texts = new SimpleObjectProperty<>(Texts.in(settings.get("language").map(Locale::forLanguageTag).orElse(system)));
         this.dialogs = asking.make(stage, texts::get);
         Recovery recovery = new Recovery(folder);
-        this.files = new FileActions(document, settings, recovery, dialogs, this, texts::get, this::showLibrary, manuscript);
         this.autosave = new Autosave(document, manuscript, recovery, this::say);
+        this.files = new FileActions(document, settings, recovery, autosave, dialogs, this, texts::get, this::showLibrary, manuscript);
         this.renders = new RenderWindow(this, dialogs, folder);
         this.library = new LibraryWindow(this, document, dialogs);
         this.mistakes = new MistakesWindow(this);

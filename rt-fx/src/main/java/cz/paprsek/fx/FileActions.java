@@ -45,6 +45,7 @@ final class FileActions {
     private final Document document;
     private final Settings settings;
     private final Recovery recovery;
+    private final Autosave autosave;
     private final Dialogs dialogs;
     private final Notices notices;
     private final Supplier<Texts> texts;
@@ -52,11 +53,12 @@ final class FileActions {
     private final Manuscript manuscript;
 
     /** @param onDatabase takes a database whose first scene was opened */
-    FileActions(Document document, Settings settings, Recovery recovery, Dialogs dialogs, Notices notices, Supplier<Texts> texts,
+    FileActions(Document document, Settings settings, Recovery recovery, Autosave autosave, Dialogs dialogs, Notices notices, Supplier<Texts> texts,
             Consumer<DatabaseFile> onDatabase, Manuscript manuscript) {
         this.document = document;
         this.settings = settings;
         this.recovery = recovery;
+        this.autosave = autosave;
         this.dialogs = dialogs;
         this.notices = notices;
         this.texts = texts;
@@ -151,7 +153,7 @@ final class FileActions {
         document.model().edit(Label.of(Label.Edit.RENAME, scene.name()), old -> scene);
         document.kept(source, scene);
         try {
-            recovery.discard(before);
+            autosave.discard(before);
         } catch (IOException e) {
             notices.say(Failures.sentence(e));
         }
@@ -276,7 +278,7 @@ final class FileActions {
         Optional<SceneSource> before = document.sourceProperty().get();
         try {
             document.save(source);
-            recovery.discard(before);
+            autosave.discard(before);
         } catch (IOException | SceneFileException | IllegalArgumentException e) {
             notices.ask(texts.get().of("file.not-saved", source.title(), Failures.sentence(e)),
                     List.of(new MessageBar.Choice("save-elsewhere", texts.get().of("file.save-elsewhere"), this::saveAs)));
@@ -343,7 +345,7 @@ final class FileActions {
 
     private void forgetCopy() {
         try {
-            recovery.discard(document.sourceProperty().get());
+            autosave.discard(document.sourceProperty().get());
         } catch (IOException e) {
             notices.say(Failures.sentence(e));
         }

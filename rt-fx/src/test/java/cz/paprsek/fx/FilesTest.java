@@ -80,7 +80,21 @@ class FilesTest {
         editor.gui.click("#xml-save-without");
         assertThat(Files.readString(file)).isEqualTo(written);
         assertThat(manuscript.page().text()).contains("2.50 3");
+        assertThat(copy).doesNotExist();
+        editor.gui.act(() -> editor.editor.fault(new IllegalStateException("another crash")));
+        editor.gui.until("what is held is kept aside again", () -> Files.exists(copy.resolveSibling(copy.getFileName() + "-text")));
         editor.gui.act(manuscript::giveUp);
+        for (String comment : List.of("in", "ft")) {
+            editor.gui.act(() -> {
+                manuscript.write(manuscript.page().text().replaceFirst("<!-- .. -->", "<!-- " + comment + " -->"));
+                manuscript.flush();
+                editor.editor.fault(new IllegalStateException("a crash after a comment"));
+            });
+            editor.gui.until("the comment is kept", () -> contents(copy).contains("<!-- " + comment + " -->"));
+            assertThat(Recovery.textBeside(copy)).isEmpty();
+        }
+        editor.gui.act(editor.model()::undo);
+        editor.gui.act(editor.model()::undo);
         editor.gui.act(editor.model()::undo);
         editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
         assertThat(Files.readString(file)).isEqualTo(text);
@@ -322,6 +336,14 @@ class FilesTest {
         assertThat(Gui.on(() -> javafx.scene.input.Clipboard.getSystemClipboard().getString())).contains("<sphere name=\"ball\"");
         editor.gui.keys(KeyCode.DELETE);
         assertThat(editor.model().scene().objects()).hasSize(1);
+    }
+
+    private static String contents(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException gone) {
+            return "";
+        }
     }
 
     private void moveBall() {
