@@ -74,6 +74,11 @@ public final class SceneFile {
         return new SceneFile(path, scene, Objects.requireNonNull(typed, "typed"), digest);
     }
 
+    /** Whether both had the same bytes when they were read or written last. */
+    public boolean isAs(SceneFile other) {
+        return Arrays.equals(digest, other.digest);
+    }
+
     public Path path() {
         return path;
     }
@@ -90,10 +95,10 @@ public final class SceneFile {
 
     /**
      * Writes what the scene has become; the file is replaced as a whole or not at all. If others have changed the text meanwhile, but not the
-     * scene, it is theirs that is changed.
+     * scene, it is theirs that is changed; not if there is a text that was typed here.
      *
      * @return the file as it is now
-     * @throws DatabaseConflictException if others have changed the scene in the file since; nothing is written
+     * @throws DatabaseConflictException if others have changed the scene in the file since, or anything in it and a text was typed here; nothing is written
      * @throws SceneFileException if others left the file so that it cannot be read; nothing is written
      * @throws IOException if it cannot be written
      * @throws IllegalArgumentException as {@link SceneFiles#format}
@@ -107,7 +112,8 @@ public final class SceneFile {
                 return saveAs(changed, path);
             }
             SceneFile theirs = open(path, ReadMonitor.NONE);
-            if (!theirs.scene.equals(scene)) {
+            // What somebody has typed cannot be woven into what others have.
+            if (text.isTyped() || !theirs.scene.equals(scene)) {
                 throw new DatabaseConflictException(path + ": somebody else has changed this file since it was read; nothing is written");
             }
             return theirs.saveAs(changed, path);

@@ -90,6 +90,26 @@ class TypedTextTest {
     }
 
     @Test
+    void whatOthersWroteAndWhatWasTypedAreNotMixed(@TempDir Path folder) throws IOException, SceneFileException {
+        String text = TEXT.replace("ENCODING", "UTF-8");
+        Path file = Files.writeString(folder.resolve("a.xml"), text);
+        SceneFile opened = SceneFiles.open(file);
+        SceneText before = SceneText.of(Optional.of(opened.text()), opened.scene());
+        SceneText typed = before.typed(before.characters().replace("kept", "mine"), Assets.none());
+        SceneFile saved = opened.withText(typed.kept()).save(typed.scene());
+        assertThat(file).hasContent(text.replace("kept", "mine"));
+        String theirs = text.replace("kept", "theirs");
+        Files.writeString(file, theirs);
+        assertThatThrownBy(() -> saved.save(typed.scene())).isInstanceOf(DatabaseConflictException.class).hasMessageEndingWith("nothing is written");
+        assertThat(file).hasContent(theirs);
+        SceneFile seen = SceneFiles.open(file);
+        assertThat(seen.isAs(saved)).isFalse();
+        seen.withText(typed.kept()).save(typed.scene());
+        assertThat(file).as("who has seen theirs may write over it").hasContent(text.replace("kept", "mine"));
+        assertThat(SceneFiles.open(file).isAs(saved)).isTrue();
+    }
+
+    @Test
     void thingsStandWhereTheirElementsAre() throws IOException, SceneFileException {
         SceneText text = read(TEXT.replace("ENCODING", "UTF-8").getBytes(StandardCharsets.UTF_8));
         List<Stand> stands = text.stands();

@@ -301,7 +301,7 @@ final class FileActions {
 
     /** In a database, only other scenes may have changed. */
     private void changedOnDisk(SceneSource.Kept read) {
-        if (document.knows(read.scene()) || !document.sourceProperty().get().equals(Optional.of(read.source()))) {
+        if (document.knows(read) || !document.sourceProperty().get().equals(Optional.of(read.source()))) {
             return;
         }
         if (document.model().unsavedProperty().get()) {

@@ -261,6 +261,30 @@ class FilesTest {
         editor.gui.until("it is reloaded", () -> editor.model().scene().lights().size() == 1);
     }
 
+    /** Comments that others have written are not written over, nor are one's own left out. */
+    @Test
+    void commentsOnDiskAreAskedAboutIfTheTextWasWrittenInHere() throws IOException {
+        Path file = write("two.xml", BALL);
+        openAndWait(file, 0);
+        String text = Files.readString(file);
+        Manuscript manuscript = editor.editor.manuscript();
+        editor.gui.act(() -> manuscript.openProperty().set(true));
+        editor.gui.until("the text is there", () -> manuscript.page().text().equals(text));
+        editor.gui.act(() -> {
+            manuscript.write(text.replace("</scene>", "<!-- mine -->\n</scene>"));
+            manuscript.flush();
+        });
+        touch(Files.writeString(file, text.replace("</scene>", "<!-- theirs -->\n</scene>")));
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        assertThat(editor.text("#message")).contains("somebody else has changed this file");
+        assertThat(Files.readString(file)).contains("theirs").doesNotContain("mine");
+        editor.gui.act(() -> editor.editor.files().checkDisk());
+        editor.gui.until("it is asked about", () -> editor.text("#message").contains("two.xml was changed on disk"));
+        editor.gui.click("#disk-keep");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.S);
+        assertThat(Files.readString(file)).contains("mine").doesNotContain("theirs");
+    }
+
     @Test
     void sceneOfADatabaseGoesBackToItsPlace() throws IOException, SceneFileException {
         Path file = folder.resolve("database.xml");

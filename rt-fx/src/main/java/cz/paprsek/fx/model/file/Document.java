@@ -211,9 +211,10 @@ public final class Document {
                 .withDescription(scene.description().equals(before.description()) ? now.description() : scene.description());
     }
 
-    /** Whether the file has had this scene ever since it was looked at last. */
-    public boolean knows(Scene onDisk) {
-        return known.equals(Optional.of(onDisk));
+    /** Whether the file has had this scene ever since it was looked at last; and the same text, if somebody has written in it here. */
+    public boolean knows(SceneSource.Kept onDisk) {
+        boolean isSameText = text.file().isEmpty() || onDisk.text().file().filter(text.file().get()::isAs).isPresent();
+        return known.equals(Optional.of(onDisk.scene())) && (isSameText || model.state().typed().isEmpty());
     }
 
     /** Whether the file is there, and another one than was read or written last. Says so once: after {@link #noticeDisk} it counts as known. */
