@@ -12,6 +12,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -168,13 +169,31 @@ public final class SceneText {
             Making how = Making.of(scene.recipe(), Map.of());
             Map<Integer, Integer> ends = new HashMap<>();
             LooseMarkup.of(characters).spans().forEach(span -> ends.put(span.from(), span.to()));
-            Script.ofAny(utf8, how.files(), SceneFiles.LARGEST).filter(script -> script.mistakes().isEmpty()).map(Script::sites).orElse(Map.of()).forEach((place, at) -> {
-                int from = utf8.length == characters.length() ? at : new String(utf8, 0, at, StandardCharsets.UTF_8).length();
+            Map<ScenePath, Integer> sites = Script.ofAny(utf8, how.files(), SceneFiles.LARGEST).filter(script -> script.mistakes().isEmpty()).map(Script::sites).orElse(Map.of());
+            Map<Integer, Integer> inCharacters = inCharacters(utf8, sites.values());
+            sites.forEach((place, at) -> {
+                int from = inCharacters.getOrDefault(at, 0);
                 stands.add(new Stand(place, from, ends.getOrDefault(from, from)));
             });
         } catch (Unpatchable unusual) {
             stands.clear();
         }
         return stands;
+    }
+
+    /** How many characters are before places in bytes, counted once for all of them. */
+    private static Map<Integer, Integer> inCharacters(byte[] utf8, Collection<Integer> places) {
+        Map<Integer, Integer> found = new HashMap<>();
+        int at = 0;
+        int characters = 0;
+        for (int place : places.stream().sorted().toList()) {
+            while (at < place) {
+                // A byte within a character is none of its own; the longest characters are two here.
+                int first = utf8[at++] & 0xFF;
+                characters += (first & 0xC0) == 0x80 ? 0 : first >= 0xF0 ? 2 : 1;
+            }
+            found.put(place, characters);
+        }
+        return found;
     }
 }

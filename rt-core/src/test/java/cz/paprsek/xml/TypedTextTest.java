@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Text that is written in while the scene changes. */
@@ -119,6 +120,24 @@ class TypedTextTest {
         assertThat(at(text, ScenePath.body(1))).startsWith("<difference>").endsWith("</difference>");
         assertThat(at(text, ScenePath.body(3))).as("a copy").isEqualTo("<disc radius=\"0.5\"/>");
         assertThat(at(text, ScenePath.light(0))).startsWith("<sun-light");
+    }
+
+    /** A letter that takes more bytes than one is no reason to read everything before each thing again. */
+    @Test
+    @Timeout(20)
+    void thingsAreFoundInLongTextsWithAnyLetters() throws IOException, SceneFileException {
+        int count = 20_000;
+        StringBuilder written = new StringBuilder("<scene xmlns=\"urn:paprsek:scene:1\"> <!-- ř 光 😀 -->\n<camera position=\"0 1 5\" target=\"0 0 0\"/>\n");
+        for (int i = 0; i < count; i++) {
+            written.append("<sphere name=\"").append(i).append(i % 2 == 0 ? " 😀" : " ř").append("\" radius=\"1\" position=\"0 ").append(i).append(" 0\"/><!-- a comment that makes it longer, as long as lines are that say more -->\n");
+        }
+        SceneText text = read(written.append("</scene>\n").toString().getBytes(StandardCharsets.UTF_8));
+        List<Stand> stands = text.stands();
+        assertThat(stands).hasSize(count + 1);
+        for (int i : new int[]{0, 1, 2, count - 2, count - 1}) {
+            Stand stand = stands.stream().filter(one -> one.place().equals(ScenePath.body(i))).findFirst().orElseThrow();
+            assertThat(text.characters().substring(stand.from(), stand.to())).startsWith("<sphere name=\"" + i + " ").endsWith("/>");
+        }
     }
 
     private static String at(SceneText text, ScenePath place) {
