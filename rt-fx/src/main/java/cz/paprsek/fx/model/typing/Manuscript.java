@@ -1,6 +1,7 @@
 package cz.paprsek.fx.model.typing;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.io.Failures;
 import cz.paprsek.math.Require;
@@ -49,6 +50,10 @@ public final class Manuscript {
     private boolean isStale;
     /** Whether it is to be looked at as soon as the scene's text is known and nothing is being dragged. */
     private boolean isWaiting;
+    /** The scene and its text that are followed. */
+    private EditorState followed;
+    /** Whether another scene is being opened, which the model does not have yet. */
+    private boolean isOpened;
     /** Counts what makes texts that are still being found out those of another scene. */
     private int turn;
 
@@ -64,13 +69,20 @@ public final class Manuscript {
         this.model = model;
         this.kept = kept;
         this.worker = worker;
-        model.stateProperty().addListener((property, old, now) -> {
-            if (!old.scene().equals(now.scene()) || !old.typed().equals(now.typed())) {
+        followed = model.state();
+        // Also of an equal scene that is opened: that is no change, but another text.
+        model.stateProperty().addListener(property -> {
+            EditorState now = model.state();
+            boolean isOther = isOpened || !followed.scene().equals(now.scene()) || !followed.typed().equals(now.typed());
+            followed = now;
+            isOpened = false;
+            if (isOther) {
                 follow();
             }
         });
         model.openingsProperty().addListener((property, old, now) -> {
             turn++;
+            isOpened = true;
             base = Optional.empty();
             page.set(Page.NONE);
         });

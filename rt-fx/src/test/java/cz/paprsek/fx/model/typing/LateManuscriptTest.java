@@ -117,6 +117,25 @@ class LateManuscriptTest {
     }
 
     @Test
+    void anEqualSceneThatIsOpenedIsShownToo() {
+        for (int i = 0; i < 2; i++) {
+            model.open(TWO);
+            finish();
+            assertThat(text.page().text()).contains("radius=\"1\"");
+            write("1.5");
+            text.check();
+            finish();
+            assertThat(model.scene().objects().get(0).shape()).isEqualTo(WRITTEN);
+            model.undo();
+            finish();
+        }
+        model.open(TWO);
+        model.open(TWO);
+        finish();
+        assertThat(text.page().text()).contains("radius=\"1\"");
+    }
+
+    @Test
     void whatIsBeingDraggedIsWaitedFor() {
         for (boolean isKept : new boolean[]{false, true}) {
             write("1.5");
