@@ -43,6 +43,7 @@ public final class Manuscript {
     private final BooleanProperty open = new SimpleBooleanProperty();
     private final ReadOnlyObjectWrapper<Page> page = new ReadOnlyObjectWrapper<>(Page.NONE);
     private final ReadOnlyBooleanWrapper held = new ReadOnlyBooleanWrapper();
+    private final ReadOnlyBooleanWrapper writable = new ReadOnlyBooleanWrapper();
     private final ReadOnlyIntegerWrapper points = new ReadOnlyIntegerWrapper();
     /** The text of the scene; empty while nobody looks at it. */
     private Optional<SceneText> base = Optional.empty();
@@ -83,7 +84,7 @@ public final class Manuscript {
         model.openingsProperty().addListener((property, old, now) -> {
             turn++;
             isOpened = true;
-            base = Optional.empty();
+            setBase(Optional.empty());
             page.set(Page.NONE);
         });
         model.gesturingProperty().addListener((property, old, now) -> checkAgain());
@@ -102,6 +103,16 @@ public final class Manuscript {
 
     public Page page() {
         return page.get();
+    }
+
+    /** Whether it can be written in: not before the text of the scene is known. */
+    public ReadOnlyBooleanProperty writableProperty() {
+        return writable.getReadOnlyProperty();
+    }
+
+    private void setBase(Optional<SceneText> text) {
+        base = text;
+        writable.set(text.isPresent());
     }
 
     /** Shows where it is not valid. */
@@ -123,7 +134,7 @@ public final class Manuscript {
     /** Takes a text that was written before, and is not in the scene. */
     public void restore(String text) {
         SceneText now = SceneText.of(kept.get(), model.scene());
-        base = Optional.of(now);
+        setBase(Optional.of(now));
         page.set(new Page(text, Change.between(now.characters(), text), List.of(), false, now.stands()));
         open.set(true);
         check();
@@ -197,11 +208,11 @@ public final class Manuscript {
         Optional<SceneText> before = base;
         Page old = page();
         try {
-            base = Optional.of(typed);
+            setBase(Optional.of(typed));
             page.set(new Page(typed.characters(), Change.between("", ""), List.of(), false, old.stands()));
             model.editState(Label.of(Label.Edit.WRITE, "XML"), state -> Followed.to(state, typed.scene()).withTyped(Optional.of(typed.kept())));
         } catch (IllegalArgumentException fault) {
-            base = before;
+            setBase(before);
             page.set(old);
             refused(fault);
         }
@@ -216,7 +227,7 @@ public final class Manuscript {
 
     private void follow() {
         if (!open.get() && !page().isHeld()) {
-            base = Optional.empty();
+            setBase(Optional.empty());
         } else if (isBusy) {
             isStale = true;
         } else {
@@ -233,7 +244,7 @@ public final class Manuscript {
             }, fault -> {
                 isBusy = false;
                 if (now == turn && !page().isHeld()) {
-                    base = Optional.empty();
+                    setBase(Optional.empty());
                     page.set(Page.NONE);
                 }
                 if (now == turn) {
@@ -263,7 +274,7 @@ public final class Manuscript {
         String now = read.text().characters();
         Page old = page();
         Optional<Change> elsewhere = base.map(before -> Change.between(before.characters(), now));
-        base = Optional.of(read.text());
+        setBase(Optional.of(read.text()));
         Optional<Change> still = !old.isHeld() ? Optional.empty() : elsewhere.flatMap(other -> other.isNone() ? Optional.of(old.written()) : old.written().behind(other));
         if (!old.isHeld()) {
             page.set(new Page(now, Change.between("", ""), List.of(), false, read.stands()));

@@ -114,6 +114,7 @@ public final class XmlPane extends BorderPane {
                 proposals.hide();
             }
         });
+        area.editableProperty().bind(manuscript.writableProperty());
         manuscript.pageProperty().addListener(new WeakChangeListener<>(onPage));
         manuscript.pointsProperty().addListener(new WeakChangeListener<>(onPoint));
         model.selectionProperty().addListener(new WeakChangeListener<>(onSelection));
@@ -214,7 +215,6 @@ public final class XmlPane extends BorderPane {
         if (!page.isHeld()) {
             area.getUndoManager().forgetHistory();
         }
-        area.setEditable(!page.text().isEmpty());
         tell(page);
         paint.playFromStart();
     }

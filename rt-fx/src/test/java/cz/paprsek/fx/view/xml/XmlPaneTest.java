@@ -119,6 +119,23 @@ class XmlPaneTest {
         assertThat(area.getText()).contains("<sphere name=\"ball\" material=\"glass\"");
     }
 
+    @Test
+    void whatIsEmptiedCanBeWrittenInAgain() {
+        assertThat(area.isEditable()).as("nothing is there to be written in").isFalse();
+        open();
+        String whole = area.getText();
+        caretBehind("radius=\"1");
+        gui.keys(KeyCode.CONTROL, KeyCode.A);
+        gui.keys(KeyCode.DELETE);
+        assertThat(area.getText()).isEmpty();
+        gui.keys(KeyCode.X);
+        assertThat(area.getText()).isEqualTo("x");
+        gui.until("told", () -> !manuscript.page().problems().isEmpty());
+        gui.act(manuscript::giveUp);
+        assertThat(area.getText()).isEqualTo(whole);
+        assertThat(model.unsavedProperty().get()).isFalse();
+    }
+
     private Collection<String> styles(String text) {
         return Gui.on(() -> Optional.of(area.getText().indexOf(text)).filter(at -> at >= 0).map(at -> area.getStyleOfChar(at)).orElse(java.util.List.of()));
     }
