@@ -57,8 +57,13 @@ public final class JoinedPasses {
     }
 
     private void load(int x, int y) {
-        System.arraycopy(sums[y], size * x, kept, 0, size);
+        copy(x, y, kept);
         own.load(kept, 0);
+    }
+
+    /** What is kept of the passes of a pixel so far: as if one machine had made them. */
+    void copy(int x, int y, float[] into) {
+        System.arraycopy(sums[y], size * x, into, 0, size);
     }
 
     /** Puts a pixel to which all passes have been added on an image. */
