@@ -31,7 +31,7 @@ import org.jspecify.annotations.Nullable;
 
 /** One picture under way: its tiles, taken from a counter by any number of workers, and what they have in common. */
 final class RenderJob implements Workers.Work {
-    private static final int SIDE = 32;
+    private static final int SIDE = TileStore.LARGEST_SIDE;
     /** Rays along each side of a block, about: how many are traced together. */
     private static final int TOGETHER = 8;
     /** In place of the column and row of a fault outside of any pixel. */

@@ -8,6 +8,9 @@ import java.io.IOException;
  * workers at once, and should return quickly.
  */
 public interface TileStore {
+    /** How many pixels the sides of a tile have at most. */
+    int LARGEST_SIDE = 32;
+
     /** Keeps nothing. */
     TileStore NONE = new TileStore() {
         @Override

@@ -4,6 +4,7 @@ import cz.paprsek.asset.Assets;
 import cz.paprsek.io.AtomicFile;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
+import cz.paprsek.render.TileStore;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -16,6 +17,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.Map;
@@ -28,7 +30,9 @@ import java.util.zip.CRC32;
  * states of each tile are there, the next one in place of the older.
  */
 public final class Checkpoint implements AutoCloseable {
-    private static final byte[] MAGIC = "paprsek tiles 4\n".getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] MAGIC = "paprsek tiles 5\n".getBytes(StandardCharsets.US_ASCII);
+    /** Without the number of the version. */
+    private static final byte[] FORMAT = Arrays.copyOf(MAGIC, MAGIC.length - 2);
     private static final int RECORD_HEAD = 6 * Integer.BYTES;
 
     private final Path file;
@@ -142,7 +146,7 @@ public final class Checkpoint implements AutoCloseable {
 
     /** Adds a finished tile. */
     public synchronized void save(Tile tile, Film film) throws IOException {
-        ByteBuffer record = ByteBuffer.allocate(RECORD_HEAD + pixelBytes(tile));
+        ByteBuffer record = ByteBuffer.allocate(RECORD_HEAD + (int) pixelBytes(tile));
         record.putInt(tile.x()).putInt(tile.y()).putInt(tile.width()).putInt(tile.height()).putInt(passes(tile) + 1).putInt(0);
         for (int i = 0; i < tile.width() * tile.height(); i++) {
             int x = tile.x() + i % tile.width();
@@ -190,7 +194,11 @@ public final class Checkpoint implements AutoCloseable {
             return;
         }
         ByteBuffer expected = ByteBuffer.allocate(MAGIC.length + digest.length).put(MAGIC).put(digest).flip();
-        if (!read(expected.limit()).equals(expected)) {
+        ByteBuffer found = read(expected.limit());
+        if (!found.equals(expected)) {
+            if (found.slice(0, FORMAT.length).equals(ByteBuffer.wrap(FORMAT)) && !found.slice(0, MAGIC.length).equals(ByteBuffer.wrap(MAGIC))) {
+                throw new Refused(file + ": holds tiles written by another version, with which this one cannot go on; delete it to begin anew, or give this picture another name");
+            }
             throw new Refused(file + ": holds tiles of another picture, the scene or the settings are not the same;"
                     + " delete it to begin anew, or give this picture another name");
         }
@@ -217,11 +225,12 @@ public final class Checkpoint implements AutoCloseable {
         }
         Tile tile = new Tile(x, y, width, height);
         long at = channel.position() - RECORD_HEAD;
-        ByteBuffer pixels = read(pixelBytes(tile));
-        ByteBuffer record = ByteBuffer.allocate(RECORD_HEAD + pixelBytes(tile)).put(head.rewind()).put(pixels.duplicate());
-        if (record.hasRemaining()) {
+        // What a damaged head asks for may be more than there is memory for.
+        if (width > TileStore.LARGEST_SIDE || height > TileStore.LARGEST_SIDE || pixelBytes(tile) > channel.size() - channel.position()) {
             return false;
         }
+        ByteBuffer pixels = read((int) pixelBytes(tile));
+        ByteBuffer record = ByteBuffer.allocate(RECORD_HEAD + pixels.limit()).put(head.rewind()).put(pixels.duplicate());
         Places known = places.get(tile);
         if (checksum(record) != head.getInt(RECORD_HEAD - Integer.BYTES)) {
             // Torn while it took the place of an older one, or the last of all.
@@ -244,8 +253,8 @@ public final class Checkpoint implements AutoCloseable {
         return bytes.flip();
     }
 
-    private int pixelBytes(Tile tile) {
-        return channels * Float.BYTES * tile.width() * tile.height();
+    private long pixelBytes(Tile tile) {
+        return (long) Float.BYTES * channels * tile.width() * tile.height();
     }
 
     /** Of everything but the place of the checksum itself. */

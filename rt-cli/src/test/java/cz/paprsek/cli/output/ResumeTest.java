@@ -91,6 +91,17 @@ class ResumeTest {
     }
 
     @Test
+    void tilesOfAnotherVersionAreRefusedAndLeftAlone() throws Exception {
+        byte[] all = allTiles();
+        all[14]--;
+        Files.write(tiles, all);
+        Run run = render("100x70", "--resume");
+        assertThat(run.code()).isEqualTo(ExitCode.WRONG_USAGE);
+        assertThat(run.err()).contains("picture.pfm.resume: holds tiles written by another version, with which this one cannot go on; delete it");
+        assertThat(tiles).hasBinaryContent(all);
+    }
+
+    @Test
     void whatIsDoneIsTold() throws Exception {
         allTiles();
         assertThat(render("100x70", "--resume").err()).contains("100 % is done already");
