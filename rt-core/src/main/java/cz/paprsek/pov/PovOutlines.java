@@ -52,9 +52,10 @@ final class PovOutlines {
         double low = curves.stream().mapToDouble(Vec3::y).min().orElse(0);
         double high = curves.stream().mapToDouble(Vec3::y).max().orElse(0);
         double slack = 1e-6 * text.size();
+        List<List<Vec3>> lines = inLines(curves);
         for (int line = 0; line < LINES; line++) {
             // From left to right, where an outline goes up or down across it.
-            List<double[]> met = crossings(curves, low + (high - low) * (line + 0.5) / LINES);
+            List<double[]> met = crossings(lines, low + (high - low) * (line + 0.5) / LINES);
             met.sort(Comparator.comparingDouble(one -> one[0]));
             int around = 0;
             for (int i = 0; i + 1 < met.size(); i++) {
@@ -67,13 +68,26 @@ final class PovOutlines {
         return false;
     }
 
-    /** Of Bézier curves, in straight pieces: x, and 1 upwards or -1 downwards. */
-    private static List<double[]> crossings(List<Vec3> curves, double y) {
-        List<double[]> met = new ArrayList<>();
+    /** Each Bézier curve in straight pieces, from point to point. */
+    private static List<List<Vec3>> inLines(List<Vec3> curves) {
+        List<List<Vec3>> lines = new ArrayList<>();
         for (int i = 0; i < curves.size(); i += 4) {
-            Vec3 from = curves.get(i);
+            List<Vec3> four = curves.subList(i, i + 4);
+            List<Vec3> points = new ArrayList<>(List.of(four.get(0)));
             for (int k = 1; k <= STEPS; k++) {
-                Vec3 to = at(curves.subList(i, i + 4), (double) k / STEPS);
+                points.add(at(four, (double) k / STEPS));
+            }
+            lines.add(points);
+        }
+        return lines;
+    }
+
+    /** Where straight pieces are crossed: x, and 1 upwards or -1 downwards. */
+    private static List<double[]> crossings(List<List<Vec3>> lines, double y) {
+        List<double[]> met = new ArrayList<>();
+        for (List<Vec3> points : lines) {
+            Vec3 from = points.get(0);
+            for (Vec3 to : points.subList(1, points.size())) {
                 if ((from.y() > y) != (to.y() > y)) {
                     met.add(new double[] {from.x() + (to.x() - from.x()) * (y - from.y()) / (to.y() - from.y()), to.y() > y ? 1 : -1});
                 }
