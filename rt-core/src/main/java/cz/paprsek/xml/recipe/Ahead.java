@@ -44,7 +44,7 @@ final class Ahead {
         double all = 0;
         for (Node child : scene.children()) {
             all += ahead.copies(child);
-            if (all > Expansion.MOST_COPIES) {
+            if (all > Copies.MOST) {
                 return Optional.of(child);
             }
         }
@@ -83,7 +83,7 @@ final class Ahead {
         try {
             double count = repeat.attribute("count").filter(this::isKnown).map(given -> given.template().isPresent() ? given.template().get().value(names) : given.text())
                     .stream().flatMapToDouble(text -> Numbers.parsed(text.strip()).stream()).findFirst().orElse(0);
-            return count >= 0 && count <= Expansion.MOST_COPIES ? (int) count : 0;
+            return count >= 0 && count <= Copies.MOST ? (int) count : 0;
         } catch (Misplaced | ToldAlready without) {
             return 0;
         }

@@ -5,7 +5,6 @@ import cz.paprsek.shape.Placement;
 import cz.paprsek.text.Numbers;
 import cz.paprsek.text.Similar;
 import cz.paprsek.xml.format.SceneFormat;
-import cz.paprsek.xml.mistake.Problems;
 import cz.paprsek.xml.recipe.Names.ToldAlready;
 import cz.paprsek.xml.recipe.Node.Attr;
 import cz.paprsek.xml.recipe.Template.Misplaced;
@@ -24,8 +23,6 @@ import java.util.stream.Stream;
 
 /** Writes a scene out: every formula as its value, every copy as an element of its own. */
 final class Expansion {
-    /** How many copies there may be in a scene: repetition within repetition makes endless ones of a few lines. */
-    static final int MOST_COPIES = 4_000_000;
     private static final Set<String> PLACEMENT = Set.of("position", "rotation", "scale");
     /** What a repeat or an instance says in place of its bodies. */
     private static final List<String> INSTEAD = List.of("pivot", "hidden");
@@ -36,14 +33,13 @@ final class Expansion {
     private final Map<String, Node> definitions;
     private final List<Node> brought;
     private final Mistakes mistakes;
-    private final long mostCharacters;
+    private final Copies copies;
     /** The definitions that are being written out, each within the one before. */
     private final Deque<String> open = new ArrayDeque<>();
     /** What is being written is there for this element of the file. */
     private Node owner;
     /** The use of a definition, outermost, that is being written. */
     private Node site;
-    private int copies;
 
     /**
      * What writes scenes out.
@@ -61,7 +57,7 @@ final class Expansion {
         this.definitions = definitions;
         this.brought = brought;
         this.mistakes = mistakes;
-        this.mostCharacters = mostCharacters;
+        copies = new Copies(out, mistakes, mostCharacters);
     }
 
     /**
@@ -87,7 +83,7 @@ final class Expansion {
         out.content(scene.content());
         brought.forEach(material -> guarded(() -> owned(material, () -> plain(material))));
         Ahead.tooMany(scene, names, definitions).ifPresent(child -> {
-            throw tooMany(child);
+            throw copies.tooMany(child);
         });
         for (Node child : scene.children()) {
             guarded(() -> owned(child, () -> child(child, Around.SCENE)));
@@ -184,7 +180,7 @@ final class Expansion {
             names.bind(index, i);
             try {
                 for (int k = 0; k < bodies.size(); k++) {
-                    counted(repeat);
+                    copies.next(repeat);
                     String own = name.isEmpty() || bodies.size() == 1 ? name : name + "." + (k + 1);
                     child(bodies.get(k), new Around(placement.get(), own, around.isRenamed && !around.isOperand, suffix, around.isOperand ? Optional.empty() : made,
                             around.isOperand ? Map.of() : said(repeat, around), around.isOperand));
@@ -207,25 +203,9 @@ final class Expansion {
         }
     }
 
-    private void counted(Node where) {
-        if (++copies > MOST_COPIES || out.length() > mostCharacters) {
-            throw tooMany(where);
-        }
-    }
-
-    private Problems.Stop tooMany(Node where) {
-        mistakes.add(where, "these are too many copies: more than " + (out.length() > mostCharacters ? mostCharacters + " bytes when written out" : MOST_COPIES + " in one scene"));
-        return new Problems.Stop();
-    }
-
     private int count(Node repeat) {
         Attr given = repeat.attribute("count").orElseThrow(() -> wrong(repeat, "<repeat> needs the attribute \"count\""));
-        String text = Raw.text(raw(repeat, given)).strip();
-        double count = Numbers.parsed(text).orElse(-1);
-        if (count >= 0 && count == Math.rint(count) && count <= MOST_COPIES) {
-            return (int) count;
-        }
-        throw wrong(repeat, "count", "count must be a whole number from 0 to " + MOST_COPIES + ", but is " + (text.isEmpty() ? "empty" : text));
+        return copies.count(repeat, Raw.text(raw(repeat, given)));
     }
 
     private void instance(Node instance, Around around) {
@@ -244,7 +224,7 @@ final class Expansion {
         if (open.size() >= SceneFormat.DEEPEST || out.isTooDeep()) {
             throw wrong(instance, "of", "instances are nested deeper than the " + SceneFormat.DEEPEST + " levels that they may be");
         }
-        counted(instance);
+        copies.next(instance);
         Placement own = placement(instance);
         Optional<Placement> placement = placed(instance, () -> Composed.of(around.placement, own));
         if (placement.isEmpty()) {
