@@ -82,7 +82,8 @@ final class Deal {
      */
     List<Integer> owners(Predicate<Piece> which, Stop stop) throws InterruptedIOException {
         SortedSet<Integer> owners = new TreeSet<>();
-        for (long slice = 0; slice < slices && owners.size() < shards; slice++) {
+        long slice = 0;
+        while (slice < slices && owners.size() < shards) {
             if (stop.requested()) {
                 throw new InterruptedIOException("interrupted");
             }
@@ -91,6 +92,7 @@ final class Deal {
                     owners.add(owner(slice, i));
                 }
             }
+            slice += areFramesWhole() && owners.contains(owner(slice, 0)) ? passesOfFrame() - slice % passesOfFrame() : 1;
         }
         return List.copyOf(owners);
     }
@@ -99,11 +101,18 @@ final class Deal {
         return passes == 0 ? new Piece(first + (int) slice, 0, tiles.get(tile)) : new Piece(first + (int) (slice / passes), 1 + (int) (slice % passes), tiles.get(tile));
     }
 
+    private boolean areFramesWhole() {
+        return slices / passesOfFrame() >= (long) FRAMES * shards;
+    }
+
+    private int passesOfFrame() {
+        return Math.max(1, passes);
+    }
+
     /** Whose work a tile is. */
     private int owner(long slice, int tile) {
-        int ofFrame = Math.max(1, passes);
-        if (slices / ofFrame >= (long) FRAMES * shards) {
-            return 1 + (int) (slice / ofFrame % shards);
+        if (areFramesWhole()) {
+            return 1 + (int) (slice / passesOfFrame() % shards);
         }
         // Passes take as long as each other.
         if (passes > 0 && (slices >= (long) FRAMES * shards || slices % shards == 0)) {

@@ -118,6 +118,7 @@ class CraftedPartsTest {
         Deal deal = new Deal(new Tile(0, 0, 256, 256), new Span(1, 9_999_999), 15_625, 3);
         Stop stop = new Stop();
         assertThat(deal.owners(piece -> true, stop)).containsExactly(1, 2, 3);
+        assertThat(new Deal(new Tile(0, 0, 256, 256), new Span(1, 9_999_999), 15_625, 1_000_000).owners(piece -> true, stop)).hasSize(1_000_000);
         stop.request();
         assertThatThrownBy(() -> deal.owners(piece -> false, stop)).isInstanceOf(InterruptedIOException.class);
     }

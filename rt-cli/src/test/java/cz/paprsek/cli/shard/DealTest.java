@@ -2,12 +2,15 @@ package cz.paprsek.cli.shard;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.shard.Deal.Piece;
 import cz.paprsek.cli.value.Shard;
 import cz.paprsek.render.Tile;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -38,6 +41,19 @@ class DealTest {
                 assertThat(grid.covers(region)).isTrue();
                 assertThat(tiles.stream().mapToLong(tile -> (long) tile.width() * tile.height()).sum()).isEqualTo((long) width * height);
             }
+        }
+    }
+
+    /** Those whose work has such a piece, and nobody else. */
+    @ParameterizedTest
+    @CsvSource({"0,0,0,3", "0,0,0,500", "1,8,0,8", "3,90,0,7", "0,0,40,5", "0,0,3,8", "3,90,4,7", "3,9,16,5", "3,9,2,5"})
+    void ownersOfPiecesAreThoseWhoseWorkTheyAre(int first, int last, int passes, int shards) throws IOException {
+        Deal deal = new Deal(new Tile(5, 7, 320, 130), new Span(first, last), passes, shards);
+        List<Predicate<Piece>> some = List.of(piece -> true, piece -> false, piece -> piece.tile().x() == 5 && piece.tile().y() == 7, piece -> piece.frame() % 5 == 0 && piece.pass() == passes,
+                piece -> piece.frame() > first + 3 && piece.tile().x() > 200);
+        for (Predicate<Piece> which : some) {
+            List<Integer> expected = IntStream.rangeClosed(1, shards).filter(i -> deal.of(new Shard(i, shards)).stream().anyMatch(which)).boxed().toList();
+            assertThat(deal.owners(which, new Stop())).isEqualTo(expected);
         }
     }
 
