@@ -18,6 +18,9 @@ final class Sizes {
     static void mostOfTheScreen(Stage stage, double width, double height) {
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
         if (width >= screen.getWidth() || height >= screen.getHeight()) {
+            // What it becomes when it is maximised no more, also while a question waits over it.
+            stage.setWidth(Math.min(width, SHARE * screen.getWidth()));
+            stage.setHeight(Math.min(height, SHARE * screen.getHeight()));
             stage.setMaximized(true);
         } else {
             opened(stage, Math.max(width, SHARE * screen.getWidth()), Math.max(height, SHARE * screen.getHeight()), Optional.empty());

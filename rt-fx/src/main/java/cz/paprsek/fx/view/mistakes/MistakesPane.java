@@ -61,7 +61,7 @@ public final class MistakesPane extends BorderPane {
         lines.setWrapText(true);
         numbers.setId("mistakes-numbers");
         numbers.setEditable(false);
-        numbers.setStyle("-fx-font-family: monospace");
+        numbers.setStyle("-fx-font-family: monospace; -fx-prompt-text-fill: -color-fg-muted");
         numbers.setPromptText(texts.of("mistakes.click"));
         VBox.setVgrow(numbers, Priority.ALWAYS);
         FlowPane pictures = new FlowPane(10, 10, captioned(texts.words().of("beside.right"), right), captioned(texts.words().of("beside.wrong"), wrong),

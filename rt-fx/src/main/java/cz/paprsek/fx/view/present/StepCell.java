@@ -56,7 +56,7 @@ final class StepCell extends ListCell<Step> {
         if (isShown) {
             name.setText(step.name().isEmpty() ? "" : step.name() + "  ");
             String text = isHidden.test(getIndex()) && !step.result().isEmpty() ? step.formula() + " = ……" : step.equation();
-            equation.setText(DECIMAL_COMMA.matcher(text).replaceAll(",\ufeff").replace(", ", ",\u00a0").replace("+ ", "+\u00a0").replace("= ", "=\u00a0"));
+            equation.setText(DECIMAL_COMMA.matcher(text).replaceAll(",\ufeff").replace("+ ", "+\u00a0").replace("= ", "=\u00a0"));
         }
     }
 }

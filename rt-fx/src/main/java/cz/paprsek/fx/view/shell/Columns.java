@@ -13,6 +13,11 @@ import javafx.scene.control.SplitPane;
  */
 public final class Columns {
     private static final double NARROW = 1200;
+    /** What palette and tree need for six buttons in a row and names that can be read. */
+    private static final double TREE_PIXELS = 218;
+    private static final double SHEET_PIXELS = 294;
+    /** Narrower ones are divided like this one; also one that has no width yet. */
+    private static final double LEAST_WIDTH = 900;
 
     private final SplitPane root = new SplitPane();
     private final Node none = new Group();
@@ -101,6 +106,12 @@ public final class Columns {
         return ends;
     }
 
+    /** Where palette and tree, and then the views, end beside the sheet: on a small screen both have the pixels that they need. */
+    private double[] besideSheet() {
+        double width = Math.max(LEAST_WIDTH, root.getWidth());
+        return new double[] {Math.max(0.17, TREE_PIXELS / width), Math.min(0.77, 1 - SHEET_PIXELS / width)};
+    }
+
     private void arrange() {
         List<Node> items = new ArrayList<>();
         lesson.ifPresent(items::add);
@@ -118,7 +129,7 @@ public final class Columns {
         }
         boolean isExplained = explanation.isPresent();
         if (lesson.isEmpty()) {
-            root.setDividerPositions(isExplained ? new double[] {0.14, 0.6} : new double[] {0.17, 0.77});
+            root.setDividerPositions(isExplained ? new double[] {0.14, 0.6} : besideSheet());
         } else if (isNarrow) {
             root.setDividerPositions(isExplained ? new double[] {0.3, 0.62} : new double[] {0.34, 0.71});
         } else {
