@@ -16,8 +16,10 @@ public final class Columns {
     /** What palette and tree need for six buttons in a row and names that can be read. */
     private static final double TREE_PIXELS = 218;
     private static final double SHEET_PIXELS = 294;
-    /** Narrower ones are divided like this one; also one that has no width yet. */
+    /** Narrower ones, as one that has no width yet, are divided by shares alone. */
     private static final double LEAST_WIDTH = 900;
+    private static final double TREE = 0.17;
+    private static final double VIEWS = 0.77;
 
     private final SplitPane root = new SplitPane();
     private final Node none = new Group();
@@ -108,8 +110,11 @@ public final class Columns {
 
     /** Where palette and tree, and then the views, end beside the sheet: on a small screen both have the pixels that they need. */
     private double[] besideSheet() {
-        double width = Math.max(LEAST_WIDTH, root.getWidth());
-        return new double[] {Math.max(0.17, TREE_PIXELS / width), Math.min(0.77, 1 - SHEET_PIXELS / width)};
+        double width = root.getWidth();
+        if (width < LEAST_WIDTH) {
+            return new double[] {TREE, VIEWS};
+        }
+        return new double[] {Math.max(TREE, TREE_PIXELS / width), Math.min(VIEWS, 1 - SHEET_PIXELS / width)};
     }
 
     private void arrange() {
