@@ -123,4 +123,41 @@ class GeometryTest {
     private Vec3 vector(double size) {
         return new Vec3(size * (2 * random.nextDouble() - 1), size * (2 * random.nextDouble() - 1), size * (2 * random.nextDouble() - 1));
     }
+
+    @Test
+    void aSimilarityIsAStretchAlikeInAllDirections() {
+        Affine turn = Affine.rotation(new Vec3(20, -35, 70));
+        assertThat(turn.uniformScale()).isCloseTo(1, within(1e-15));
+        assertThat(turn.after(Affine.scaling(Vec3.ONE.times(3))).uniformScale()).isCloseTo(3, within(1e-14));
+        assertThat(Affine.scaling(new Vec3(2, 2, 2 + 1e-12)).uniformScale()).isZero();
+        assertThat(Affine.scaling(new Vec3(2, 2 + 1e-12, 2)).uniformScale()).isZero();
+        for (int pair = 0; pair < 3; pair++) {
+            // Columns as long as one another, two of which lean towards each other by 1e-12.
+            double lean = 1e-12;
+            double[] m = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+            m[pair == 0 ? 1 : pair == 1 ? 2 : 5] = lean;
+            assertThat(new Affine(m[0], m[1], m[2], 5, m[3], m[4], m[5], 6, m[6], m[7], m[8], 7).uniformScale()).as("pair %s", pair).isZero();
+        }
+    }
+
+    @Test
+    void onlyStretchesAlongTheAxesKeepTheirDirections() {
+        assertThat(Affine.scaling(new Vec3(1, 2, 3)).turns()).isFalse();
+        assertThat(Affine.translation(A).turns()).isFalse();
+        for (int i = 0; i < 9; i++) {
+            double[] m = {1, 0, 0, 0, 2, 0, 0, 0, 3};
+            m[i] = i % 4 == 0 ? -1 : 1e-9;
+            assertThat(new Affine(m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0).turns()).as("number %s", i).isTrue();
+        }
+    }
+
+    /** Powers of two change no digit, however long they make one axis and short another. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 130, -130, 300})
+    void theWayBackIsAsExactForLongAxesAsForShortOnes(int power) {
+        Affine turn = Affine.rotation(new Vec3(10, 20, 30));
+        double length = Math.scalb(1.0, power);
+        Affine back = turn.after(Affine.scaling(new Vec3(length, 1, 1 / length))).inverse();
+        assertThat(back.point(A)).isEqualTo(Affine.scaling(new Vec3(1 / length, 1, length)).point(turn.inverse().point(A)));
+    }
 }

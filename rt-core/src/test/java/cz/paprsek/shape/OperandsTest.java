@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -69,6 +70,38 @@ class OperandsTest {
                     .containsExactly(IntStream.range(0, count).filter(k -> !boxes[k].isFinite() || ray.meets(boxes[k])).toArray());
             met.release(0);
         }
+    }
+
+    /** A ray keeps its scratch; whose boxes it looks at may change, and what lies behind its origin may count. */
+    @Test
+    void oneRayAsksManyAndLooksBehindItself() {
+        Random random = new Random(11);
+        Bounds[][] boxes = new Bounds[2][40];
+        Operands[] operands = new Operands[2];
+        for (int k = 0; k < 2; k++) {
+            for (int i = 0; i < 40; i++) {
+                boxes[k][i] = Bounds.around(new Vec3(random.nextDouble() * 4 - 2, random.nextDouble() * 4 - 2, random.nextDouble() * 4 - 2),
+                        Vec3.ONE.times(0.3 * random.nextDouble()));
+            }
+            operands[k] = new Operands(boxes[k], new double[40], () -> false);
+        }
+        IntStack[] found = {new IntStack(), new IntStack()};
+        Ray ray = new Ray(new Spans());
+        int behind = 0;
+        for (int i = 0; i < 4000; i++) {
+            double[] from = random.doubles(6, -1, 1).toArray();
+            ray.start(from[0], from[1], from[2], from[3], from[4], from[5]);
+            ray.min = i % 3 == 0 ? -10 : 0;
+            int k = random.nextInt(2);
+            IntStack met = found[random.nextInt(2)];
+            operands[k].meet(ray, met);
+            int[] all = IntStream.range(0, 40).filter(b -> ray.meets(boxes[k][b])).toArray();
+            assertThat(IntStream.range(0, met.size()).map(met::get).toArray()).containsExactly(all);
+            met.release(0);
+            ray.min = 0;
+            behind += IntStream.of(all).anyMatch(b -> !ray.meets(boxes[k][b])) ? 1 : 0;
+        }
+        assertThat(behind).isGreaterThan(100);
     }
 
     /** Some touch or coincide; one has no end. */

@@ -1,8 +1,7 @@
-package cz.paprsek.render;
+package cz.paprsek.render.surface;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import cz.paprsek.render.surface.Media;
 import org.junit.jupiter.api.Test;
 
 class MediaTest {
@@ -53,5 +52,49 @@ class MediaTest {
         assertThat(media.innermost()).isEqualTo(2);
         media.leave(2);
         assertThat(media.innermost()).isEqualTo(-1);
+    }
+
+    @Test
+    void anOpaqueSolidAroundTheRayIsNoMedium() {
+        assertThat(media.areAround()).isFalse();
+        media.surround(7);
+        assertThat(media.hold(7)).isTrue();
+        assertThat(media.areAround()).isFalse();
+        assertThat(media.count()).isZero();
+        assertThat(media.innermost()).isEqualTo(-1);
+        assertThat(media.refractiveIndex()).isEqualTo(1);
+        media.enter(1, 1.5);
+        media.enter(2, 1.3);
+        assertThat(media.areAround()).isTrue();
+        assertThat(media.count()).isEqualTo(2);
+        assertThat(media.object(0)).isEqualTo(1);
+        assertThat(media.object(1)).isEqualTo(2);
+        media.leave(1);
+        media.leave(2);
+        assertThat(media.areAround()).isFalse();
+        assertThat(media.count()).isZero();
+        media.clear();
+        assertThat(media.hold(7)).isFalse();
+    }
+
+    @Test
+    void whatWasPassedHereIsKnownUntilTheRayGoesOn() {
+        for (int i = 0; i < 9; i++) {
+            assertThat(media.havePassed(i)).isFalse();
+            media.pass(i);
+            assertThat(media.havePassed(i)).isTrue();
+        }
+        Media copy = new Media();
+        copy.pass(20);
+        copy.set(media);
+        for (int i = 0; i < 9; i++) {
+            assertThat(copy.havePassed(i)).isTrue();
+        }
+        assertThat(copy.havePassed(20)).isFalse();
+        media.forgetPassed();
+        assertThat(media.havePassed(0)).isFalse();
+        assertThat(copy.havePassed(0)).as("the copy is its own").isTrue();
+        copy.clear();
+        assertThat(copy.havePassed(0)).isFalse();
     }
 }

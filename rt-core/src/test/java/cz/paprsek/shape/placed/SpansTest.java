@@ -1,10 +1,10 @@
-package cz.paprsek.shape;
+package cz.paprsek.shape.placed;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.shape.Csg.Operation;
-import cz.paprsek.shape.placed.Spans;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -84,6 +84,80 @@ class SpansTest {
     void bodiesWithoutEndHaveOneWall() {
         combine(Operation.DIFFERENCE, new double[] {Double.NEGATIVE_INFINITY, 4}, new double[] {1, Double.POSITIVE_INFINITY}, 1);
         assertThat(result(0)).containsExactly(Double.NEGATIVE_INFINITY, 1);
+    }
+
+    /** In place or pushed and merged: the same boundaries, parts and faces; the runs may begin or end anywhere. */
+    @ParameterizedTest
+    @EnumSource
+    void aConvexBodyIsCombinedInPlaceAsIfItWerePushed(Operation operation) {
+        Random random = new Random(7);
+        Spans pushed = new Spans();
+        int inPlace = 0;
+        for (int round = 0; round < 2000; round++) {
+            double[] left = Arrays.stream(run(random)).map(t -> Math.rint(t * 10)).distinct().toArray();
+            left = Arrays.copyOf(left, left.length & ~1);
+            double enter = random.nextInt(100) + 0.5;
+            double leave = enter + 1 + random.nextInt(40);
+            spans.release(0);
+            push(left, LEFT);
+            pushed.release(0);
+            for (double t : left) {
+                pushed.add(t, LEFT, LEFT);
+            }
+            pushed.add(enter, RIGHT, 3);
+            pushed.add(leave, RIGHT, 4);
+            pushed.combine(operation, 0, left.length, 1);
+            assertThat(spans.combine(operation, 0, enter, 3, leave, 4, RIGHT, 1)).isTrue();
+            assertThat(boundaries(spans)).isEqualTo(boundaries(pushed));
+            inPlace += spans.size() > 2 ? 1 : 0;
+        }
+        assertThat(inPlace).isGreaterThan(100);
+    }
+
+    /** Twice a tie's reach, of the scale and of where they are: 2e-11 of 1000 + 10 is 2.02e-8. */
+    @ParameterizedTest
+    @CsvSource({"1000, 10, 2.0e-8, false", "1000, 10, 2.1e-8, true", "1000, -10, 2.0e-8, false", "1000, -10, 2.1e-8, true",
+        "0, 10, 1.9e-10, false", "0, 10, 2.1e-10, true"})
+    void inPlaceOnlyWhereNothingTouches(double scale, double at, double gap, boolean isApart) {
+        for (double sign : new double[] {-1, 1}) {
+            double[][] runs = {{at, 20}, {at - 5, at, at + sign * gap, 20}, {-20, at}};
+            double[][] stretches = {{at + sign * gap, 15}, {at + 2, at + 3}, {-15, at + sign * gap}};
+            for (int i = 0; i < runs.length; i++) {
+                double[] run = runs[i].clone();
+                Arrays.sort(run);
+                spans.release(0);
+                push(run, LEFT);
+                assertThat(spans.combine(Operation.UNION, 0, stretches[i][0], 3, stretches[i][1], 4, RIGHT, scale))
+                        .as("%s with %s", Arrays.toString(run), Arrays.toString(stretches[i])).isEqualTo(isApart);
+                if (!isApart) {
+                    assertThat(result(0)).as("nothing has changed").containsExactly(run);
+                }
+            }
+        }
+        spans.release(0);
+        double thin = 2 * gap;
+        assertThat(spans.combine(Operation.UNION, 0, at, 3, at + thin, 4, RIGHT, scale)).as("a slice").isEqualTo(
+                thin > 2e-11 * (scale + Math.abs(at) + Math.abs(at + thin)));
+    }
+
+    @Test
+    void stretchesReachBetweenMinAndMaxOnly() {
+        Ray ray = new Ray(new Spans());
+        ray.start(0, 0, 0, 0, 0, 1);
+        assertThat(spans.reaches(0, ray)).as("none").isFalse();
+        push(new double[] {-3, -1}, LEFT);
+        assertThat(spans.reaches(0, ray)).as("behind").isFalse();
+        push(new double[] {2, 4}, LEFT);
+        assertThat(spans.reaches(0, ray)).isTrue();
+        assertThat(spans.reaches(2, ray)).isTrue();
+        ray.accept(3, RIGHT, 0);
+        assertThat(spans.reaches(2, ray)).isTrue();
+        ray.accept(1, RIGHT, 0);
+        assertThat(spans.reaches(2, ray)).as("beyond what is hit").isFalse();
+    }
+
+    private static List<List<Number>> boundaries(Spans of) {
+        return IntStream.range(0, of.size()).mapToObj(i -> List.<Number>of(of.t(i), of.part(i), of.face(i))).toList();
     }
 
     private void combine(Operation operation, double[] left, double[] right, double scale) {
