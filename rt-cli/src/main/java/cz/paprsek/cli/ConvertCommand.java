@@ -5,6 +5,7 @@ import cz.paprsek.cli.input.Foreign;
 import cz.paprsek.cli.input.FrameChoice;
 import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.LightWishes;
+import cz.paprsek.cli.input.MixWishes;
 import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.output.Writing;
@@ -48,11 +49,12 @@ import picocli.CommandLine.Parameters;
             ".pov is for POV-Ray 3.7, which computes the same picture from it. What it cannot show exactly is told in a warning.",
             ".xml is our own, in standard order and layout, for tidying up a file written by hand; for both, pictures and meshes are put beside the new file.",
             ".obj and .stl are triangles as the file of another program has them, axes and all.",
-            "A picture becomes one of another format: png, jpg, hdr, exr …, its light alone, without opacity and layers; --bits, --exposure, --tone and --uncompressed are for that."
+            "A picture becomes one of another format: png, jpg, hdr, exr …, its light alone, without opacity and layers; --bits, --exposure, --tone and --uncompressed are for that,",
+            "and --mix, which makes lights brighter, darker or of another colour afterwards."
         },
         footer = {"", "Examples:", "  paprsek convert showcase.xml showcase.pov", "  paprsek convert mine.xml tidy.xml",
             "  paprsek convert thing.csg thing.xml", "  paprsek convert part.stl part.obj",
-            "  paprsek convert light.exr light.png --exposure 1 --tone filmic"})
+            "  paprsek convert light.exr light.png --exposure 1 --tone filmic", "  paprsek convert lights.exr evening.png --mix sun=0 --mix lamp=2,1.6,1"})
 final class ConvertCommand implements Callable<Integer> {
     private static final List<String> ENDINGS = List.of("pov", "xml", "obj", "stl");
 
@@ -86,6 +88,9 @@ final class ConvertCommand implements Callable<Integer> {
     @Mixin
     private LightWishes shown;
 
+    @Mixin
+    private MixWishes mix;
+
     @Option(names = {"-q", "--quiet"}, description = "Prints errors only, no warnings.")
     private boolean quiet;
 
@@ -105,8 +110,8 @@ final class ConvertCommand implements Callable<Integer> {
         if (format.isPresent()) {
             throw new WrongUsage("a scene becomes a picture where it is rendered: paprsek render " + scene + " -o " + name);
         }
-        if (bits.isPresent() || uncompressed || shown.areSaid()) {
-            throw new WrongUsage("--bits, --uncompressed, --exposure and --tone are for pictures, which " + scene + " is not");
+        if (bits.isPresent() || uncompressed || shown.areSaid() || mix.areSaid()) {
+            throw new WrongUsage("--bits, --uncompressed, --exposure, --tone and --mix are for pictures, which " + scene + " is not");
         }
         if (!ENDINGS.contains(ending)) {
             throw new WrongUsage("cannot tell what form '" + name + "' is to have: let it end in .pov, .xml, .obj or .stl"
@@ -132,7 +137,7 @@ final class ConvertCommand implements Callable<Integer> {
         writing.check(List.of(format));
         Image image;
         try {
-            image = ImageFiles.read(scene);
+            image = mix.read(scene);
         } catch (IOException unreadable) {
             terminal.message(Failures.sentence(unreadable));
             return ExitCode.BAD_SCENE;

@@ -11,6 +11,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ConvertCommandTest {
     @TempDir
@@ -79,6 +81,56 @@ class ConvertCommandTest {
             assertThat(run.err()).contains(wrong.sentence());
         }
         assertThat(folder.resolve("a.png")).doesNotExist();
+    }
+
+    /** Light adds up: what is mixed afterwards is what would have been rendered. */
+    @ParameterizedTest
+    @ValueSource(strings = {"whitted", "path"})
+    void lightsAreMixedWithoutBeingRenderedAgain(String integrator) throws IOException {
+        Path lights = folder.resolve("lights.exr");
+        Run.cli("render", lit("lit.xml", "0.5", "255 255 255", "0.25"), "-o", lights, "--aov", "light", "--bits", "32", "--integrator", integrator, "-q");
+        Path plain = folder.resolve("plain.exr");
+        assertThat(Run.cli("convert", lights, plain, "--bits", "32").code()).isZero();
+        Path whole = folder.resolve("whole.exr");
+        assertThat(Run.cli("convert", lights, whole, "--bits", "32", "--mix", "key=1", "--mix", "fill lamp=1,1,1", "--mix", "rest=1")).matches(run -> run.code() == 0 && run.text().isEmpty() && run.err().isEmpty());
+        assertThat(whole).hasSameBinaryContentAs(plain);
+
+        Path mixed = folder.resolve("mixed.exr");
+        assertThat(Run.cli("convert", lights, mixed, "--bits", "32", "--mix", "key=2,0,1", "--mix", "fill lamp=0").code()).isZero();
+        Path rendered = folder.resolve("rendered.exr");
+        Run.cli("render", lit("other.xml", "1", "255 0 187.516", "0"), "-o", rendered, "--bits", "32", "--integrator", integrator, "-q");
+        assertThat(Run.cli("compare", mixed, rendered, "--tolerance", "0.5")).satisfies(run -> assertThat(run.code()).as(run.out()).isZero());
+        assertThat(Run.cli("compare", mixed, plain, "--tolerance", "0.5").code()).isOne();
+    }
+
+    private Path lit(String name, String key, String color, String fill) throws IOException {
+        return Scenes.scene(folder.resolve(name), "<background color='20 40 60'/><point-light name='key' position='2 4 3' color='" + color + "' intensity='" + key
+                + "'/><point-light name='fill lamp' position='-3 2 2' intensity='" + fill + "'/><sphere radius='1'/>");
+    }
+
+    @Test
+    void whatCannotBeMixedIsToldInOneLine() throws IOException {
+        Path scene = lit("lit.xml", "0.5", "255 255 255", "0.25");
+        Path lights = folder.resolve("lights.exr");
+        Path plain = folder.resolve("plain.exr");
+        Run.cli("render", scene, "-o", lights, "--aov", "light", "-q");
+        Run.cli("render", scene, "-o", plain, "-q");
+        Path target = folder.resolve("a.png");
+        record Wrong(Path picture, String mix, String sentence) {}
+
+        for (Wrong wrong : List.of(
+                new Wrong(lights, "kay=1", lights + " has no layer of a light 'kay', but of fill lamp, key, rest; did you mean \"key\"?"),
+                new Wrong(lights, "key=-1", "--mix key: expected a share from 0 such as 0.5, or three such as 1,0.8,0.5 for red, green and blue, but found '-1'"),
+                new Wrong(lights, "key=1,2", "but found '1,2'"), new Wrong(lights, "key=bright", "but found 'bright'"), new Wrong(lights, "key=NaN", "but found 'NaN'"),
+                new Wrong(lights, "key=", "but found ''"), new Wrong(lights, "key", "--mix"),
+                new Wrong(plain, "key=1", plain + " has no layers of lights that could be mixed; paprsek render --aov light -o FILE.exr makes them"),
+                new Wrong(scene, "key=1", "a scene becomes a picture where it is rendered"))) {
+            Run run = Run.cli("convert", wrong.picture(), target, "--mix", wrong.mix());
+            assertThat(run.code()).as(run.err()).isEqualTo(2);
+            assertThat(run.err()).contains(wrong.sentence());
+        }
+        assertThat(Run.cli("convert", scene, folder.resolve("a.xml"), "--mix", "key=1").err()).contains("--tone and --mix are for pictures, which");
+        assertThat(target).doesNotExist();
     }
 
     @Test

@@ -1,0 +1,70 @@
+package cz.paprsek.cli.input;
+
+import cz.paprsek.cli.process.WrongUsage;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFiles;
+import cz.paprsek.image.ImageFormat;
+import cz.paprsek.image.Layers;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.text.Numbers;
+import cz.paprsek.text.Similar;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.stream.Stream;
+import picocli.CommandLine.Option;
+
+/** How bright the lights of a finished picture are to be, of which it has a layer each. */
+public final class MixWishes {
+    private static final int CHANNELS = 3;
+
+    @Option(names = "--mix", paramLabel = "LIGHT=SHARE", description =
+            "How much of a light there is to be, in an exr that 'render --aov light' has written: 0 for none, 1 for as it is, 2 for a stop more, "
+                    + "or three numbers such as 1,0.8,0.5 for red, green and blue; 'rest' is sky, background and what glows. Nothing is rendered again. May be given several times.")
+    private Map<String, String> shares = new LinkedHashMap<>();
+
+    /** Whether something is wished for. */
+    public boolean areSaid() {
+        return !shares.isEmpty();
+    }
+
+    /**
+     * A picture with its lights as they are wished for.
+     *
+     * @throws WrongUsage if it has no layers of lights, or not of those that are named, or what is wished for is no share
+     */
+    public Image read(Path picture) throws IOException {
+        Map<String, Vec3> wanted = new LinkedHashMap<>();
+        shares.forEach((light, text) -> wanted.put(light, share(light, text)));
+        if (wanted.isEmpty()) {
+            return ImageFiles.read(picture);
+        }
+        Layers layers = ImageFormat.ofFile(picture.toString()).filter(format -> format == ImageFormat.EXR).isPresent() ? ImageFiles.readLayers(picture) : Layers.ofSize(1, 1);
+        List<String> lights = layers.lights();
+        if (lights.isEmpty() || !layers.names().contains("R")) {
+            throw new WrongUsage(picture + " has no layers of lights that could be mixed; paprsek render --aov light -o FILE.exr makes them");
+        }
+        for (String light : wanted.keySet()) {
+            if (!lights.contains(light)) {
+                throw new WrongUsage(picture + " has no layer of a light '" + light + "', but of " + String.join(", ", lights) + Similar.suggestion(light, lights));
+            }
+        }
+        return layers.mixed(layers.image(""), wanted);
+    }
+
+    private static Vec3 share(String light, String text) {
+        List<OptionalDouble> numbers = Stream.of(text.split(",", -1)).map(String::strip).map(Numbers::parsed).toList();
+        if (numbers.size() == 1 || numbers.size() == CHANNELS) {
+            double red = numbers.get(0).orElse(-1);
+            double green = numbers.get(numbers.size() / 2).orElse(-1);
+            double blue = numbers.get(numbers.size() - 1).orElse(-1);
+            if (Math.min(red, Math.min(green, blue)) >= 0 && Math.max(red, Math.max(green, blue)) <= Float.MAX_VALUE) {
+                return new Vec3(red, green, blue);
+            }
+        }
+        throw new WrongUsage("--mix " + light + ": expected a share from 0 such as 0.5, or three such as 1,0.8,0.5 for red, green and blue, but found '" + text + "'");
+    }
+}
