@@ -12,8 +12,8 @@ import java.util.function.Predicate;
 
 /**
  * How the work on a picture, or on the frames of a film, is dealt out, in parts of which each becomes a file. It depends on nothing but the picture and the
- * number of shares; that of a share takes as long as that of any other, about, as of each few neighbours in picture and time everybody gets one. Of many frames
- * everybody gets whole ones with all their passes, as each must be prepared by whoever renders something of it; of fewer frames with many passes, whole passes.
+ * number of shares; that of a share takes as long as that of any other, about, as the tiles of each lie all over the picture, as far from each other as they can. Of many
+ * frames everybody gets whole ones with all their passes, as each must be prepared by whoever renders something of it; of fewer frames with many passes, whole passes.
  */
 final class Deal {
     /** How many parts a share has at least, if the picture is large enough: who is killed loses one of them. */
@@ -24,6 +24,8 @@ final class Deal {
     private static final double GOLDEN = 0.618033988749895;
 
     private final List<Tile> tiles;
+    /** Of each tile, its place in a row of all that is cut into shares. */
+    private final int[] places;
     private final int first;
     /** Into how many passes each frame is divided; 0 if it is not. */
     private final int passes;
@@ -45,7 +47,9 @@ final class Deal {
         this.passes = passes;
         this.shards = shards;
         slices = (long) span.count() * Math.max(1, passes);
-        tiles = Grid.tiles(region, side(region, slices, (long) PARTS * shards));
+        int side = side(region, slices, (long) PARTS * shards);
+        tiles = Grid.tiles(region, side);
+        places = new Lattice(shards, tiles.size()).places(tiles.stream().mapToInt(tile -> (tile.x() - region.x()) / side).toArray(), tiles.stream().mapToInt(tile -> (tile.y() - region.y()) / side).toArray());
     }
 
     /** The largest side of tiles with which there are so many of them, if there can be. */
@@ -118,10 +122,15 @@ final class Deal {
         if (passes > 0 && (slices >= (long) FRAMES * shards || slices % shards == 0)) {
             return 1 + (int) (slice % shards);
         }
-        long number = slice * tiles.size() + tile;
-        // In each round everybody has another turn, or a share would get a stripe of the picture.
-        long round = number / shards;
-        double turn = round * GOLDEN;
-        return 1 + (int) ((number % shards + (long) (shards * (turn - Math.floor(turn)))) % shards);
+        // In each frame the row begins elsewhere, as what is long in one is long in the next.
+        long place = (places[tile] + slice * (long) (tiles.size() * GOLDEN)) % tiles.size();
+        return 1 + (int) share(place * slices + slice);
+    }
+
+    /** In which share a place is, if all places are cut into shares of which none has more than one place more than another. */
+    private long share(long place) {
+        long least = parts() / shards;
+        long larger = parts() % shards;
+        return place < larger * (least + 1) ? place / (least + 1) : larger + (place - larger * (least + 1)) / least;
     }
 }

@@ -9,7 +9,9 @@ import cz.paprsek.render.Tile;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.IntSummaryStatistics;
 import java.util.List;
+import java.util.function.DoubleBinaryOperator;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
@@ -57,19 +59,41 @@ class DealTest {
         }
     }
 
-    /** Of a picture whose middle takes ten times as long as its corners, and whose lower half three times as long as its upper. */
+    /** Nobody has two parts more than another, of pictures and of few frames, whatever their passes. */
     @ParameterizedTest
-    @CsvSource({"2,0.02", "3,0.03", "5,0.02", "8,0.03", "13,0.05", "21,0.1", "30,0.1", "64,0.2"})
-    void noShareTakesMuchLongerThanTheMean(int shards, double longer) {
-        Deal deal = new Deal(new Tile(0, 0, 1920, 1080), Span.STILL, 0, shards);
-        double[] times = IntStream.rangeClosed(1, shards).mapToDouble(i -> deal.of(new Shard(i, shards)).stream().mapToDouble(piece -> time(piece.tile())).sum()).toArray();
-        assertThat(DoubleStream.of(times).max().orElseThrow()).isLessThan((1 + longer) * DoubleStream.of(times).average().orElseThrow());
+    @CsvSource({"1920,1080,0,0,0", "512,288,0,0,0", "333,777,0,0,0", "33,31,0,0,0", "100,2000,1,7,0", "640,361,1,3,0", "320,130,0,0,7"})
+    void nobodyHasTwoPartsMoreThanAnother(int width, int height, int first, int last, int passes) {
+        for (int shards : new int[] {1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 16, 30, 64, 500}) {
+            Deal deal = new Deal(new Tile(5, 7, width, height), new Span(first, last), passes, shards);
+            IntSummaryStatistics counts = IntStream.rangeClosed(1, shards).map(i -> deal.of(new Shard(i, shards)).size()).summaryStatistics();
+            assertThat(counts.getMax() - counts.getMin()).as(shards + " shares").isLessThanOrEqualTo(1);
+            assertThat(counts.getSum()).isEqualTo(deal.parts());
+        }
     }
 
-    private static double time(Tile tile) {
-        double x = (tile.x() + tile.width() / 2.0) / 1920 - 0.5;
-        double y = (tile.y() + tile.height() / 2.0) / 1080 - 0.5;
-        return tile.width() * tile.height() * (1 + 9 * Math.exp(-20 * (x * x + y * y))) * (y > 0 ? 3 : 1);
+    /** Of a picture whose middle takes ten times as long as its corners, and whose lower half three times as long as its upper. */
+    @ParameterizedTest
+    @CsvSource({"2,0.001", "3,0.001", "5,0.002", "8,0.002", "13,0.005", "21,0.01", "30,0.02", "64,0.06"})
+    void noShareTakesMuchLongerThanTheMean(int shards, double longer) {
+        assertThat(longest(1920, 1080, shards, (x, y) -> (1 + 9 * Math.exp(-20 * (x * x + y * y))) * (y > 0 ? 3 : 1))).isLessThan(longer);
+    }
+
+    /** Of pictures in which every second column of tiles takes ten times as long, or every third row, or more and more to the right, or one disc. */
+    @ParameterizedTest
+    @CsvSource({"2,0.01,0.01", "3,0.01,0.01", "4,0.01,0.01", "5,0.01,0.02", "7,0.02,0.02", "8,0.02,0.03", "13,0.02,0.05", "16,0.03,0.05", "30,0.03,0.15"})
+    void shareOfColumnsAndRowsAndWhatLiesTogetherIsEven(int shards, double longer, double longerOfDisc) {
+        assertThat(longest(1920, 1080, shards, (x, y) -> (int) ((x + 0.5) * 60) % 2 == 0 ? 10 : 1)).isLessThan(longer);
+        assertThat(longest(1920, 1080, shards, (x, y) -> (int) ((y + 0.5) * 1080 / 32) % 3 == 0 ? 10 : 1)).isLessThan(longer);
+        assertThat(longest(1920, 1080, shards, (x, y) -> 1.5 + x)).isLessThan(longer);
+        assertThat(longest(1920, 1080, shards, (x, y) -> Math.hypot(x + 0.2, 0.56 * y) < 0.2 ? 8 : 1)).isLessThan(longerOfDisc);
+    }
+
+    /** By how much the longest share is longer than the mean, by what a pixel costs at a place between −1/2 and 1/2. */
+    private static double longest(int width, int height, int shards, DoubleBinaryOperator cost) {
+        Deal deal = new Deal(new Tile(0, 0, width, height), Span.STILL, 0, shards);
+        double[] times = IntStream.rangeClosed(1, shards).mapToDouble(i -> deal.of(new Shard(i, shards)).stream().map(Piece::tile).mapToDouble(tile -> tile.width() * tile.height()
+                * cost.applyAsDouble((tile.x() + tile.width() / 2.0) / width - 0.5, (tile.y() + tile.height() / 2.0) / height - 0.5)).sum()).toArray();
+        return DoubleStream.of(times).max().orElseThrow() / DoubleStream.of(times).average().orElseThrow() - 1;
     }
 
     @Test
