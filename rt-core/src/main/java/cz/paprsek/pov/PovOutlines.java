@@ -14,7 +14,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Solids of outlines in POV-Ray's words: Bézier curves as such where POV-Ray makes them thick, all other curves in straight pieces. */
+/** Solids of outlines in POV-Ray's words: curves as Bézier curves where POV-Ray makes them thick, in straight pieces where it turns them. */
 final class PovOutlines {
     private static final int LINES = 200;
     private static final int STEPS = 8;
@@ -27,7 +27,8 @@ final class PovOutlines {
             throw new IllegalArgumentException("a scene for POV-Ray cannot hold a twisted extrude: POV-Ray has none");
         }
         Outline outline = Outline.of("extrude", extrude.path(), extrude.points());
-        boolean areCurves = !outline.isStraight() && !outline.curves().isEmpty();
+        boolean areCurves = !outline.isStraight();
+        // Of straight pieces, the corners.
         List<Vec3> points = areCurves ? outline.curves() : outline.polygons(Lathed.tolerance(outline)).stream().flatMap(List::stream).toList();
         double taper = extrude.taper();
         String spline = areCurves ? "bezier_spline " : "linear_spline ";

@@ -226,11 +226,8 @@ public final class Outline {
         return Arrays.stream(pieces).allMatch(Piece.Straight.class::isInstance);
     }
 
-    /** All contours as cubic Bézier curves, four points each, those of one contour after the other; empty if there are arcs, which are none. */
+    /** All contours as cubic Bézier curves, four points each, those of one contour after the other; arcs in several, which are off by less than 1e-7 of their radius. */
     public List<Vec3> curves() {
-        if (Arrays.stream(pieces).anyMatch(Piece.Arc.class::isInstance)) {
-            return List.of();
-        }
         List<Vec3> points = new ArrayList<>();
         for (Piece piece : pieces) {
             double[] controls = piece.controls();

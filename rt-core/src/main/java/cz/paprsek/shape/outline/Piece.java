@@ -39,10 +39,8 @@ abstract class Piece {
      */
     abstract void cross(double a, double b, double c, int face, Line out);
 
-    /** Its four points as a cubic Bézier curve, x and y in turn, from its beginning to its end; empty if it is none. */
-    double[] controls() {
-        return new double[0];
-    }
+    /** As cubic Bézier curves, four points each, x and y in turn, one after the other the way the outline runs. */
+    abstract double[] controls();
 
     /** Whether the outline runs from its end to its beginning. */
     boolean isBackward() {
@@ -110,6 +108,9 @@ abstract class Piece {
 
     /** A part of an ellipse, a quarter at most: m + p·cos θ + q·sin θ from one θ to a larger one. */
     static final class Arc extends Piece {
+        /** The largest angle that is taken for one Bézier curve: it is off by 7e-8 of the radius then, and that goes by the sixth power. */
+        private static final double LARGEST = Math.PI / 8;
+
         private final double mx;
         private final double my;
         private final double px;
@@ -183,6 +184,36 @@ abstract class Piece {
         @Override
         double dy(double u) {
             return (to - from) * (qy * StrictMath.cos(angle(u)) - py * StrictMath.sin(angle(u)));
+        }
+
+        /**
+         * Near enough to be one for all who look at it.
+         *
+         * @source Goldapp, Approximation of circular arcs by cubic polynomials, Computer Aided Geometric Design 8, 1991
+         */
+        @Override
+        double[] controls() {
+            int parts = (int) Math.ceil((to - from) / LARGEST);
+            // How far the inner points lie along the tangents.
+            double reach = 4.0 / 3 * StrictMath.tan((to - from) / parts / 4) / (to - from);
+            double[] points = new double[8 * parts];
+            for (int i = 0; i < parts; i++) {
+                double first = (double) (isBackward ? parts - i : i) / parts;
+                double last = (double) (isBackward ? parts - i - 1 : i + 1) / parts;
+                double way = isBackward ? -reach : reach;
+                double[] four = {endX(first), endY(first), endX(first) + way * dx(first), endY(first) + way * dy(first), endX(last) - way * dx(last), endY(last) - way * dy(last), endX(last), endY(last)};
+                System.arraycopy(four, 0, points, 8 * i, four.length);
+            }
+            return points;
+        }
+
+        /** A point's x; at the ends that which the neighbours have. */
+        private double endX(double u) {
+            return u == 0 ? x0 : u == 1 ? x1 : x(u);
+        }
+
+        private double endY(double u) {
+            return u == 0 ? y0 : u == 1 ? y1 : y(u);
         }
 
         @Override
