@@ -103,6 +103,22 @@ class ModelsTest {
         assertThat(fed.err().lines()).singleElement().asString().startsWith("-: this looks like ").contains(format, "; files of other programs cannot come through a pipe; write it to a file first");
     }
 
+    /** Neither has a signature. */
+    @ParameterizedTest
+    @CsvSource(textBlock = """
+            '# two balls\n\nb 0.1 0.2 0.3\nv\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\nl 5 5 5\nf 1 0 0 1 0 0 0 1\ns 0 0 0 1\n', NFF
+            'v \r\nfrom 0 0 9\r\nat 0 0 0\r\nup 0 1 0\r\nangle 40\r\nhither 1\r\nresolution 32 24\r\nf 1 0 0 1 0 0 0 1\r\ns 0 0 0 1\r\n', NFF
+            'group() {\n\tsphere($fn = 0, $fa = 12, $fs = 2, r = 1);\n}\n', OpenSCAD CSG
+            'multmatrix([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {\n\tcube(size = [1, 1, 1], center = true);\n}\n', OpenSCAD CSG
+            """)
+    void whatIsNoMeshIsKnownByHowItBegins(String text, String format) throws IOException {
+        String content = text.translateEscapes();
+        Run run = Run.cli("info", Files.writeString(folder.resolve("unnamed.txt"), content));
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(IncomingTest.fed(content.getBytes(StandardCharsets.UTF_8), "render", "-").err())
+                .isEqualTo("-: this looks like " + format + "; files of other programs cannot come through a pipe; write it to a file first\n");
+    }
+
     @Test
     void theFloorCanBeLeftAway() throws IOException {
         assertThat(Run.cli("render", obj, "-o", folder.resolve("f.ppm"), "--size", "32x24", "--samples", "1", "--mode", "objects").code()).isZero();

@@ -23,6 +23,12 @@ public enum ForeignFormat {
     /** What is first in an OBJ file, after remarks. */
     private static final Pattern OBJ_STATEMENT = Pattern.compile("(?:\\s|#[^\n]*\n)*+(?:mtllib|usemtl|o|g|s|v|vn|vt)[ \t]+[^\\s]");
 
+    /** What is first in an NFF file, after remarks: from where one looks, perhaps after the background. */
+    private static final Pattern NFF_VIEW = Pattern.compile("(?:\\s|#[^\n]*\n)*+(?:b[ \t][^\n]*\n\\s*+)?v[ \t]*\r?\n\\s*+from[ \t]");
+    /** What is first in what OpenSCAD writes: a body, or what bodies are in. */
+    private static final Pattern CSG_NODE = Pattern.compile(
+            "\\s*+(?:group|union|difference|intersection|multmatrix|color|render|hull|minkowski|linear_extrude|rotate_extrude|cube|sphere|cylinder|polyhedron)[ \t]*\\([^\n]*\\)[ \t]*[{;]");
+
     private final String label;
     /** With a blank between them. */
     private final String endings;
@@ -72,7 +78,10 @@ public enum ForeignFormat {
         if (named.filter(format -> format == OBJ || !format.isMesh() || (format == GLTF && isJson)).isPresent()) {
             return named;
         }
-        boolean isSolid = text.regionMatches(true, 0, "solid", 0, 5);
-        return isSolid ? Optional.of(STL) : text.indexOf('\0') < 0 && OBJ_STATEMENT.matcher(text).lookingAt() ? Optional.of(OBJ) : named;
+        if (text.regionMatches(true, 0, "solid", 0, 5)) {
+            return Optional.of(STL);
+        }
+        return text.indexOf('\0') >= 0 ? named : OBJ_STATEMENT.matcher(text).lookingAt() ? Optional.of(OBJ)
+                : NFF_VIEW.matcher(text).lookingAt() ? Optional.of(NFF) : CSG_NODE.matcher(text).lookingAt() ? Optional.of(OPENSCAD) : named;
     }
 }
