@@ -32,6 +32,11 @@ public record Maker(int number, String element, Map<String, String> attributes, 
         return element.equals(REPEAT);
     }
 
+    /** What formulas in it call the number of a copy, from 0. */
+    public String index() {
+        return attributes.getOrDefault("index", "i");
+    }
+
     /** An attribute as it is written; empty if it is not. */
     public String attribute(String name) {
         return attributes.getOrDefault(Objects.requireNonNull(name, "name"), "");

@@ -273,10 +273,10 @@ public final class SceneFiles {
 
     /**
      * A scene with a formula where a change of it puts a number. Where that is in the first copy of what is repeated, it is so in all copies, as with
-     * {@link #following}.
+     * {@link #following}, and with the number of the copy in the formula each has its own.
      *
      * @param change puts a number there
-     * @param formula without braces; it may have the names of the scene's parameters
+     * @param formula without braces; it may have the names of the scene's parameters, and that of the number of a copy, {@code i}
      * @throws cz.paprsek.formula.FormulaException if it is none, or has no value
      * @throws IllegalArgumentException if the change refuses the value, or what it changes is no number of a file
      */

@@ -67,6 +67,11 @@ final class Settled {
 
     /** The scene where what has become of a first copy becomes of all copies; else as {@link #of}. */
     static Scene following(Scene scene) {
+        return following(scene, false);
+    }
+
+    /** @param isOfEach whether also where a formula has made each copy another one */
+    static Scene following(Scene scene, boolean isOfEach) {
         Recipe recipe = scene.recipe();
         if (!recipe.text().contains("<repeat")) {
             return of(scene);
@@ -75,7 +80,7 @@ final class Settled {
             Script script = script(recipe);
             Scene made = only(script).withRecipe(Recipe.NONE);
             Scene plain = scene.withRecipe(Recipe.NONE);
-            Optional<String> text = made.equals(plain) ? Optional.empty() : script.following(SceneForms.file(made), SceneForms.file(plain));
+            Optional<String> text = made.equals(plain) ? Optional.empty() : script.following(SceneForms.file(made), SceneForms.file(plain), isOfEach);
             return text.isEmpty() ? of(scene) : like(scene, remade(scene, text.get()));
         } catch (SceneFileException | IOException | Unpatchable hopeless) {
             return of(scene);
@@ -125,7 +130,7 @@ final class Settled {
         return like(scene, remade(settled, script(settled.recipe()).usedAgain(maker, aside)));
     }
 
-    private static Scene remade(Scene scene, String text) {
+    static Scene remade(Scene scene, String text) {
         try {
             return only(script(new Recipe(text, scene.recipe().included(), List.of())));
         } catch (SceneFileException refused) {
@@ -160,7 +165,7 @@ final class Settled {
         return SceneFiles.only(Making.of(recipe, parameters, moment).contents(recipe.text().getBytes(StandardCharsets.UTF_8), "scene").orElseThrow(), "scene");
     }
 
-    private static Scene like(Scene before, Scene now) {
+    static Scene like(Scene before, Scene now) {
         List<SceneObject> objects = new ArrayList<>(now.objects());
         for (int i = 0; i < Math.min(objects.size(), before.objects().size()); i++) {
             SceneObject old = before.objects().get(i);

@@ -76,6 +76,42 @@ class FormulatedTest {
         assertThat(second.objects().subList(0, 3)).extracting(SceneObject::shape).containsExactly(new Sphere(0.5), new Sphere(1.5), new Sphere(0.5));
     }
 
+    /** As if it had been written in the file: each copy has what the formula comes to with its number, also in the place of another such formula. */
+    @Test
+    void theNumberOfACopyMayStandInAFormulaOfTheFirst() throws Exception {
+        String text = "<scene xmlns='urn:paprsek:scene:1'><camera position='0 0 9' target='0 0 0'/><param name='r' value='0.5'/><sphere name='aside' radius='1'/>"
+                + "<repeat name='row' count='3' position='2 0 0'><sphere radius='RADIUS' position='0 0 1'/></repeat></scene>";
+        Scene row = SceneFiles.parse(text.replace("RADIUS", "0.4"));
+        ScenePath.BodyAt first = ScenePath.body(1);
+        Scene made = row;
+        for (String formula : List.of("r+i/10", "r*(i+1)", "i % 2 == 0 ? 1 : r")) {
+            Scene from = made;
+            made = SceneFiles.withFormula(from, value -> from.with(first, body -> body.withShape(new Sphere(value))), formula);
+            assertThat(made.withRecipe(Recipe.NONE)).isEqualTo(SceneFiles.parse(text.replace("RADIUS", "{" + formula + "}")).withRecipe(Recipe.NONE));
+            assertThat(made.recipe().text()).contains("<repeat name=\"row\" count=\"3\"", "radius=\"{" + formula + "}\"");
+            assertThat(SceneFiles.formulas(made).get(Optional.of(first))).extracting(Written::formula).containsExactly(formula);
+            assertThat(SceneFiles.settled(made)).as("nothing is left to do").isSameAs(made);
+        }
+        Scene high = made;
+        Scene raised = SceneFiles.withFormula(high, value -> high.with(first, body -> body.placed(Placement.at(0, value, 1))), "i*i");
+        assertThat(raised.objects().subList(1, 4)).extracting(object -> object.placement().position()).containsExactly(new Vec3(0, 0, 1), new Vec3(2, 1, 1), new Vec3(4, 4, 1));
+    }
+
+    @Test
+    void copiesWithinCopiesKnowBothNumbersAndOthersNone() throws Exception {
+        Scene grid = SceneFiles.parse("<scene xmlns='urn:paprsek:scene:1'><camera position='0 0 9' target='0 0 0'/><sphere radius='1'/>"
+                + "<difference><sphere radius='4'/><repeat count='2' index='k' position='0 2 0'><repeat count='2' position='2 0 0'><sphere radius='1'/></repeat></repeat></difference></scene>");
+        ScenePath.BodyAt first = ScenePath.body(1, 1, 0, 0);
+        Scene made = SceneFiles.withFormula(grid, value -> grid.with(first, body -> body.withShape(new Sphere(value))), "1 + k/2 + i/4");
+        assertThat(made.recipe().text()).contains("index=\"k\"", "radius=\"{1 + k/2 + i/4}\"");
+        assertThat(List.of(ScenePath.body(1, 1, 0, 0), ScenePath.body(1, 1, 0, 1), ScenePath.body(1, 1, 1, 0), ScenePath.body(1, 1, 1, 1)))
+                .extracting(at -> at.find(made).orElseThrow().shape()).containsExactly(new Sphere(1), new Sphere(1.25), new Sphere(1.5), new Sphere(1.75));
+        assertThatThrownBy(() -> SceneFiles.withFormula(grid, value -> radius(grid, value), "2 + i")).isInstanceOfSatisfying(FormulaException.class, wrong -> assertThat(wrong.column()).isEqualTo(5))
+                .hasMessageContaining("\"i\" is not a number");
+        assertThatThrownBy(() -> SceneFiles.withFormula(grid, value -> grid.with(first, body -> body.withShape(new Sphere(value))), "1 - i"))
+                .isInstanceOf(IllegalArgumentException.class).hasMessageContaining("above 0").hasMessageNotContaining("\"i\"");
+    }
+
     @Test
     void theOtherNumbersOfAnAttributeKeepTheirs() throws Exception {
         Scene scene = SceneFiles.parse(TEXT);

@@ -35,11 +35,14 @@ final class Reconciled {
     private final Node written;
     private final Form plain;
     private final boolean movesInstances;
-    private final boolean follows;
+    private final Copying copying;
     private final Origin origin;
     /** The names that number the copies within which one is. */
     private final Deque<String> indices = new ArrayDeque<>();
     private boolean isFollowed;
+
+    /** What becomes of the other copies when one has been changed: nothing; the same, if copies are alike there; the same even if a formula has made them differ. */
+    enum Copying { NONE, ALIKE, OF_EACH }
 
     /** An element, and which of the new ones it is, or the last of them. */
     private record Kept(Node node, int number) {}
@@ -50,13 +53,13 @@ final class Reconciled {
      * @param written the scene with its formulas
      * @param out what it was written out as
      * @param movesInstances whether what is placed anew where a definition was used is taken for that use placed anew
-     * @param follows whether what has become of a first copy is to become of all copies
+     * @param copying whether what has become of a first copy is to become of all copies
      */
-    Reconciled(Node written, Output out, boolean movesInstances, boolean follows) {
+    Reconciled(Node written, Output out, boolean movesInstances, Copying copying) {
         this.written = written;
         this.origin = written.origin();
         this.movesInstances = movesInstances;
-        this.follows = follows;
+        this.copying = copying;
         plain = Form.parse(out.text());
         number(plain, out.lines(), out.owners(), out.sites(), 0);
     }
@@ -125,7 +128,7 @@ final class Reconciled {
 
     /** One number instead of a formula that says another one for each copy would put all of them into one place. */
     private void refuseOfEach(Attr attribute, Tokens written, Tokens now) {
-        for (int i = 0; i < written.texts().size() && !indices.isEmpty(); i++) {
+        for (int i = 0; i < written.texts().size() && !indices.isEmpty() && copying != Copying.OF_EACH; i++) {
             String token = written.texts().get(i);
             if (token.startsWith("{") && !now.texts().contains(token) && Formula.of(Raw.text(token.substring(1, token.length() - 1))).names().stream().anyMatch(indices::contains)) {
                 throw new IllegalArgumentException("each copy has a " + attribute.name() + " of its own, by " + Raw.text(token) + "; change that formula instead");
@@ -193,7 +196,7 @@ final class Reconciled {
         if (isSame) {
             return List.of(new Kept(child, last));
         }
-        if (follows && child.name().equals(Node.REPEAT)) {
+        if (copying != Copying.NONE && child.name().equals(Node.REPEAT)) {
             return followed(child, run, level, last);
         }
         Form first = run.get(0);

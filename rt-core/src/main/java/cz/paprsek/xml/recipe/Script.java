@@ -217,17 +217,18 @@ public final class Script {
      * @param movesInstances as in {@link Reconciled}
      */
     public String reconciled(Form before, Form now, boolean movesInstances) {
-        return NodeText.of(new Reconciled(Objects.requireNonNull(only), out, movesInstances, false).of(before, now));
+        return NodeText.of(new Reconciled(Objects.requireNonNull(only), out, movesInstances, Reconciled.Copying.NONE).of(before, now));
     }
 
     /**
      * As the other, but what has become of a first copy becomes of all copies.
      *
+     * @param isOfEach whether what each copy has of its own, by a formula, may be changed too, into the same for all
      * @return empty if nothing that is repeated has been changed
-     * @throws IllegalArgumentException if each copy has of its own what has been changed
+     * @throws IllegalArgumentException if each copy has of its own what has been changed, and may not
      */
-    public Optional<String> following(Form before, Form now) {
-        Reconciled all = new Reconciled(Objects.requireNonNull(only), out, true, true);
+    public Optional<String> following(Form before, Form now, boolean isOfEach) {
+        Reconciled all = new Reconciled(Objects.requireNonNull(only), out, true, isOfEach ? Reconciled.Copying.OF_EACH : Reconciled.Copying.ALIKE);
         Node scene = all.of(before, now);
         return all.isFollowed() ? Optional.of(NodeText.of(scene)) : Optional.empty();
     }
@@ -331,15 +332,20 @@ public final class Script {
     }
 
     /**
-     * What a formula comes to in the scene of this file, outside of what is repeated.
+     * What a formula comes to in the scene of this file.
      *
+     * @param firsts names that number copies, if it stands in what is repeated: it is that of the first of all copies
      * @throws cz.paprsek.formula.FormulaException if it is none, or has no value
      */
-    public double value(String formula) {
+    public double value(String formula, Set<String> firsts) {
+        Names all = Objects.requireNonNull(names);
+        firsts.forEach(name -> all.bind(name, 0));
         try {
-            return Formula.of(formula).value(Objects.requireNonNull(names));
+            return Formula.of(formula).value(all);
         } catch (ToldAlready hasNone) {
             throw new IllegalArgumentException("a parameter in it has no value", hasNone);
+        } finally {
+            firsts.forEach(name -> all.unbind());
         }
     }
 

@@ -14,6 +14,7 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -101,6 +102,23 @@ class FormulasInSheetTest {
         Screenshots.save(gui, "formula-refused");
         gui.keys(KeyCode.ESCAPE);
         assertThat(shown("#shape-radius")).isEqualTo("1");
+    }
+
+    /** As in a file: each copy has its own. */
+    @Test
+    void theNumberOfACopyStandsInAFieldOfWhatIsRepeated() throws SceneFileException {
+        Scene row = SceneFiles.parse("<scene xmlns='urn:paprsek:scene:1'><camera position='0 0 9' target='0 0 0'/><repeat count='3' position='2 0 0'><sphere radius='1'/></repeat></scene>");
+        gui.act(() -> model.open(row));
+        gui.act(() -> model.select(ScenePath.body(2)));
+        gui.until("the sheet shows the first copy", () -> gui.stage().getScene().lookup("#shape-radius") instanceof TextField field && !field.getText().isEmpty());
+        for (String formula : List.of("0.5+i/4", "1-i/4")) {
+            type("#shape-radius", formula);
+            assertThat(shown("#shape-radius")).isEqualTo("=" + formula);
+            assertThat(model.scene().recipe().text()).contains("<repeat", "radius=\"{" + formula + "}\"");
+        }
+        assertThat(model.scene().objects()).extracting(one -> one.shape()).containsExactly(new Sphere(1), new Sphere(0.75), new Sphere(0.5));
+        gui.act(model::undo);
+        assertThat(model.scene().objects().get(2).shape()).isEqualTo(new Sphere(1));
     }
 
     private static Scene made(Scene scene, String value) {
