@@ -256,9 +256,12 @@ public final class OriginalText {
         return of(scene);
     }
 
+    /** What somebody has written is of the very scene that it says, not of another one that is the same but for its name. */
     private Form written(Scene wanted, Form form, List<OriginalText> from) {
-        return contents.scenes().contains(wanted) && from.stream().noneMatch(OriginalText::isTyped) ? form
-                : from.stream().flatMap(text -> text.excerpt(wanted).stream()).findFirst().map(form::as).orElse(form);
+        Optional<OriginalText> typed = from.stream().filter(text -> text.isTyped && text.contents.scenes().contains(wanted)).findFirst();
+        return contents.scenes().contains(wanted) && typed.isEmpty() ? form
+                : typed.stream().flatMap(text -> text.excerpt(wanted).stream()).findFirst()
+                        .or(() -> from.stream().flatMap(text -> text.excerpt(wanted).stream()).findFirst()).map(form::as).orElse(form);
     }
 
     /** The text of the scene that this is here, or was before it got another name or other tags. */

@@ -105,14 +105,22 @@ public final class Document {
     public void save(SceneSource to) throws IOException, SceneFileException {
         Scene scene = model.scene();
         Assets there = source.get().filter(place -> place.isBeside(to)).isPresent() ? model.assets() : taken(scene, to);
+        Optional<OriginalText> untyped = untyped(to);
         SceneSource.Kept written = to.write(scene, source.get().equals(Optional.of(to)) ? known : Optional.empty(), text());
         source.set(Optional.of(written.source()));
         stamp = FileStamp.of(to.file());
         known = Optional.of(written.scene());
         // Undoing what was written leads back to the text that was opened.
-        text = model.state().typed().isPresent() ? written.text().with(text.file().map(SceneFile::text)) : written.text();
+        text = model.state().typed().isPresent() ? written.text().with(untyped) : written.text();
         model.setAssets(there);
         model.saved(scene);
+    }
+
+    /** The text that the scene goes back to when what was written in it is undone; in a database it then counts for more than what is there. */
+    private Optional<OriginalText> untyped(SceneSource to) {
+        Optional<OriginalText> own = text.file().map(SceneFile::text);
+        return to.inDatabase().isEmpty() ? own
+                : text.typed().or(() -> own.or(() -> known.flatMap(scene -> text.database().map(database -> database.text().alone(scene)))).map(OriginalText::asTyped));
     }
 
     private Assets taken(Scene scene, SceneSource to) throws IOException {

@@ -160,6 +160,40 @@ class DocumentTest {
         assertThat(next.model().unsavedProperty().get()).isFalse();
     }
 
+    /** Undone after saving, also if it was no more than a comment, and also done again. */
+    @Test
+    void whatWasWrittenInASceneOfADatabaseIsUndoneThere() throws IOException, SceneFileException {
+        String text = """
+                <database xmlns='urn:paprsek:scene:1'>
+                  <scene name='a'> <!-- one -->
+                    <camera direction='0 0 -1' position='0 0 5.0'/>
+                  </scene>
+                  <scene name='b'><camera direction='0 0 -1' position='0 0 5'/></scene> <!-- two -->
+                </database>
+                """.replace("\n", "\r\n");
+        Path file = Files.writeString(folder.resolve("d.xml"), text);
+        Document document = new Document(new EditorModel(kitchen));
+        document.opened(SceneSource.of(file).read());
+        for (String word : List.of("three", "four")) {
+            SceneText now = SceneText.of(document.text().original(), document.model().scene());
+            SceneText typed = now.typed(now.characters().replaceFirst("<!-- \\w+ -->", "<!-- " + word + " -->"), Assets.none());
+            document.model().editState(Label.of(Label.Edit.WRITE, "XML"), state -> state.withScene(typed.scene()).withTyped(Optional.of(typed.kept())));
+            document.save(document.sourceProperty().get().orElseThrow());
+            assertThat(Files.readString(file)).isEqualTo(text.replace("one", word));
+        }
+        for (String word : List.of("three", "one")) {
+            document.model().undo();
+            assertThat(document.model().unsavedProperty().get()).isTrue();
+            assertThat(SceneText.of(document.text().original(), document.model().scene()).characters()).contains("<!-- " + word + " -->");
+            document.save(document.sourceProperty().get().orElseThrow());
+            assertThat(Files.readString(file)).isEqualTo(text.replace("one", word));
+            assertThat(document.model().unsavedProperty().get()).isFalse();
+        }
+        document.model().redo();
+        document.save(document.sourceProperty().get().orElseThrow());
+        assertThat(Files.readString(file)).isEqualTo(text.replace("one", "three"));
+    }
+
     @Test
     void commentsOfADatabaseAreThereAfterACrash() throws IOException, SceneFileException {
         String text = "<database xmlns='urn:paprsek:scene:1'>\n  <scene name='a'> <!-- one -->\n    <camera direction='0 0 -1' position='0 0 5.0'/>\n  </scene>\n</database>\n";
