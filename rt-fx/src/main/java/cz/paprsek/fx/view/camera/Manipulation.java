@@ -2,10 +2,10 @@ package cz.paprsek.fx.view.camera;
 
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Gesture;
+import cz.paprsek.fx.model.contact.Contact;
 import cz.paprsek.fx.model.edit.Alignment;
 import cz.paprsek.fx.model.edit.Alignment.Line;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
-import cz.paprsek.fx.model.edit.Contact;
 import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.edit.Rounds;
 import cz.paprsek.fx.model.edit.Structure;

@@ -1,0 +1,82 @@
+package cz.paprsek.fx.model.contact;
+
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Places;
+import cz.paprsek.fx.model.edit.Alignment;
+import cz.paprsek.fx.model.edit.Alignment.Line;
+import cz.paprsek.fx.model.edit.Arranging.Axis;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.placed.Surface;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/** How far bodies can be moved along an axis until their surface touches that of another body, slanted and round ones too. Keeps what it has found. */
+public final class Contact {
+    /** Among more objects a hand would not be followed. */
+    private static final int MOST = 2000;
+    /** Numbers of files need not have more places than can be seen. */
+    private static final double FINEST = 1e6;
+
+    private final Bounds box;
+    private final List<Surface> own;
+    private final List<Surface> others;
+    private final Map<Axis, List<Gap>> gaps = new EnumMap<>(Axis.class);
+
+    private Contact(Bounds box, List<Surface> own, List<Surface> others) {
+        this.box = box;
+        this.own = List.copyOf(own);
+        this.others = List.copyOf(others);
+    }
+
+    /** Between what is moved and all else that can be seen. */
+    public static Contact with(EditorState state, Collection<? extends ScenePath> moving) {
+        List<BodyAt> bodies = Places.outermost(moving);
+        Set<Integer> objects = bodies.stream().map(at -> at.object().index()).collect(Collectors.toSet());
+        List<Surface> others = state.scene().objects().size() > MOST ? List.of() : IntStream.range(0, state.scene().objects().size())
+                .filter(i -> !objects.contains(i) && !state.isHidden(ScenePath.body(i))).mapToObj(i -> ScenePath.body(i).placed(state.scene())).toList();
+        return new Contact(Alignment.around(state, moving), bodies.stream().map(at -> at.placed(state.scene())).toList(), others);
+    }
+
+    /**
+     * The nearest contact for what is moved along an axis.
+     *
+     * @param by how far it is moved
+     * @param reach how far from a contact it may be, scene units
+     */
+    public Optional<Line> along(Axis axis, double by, double reach) {
+        Optional<Line> best = Optional.empty();
+        double nearest = reach;
+        for (Gap gap : gaps.computeIfAbsent(axis, this::across)) {
+            for (boolean isAbove : new boolean[] {false, true}) {
+                Optional<Gap.Touch> touch = gap.touch(isAbove, by, nearest);
+                if (touch.isPresent() && Math.abs(touch.get().by() - by) < nearest) {
+                    nearest = Math.abs(touch.get().by() - by);
+                    Bounds other = gap.other().isFinite() ? gap.other() : Bounds.of(box.middle(), box.middle());
+                    best = Optional.of(new Line(axis, Math.rint(touch.get().by() * FINEST) / FINEST, touch.get().place(), other));
+                }
+            }
+        }
+        return best;
+    }
+
+    /** Those that lie in the way along an axis. */
+    private List<Gap> across(Axis axis) {
+        List<Gap> found = new ArrayList<>();
+        for (Surface other : box.isEmpty() ? List.<Surface>of() : others) {
+            Gap gap = new Gap(axis, box, own, other);
+            if (gap.isInTheWay()) {
+                found.add(gap);
+            }
+        }
+        return found;
+    }
+}

@@ -1,0 +1,5 @@
+/** Where bodies touch each other. */
+@NullMarked
+package cz.paprsek.fx.model.contact;
+
+import org.jspecify.annotations.NullMarked;

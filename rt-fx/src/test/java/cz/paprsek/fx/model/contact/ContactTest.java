@@ -1,0 +1,98 @@
+package cz.paprsek.fx.model.contact;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.edit.Alignment.Line;
+import cz.paprsek.fx.model.edit.Arranging.Axis;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Cylinder;
+import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Sphere;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Bodies that touch by their surfaces, where closed forms say. */
+class ContactTest {
+    private static final double NEAR = 1.5e-6;
+
+    private static Optional<Line> along(Axis axis, double by, double reach, SceneObject... objects) {
+        return Contact.with(EditorState.of(Scene.EMPTY.withObjects(List.of(objects))), Set.of(ScenePath.body(0))).along(axis, by, reach);
+    }
+
+    /** Its upper face goes through the origin and falls along x. */
+    private static SceneObject roof(double degrees) {
+        return SceneObject.of(new Block(new Vec3(-90, -1, -90), new Vec3(90, 0, 90))).placed(Placement.NONE.withRotation(new Vec3(0, 0, -degrees)));
+    }
+
+    /** A ball lies on a plane if its centre is as far from that as its radius: along the height that is r / cos a above the foot. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 10, 30, 45, 60, 75})
+    void aBallTouchesASlopeByItsSurface(double degrees) {
+        double r = 0.5;
+        double a = Math.toRadians(degrees);
+        double y = -Math.tan(a) * 1 + r / Math.cos(a);
+        assertThat(along(Axis.Y, y - 5 + 0.05, 0.2, SceneObject.of(new Sphere(r)).at(1, 5, 0.3), roof(degrees))).hasValueSatisfying(line -> {
+            assertThat(line.by()).isCloseTo(y - 5, within(NEAR));
+            double distance = 1 * Math.sin(a) + (5 + line.by()) * Math.cos(a);
+            assertThat(distance).as("of the centre from the plane").isCloseTo(r, within(NEAR));
+            assertThat(line.place()).as("where it touches").isCloseTo(y - r * Math.cos(a), within(1e-3));
+        });
+    }
+
+    @Test
+    void itIsNotTouchedOutOfReach() {
+        assertThat(along(Axis.Y, -3.9, 0.2, SceneObject.of(new Sphere(0.5)).at(0, 5, 0), roof(45))).isEmpty();
+    }
+
+    /** The centres of balls that touch are as far from each other as their radii together. */
+    @Test
+    void aBallTouchesAnotherBesideItsMiddle() {
+        SceneObject ball = SceneObject.of(new Sphere(1)).at(0.6, 5, -0.3);
+        double y = Math.sqrt(9 - 0.6 * 0.6 - 0.3 * 0.3);
+        assertThat(along(Axis.Y, y - 5.1, 0.2, ball, SceneObject.of(new Sphere(2)))).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(y - 5, within(NEAR)));
+        assertThat(along(Axis.Y, -y - 4.9, 0.2, ball, SceneObject.of(new Sphere(2)))).as("from below").hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(-y - 5, within(NEAR)));
+        assertThat(along(Axis.X, -3.6, 0.2, ball.at(4, 0, 0), SceneObject.of(new Sphere(2)).at(-2.5, 0, 0))).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(-3.5, within(NEAR)));
+    }
+
+    /** An upright cube on a roof stands on an edge, a tilted one on a corner, a cylinder on a point of its rim. */
+    @Test
+    void cornersAndRimsTouchFirst() {
+        SceneObject cube = SceneObject.of(new Block(new Vec3(-0.5, -0.5, -0.5), new Vec3(0.5, 0.5, 0.5)));
+        assertThat(along(Axis.Y, -5.1, 0.2, cube.at(1, 5, 0), roof(45))).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(-5, within(NEAR)));
+        double tan = Math.tan(Math.toRadians(30));
+        assertThat(along(Axis.Y, -4.9, 1, upright(new Cylinder(0.5, 2)).at(0, 5, 0), roof(30))).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(0.5 * tan - 5, within(1e-5)));
+        // Stood on a corner, its lowest point is half a diagonal below its middle.
+        SceneObject onCorner = cube.placed(Placement.at(0, 5, 0).withRotation(new Vec3(45, 0, Math.toDegrees(Math.atan(Math.sqrt(0.5))))));
+        assertThat(along(Axis.Y, Math.sqrt(3) / 2 - 5.1, 0.2, onCorner, roof(0))).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(Math.sqrt(3) / 2 - 5, within(1e-5)));
+    }
+
+    /** Of a rod thinner than the space between the lines that are looked along first. */
+    @Test
+    void whatIsThinIsTouchedToo() {
+        SceneObject rod = SceneObject.of(new Block(new Vec3(0.300, -1, -9), new Vec3(0.302, 0, 9)));
+        double y = Math.sqrt(1 - 0.3 * 0.3);
+        assertThat(along(Axis.Y, y - 5.02, 0.1, SceneObject.of(new Sphere(1)).at(0, 5, 0), rod)).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(y - 5, within(NEAR)));
+    }
+
+    @Test
+    void whatIsHiddenIsNotTouched() {
+        EditorState state = EditorState.of(Scene.EMPTY.withObjects(List.of(SceneObject.of(new Sphere(1)).at(0, 5, 0), SceneObject.of(new Sphere(1)))));
+        assertThat(Contact.with(state, Set.of(ScenePath.body(0))).along(Axis.Y, -3, 0.2)).isPresent();
+        assertThat(Contact.with(state.withHidden(Set.of(ScenePath.body(1))), Set.of(ScenePath.body(0))).along(Axis.Y, -3, 0.2)).isEmpty();
+    }
+
+    private static SceneObject upright(Shape shape) {
+        return SceneObject.of(shape);
+    }
+}
