@@ -1,11 +1,12 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.format.ForeignFormat;
+import cz.paprsek.fx.view.dialog.Deaf;
+import cz.paprsek.fx.view.dialog.FileBox;
 import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.fx.view.library.LibraryFiles;
 import cz.paprsek.fx.view.picture.PictureChooser;
 import cz.paprsek.fx.view.texts.Texts;
-import java.io.File;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
@@ -18,20 +19,16 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javafx.application.Platform;
-import javafx.event.Event;
-import javafx.event.EventHandler;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.DialogPane;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.TextArea;
-import javafx.scene.input.InputEvent;
 import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
 import javafx.stage.Modality;
 import javafx.stage.Window;
-import javafx.stage.WindowEvent;
 
 /** The questions as dialogs of the system and of JavaFX. */
 final class SystemDialogs implements Dialogs {
@@ -51,7 +48,7 @@ final class SystemDialogs implements Dialogs {
     public Optional<Path> fileToOpen(Optional<Path> folder) {
         FileChooser chooser = chooser(texts.get().of("dialog.open"), toOpen(texts.get()));
         folder.filter(Files::isDirectory).ifPresent(path -> chooser.setInitialDirectory(path.toFile()));
-        return Optional.ofNullable(chooser.showOpenDialog(owner)).map(File::toPath);
+        return FileBox.toOpen(chooser, owner);
     }
 
     @Override
@@ -61,7 +58,7 @@ final class SystemDialogs implements Dialogs {
             chooser.setInitialFileName(String.valueOf(path.getFileName()));
             Optional.ofNullable(path.getParent()).filter(Files::isDirectory).ifPresent(folder -> chooser.setInitialDirectory(folder.toFile()));
         });
-        return Optional.ofNullable(chooser.showSaveDialog(owner)).map(File::toPath)
+        return FileBox.toSave(chooser, owner)
                 .map(path -> path.toString().contains(".") ? path : Path.of(path + ".xml"));
     }
 
@@ -75,7 +72,7 @@ final class SystemDialogs implements Dialogs {
         chooser.getExtensionFilters().addAll(
                 new ExtensionFilter(texts.get().of("dialog.pictures"), "*.png", "*.jpg", "*.jpeg", "*.hdr", "*.exr", "*.tif", "*.tiff", "*.bmp", "*.ppm", "*.pfm"),
                 new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
-        return Optional.ofNullable(chooser.showOpenDialog(owner)).map(File::toPath);
+        return FileBox.toOpen(chooser, owner);
     }
 
     @Override
@@ -84,7 +81,7 @@ final class SystemDialogs implements Dialogs {
         chooser.setTitle(texts.get().of("dialog.mesh"));
         folder.filter(Files::isDirectory).ifPresent(path -> chooser.setInitialDirectory(path.toFile()));
         chooser.getExtensionFilters().addAll(new ExtensionFilter(texts.get().of("dialog.meshes"), endings(ForeignFormat::isMesh)), new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
-        return Optional.ofNullable(chooser.showOpenDialog(owner)).map(File::toPath);
+        return FileBox.toOpen(chooser, owner);
     }
 
     @Override
@@ -95,7 +92,7 @@ final class SystemDialogs implements Dialogs {
             chooser.setInitialDirectory(folder.toFile());
         }
         chooser.getExtensionFilters().addAll(new ExtensionFilter(texts.get().of("dialog.fonts"), "*.ttf"), new ExtensionFilter(texts.get().of("dialog.all"), "*.*"));
-        return Optional.ofNullable(chooser.showOpenDialog(owner)).map(File::toPath);
+        return FileBox.toOpen(chooser, owner);
     }
 
     @Override
@@ -155,27 +152,11 @@ final class SystemDialogs implements Dialogs {
         dialog.setY(owner.getY() + (owner.getHeight() - dialog.getHeight()) / 3);
     }
 
-    /**
-     * Shows a question, and lets nothing else be done until it is answered. By itself, and not as JavaFX's modal dialogs do: these fix the size of
-     * the window behind, which takes a maximised one out of that state.
-     */
+    /** Shows a question, and lets nothing else be done until it is answered. */
     private Optional<ButtonType> ask(Alert alert) {
         alert.initModality(Modality.NONE);
         alert.setOnShown(event -> Platform.runLater(() -> centre(alert)));
-        List<Window> behind = List.copyOf(Window.getWindows());
-        EventHandler<Event> deaf = Event::consume;
-        behind.forEach(window -> {
-            window.addEventFilter(InputEvent.ANY, deaf);
-            window.addEventFilter(WindowEvent.WINDOW_CLOSE_REQUEST, deaf);
-        });
-        try {
-            return alert.showAndWait();
-        } finally {
-            behind.forEach(window -> {
-                window.removeEventFilter(InputEvent.ANY, deaf);
-                window.removeEventFilter(WindowEvent.WINDOW_CLOSE_REQUEST, deaf);
-            });
-        }
+        return Deaf.during(alert::showAndWait);
     }
 
     @Override

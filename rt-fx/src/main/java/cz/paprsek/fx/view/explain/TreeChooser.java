@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.explain;
 
+import cz.paprsek.fx.view.dialog.FileBox;
 import cz.paprsek.fx.view.texts.Texts;
-import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
 import javafx.stage.FileChooser;
@@ -28,7 +28,7 @@ public interface TreeChooser {
             chooser.setTitle(texts.of("explain.save"));
             chooser.setInitialFileName(name);
             chooser.getExtensionFilters().add(new ExtensionFilter(texts.of("explain.save" + extension), "*" + extension));
-            return Optional.ofNullable(chooser.showSaveDialog(owner)).map(File::getPath)
+            return FileBox.toSave(chooser, owner).map(Path::toString)
                     .map(path -> Path.of(path.endsWith(extension) ? path : path + extension));
         };
     }

@@ -1,7 +1,7 @@
 package cz.paprsek.fx.view.library;
 
+import cz.paprsek.fx.view.dialog.FileBox;
 import cz.paprsek.fx.view.texts.Texts;
-import java.io.File;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
@@ -28,7 +28,7 @@ public interface LibraryFiles {
         return new LibraryFiles() {
             @Override
             public Optional<Path> toOpen(Window owner) {
-                return Optional.ofNullable(chooser("", database).showOpenDialog(owner)).map(File::toPath);
+                return FileBox.toOpen(chooser("", database), owner);
             }
 
             @Override
@@ -43,7 +43,7 @@ public interface LibraryFiles {
 
             private Optional<Path> saved(FileChooser chooser, Window owner) {
                 String ending = chooser.getExtensionFilters().get(0).getExtensions().get(0).substring(1);
-                return Optional.ofNullable(chooser.showSaveDialog(owner)).map(File::toPath)
+                return FileBox.toSave(chooser, owner)
                         .map(path -> String.valueOf(path.getFileName()).contains(".") ? path : Path.of(path + ending));
             }
 

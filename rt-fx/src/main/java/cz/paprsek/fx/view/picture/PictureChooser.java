@@ -1,8 +1,8 @@
 package cz.paprsek.fx.view.picture;
 
+import cz.paprsek.fx.view.dialog.FileBox;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.ImageFormat;
-import java.io.File;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
@@ -36,13 +36,11 @@ public interface PictureChooser {
                 formats.put(filter, format);
                 chooser.getExtensionFilters().add(filter);
             }
-            File file = chooser.showSaveDialog(owner);
-            if (file == null) {
-                return Optional.empty();
-            }
-            boolean complete = ImageFormat.ofFile(file.getName()).isPresent();
-            ImageFormat format = formats.getOrDefault(chooser.getSelectedExtensionFilter(), ImageFormat.PNG);
-            return Optional.of(complete ? file.toPath() : Path.of(file + "." + format.extension()));
+            return FileBox.toSave(chooser, owner).map(file -> {
+                boolean complete = ImageFormat.ofFile(String.valueOf(file.getFileName())).isPresent();
+                ImageFormat format = formats.getOrDefault(chooser.getSelectedExtensionFilter(), ImageFormat.PNG);
+                return complete ? file : Path.of(file + "." + format.extension());
+            });
         };
     }
 }
