@@ -37,9 +37,19 @@ public record CutPlane(Axis axis, double share) {
         return box.isFinite() ? box : Bounds.EMPTY;
     }
 
+    private static Bounds all(Scene scene) {
+        return IntStream.range(0, scene.objects().size()).mapToObj(i -> box(scene, i)).reduce(Bounds.EMPTY, Bounds::union);
+    }
+
+    /** The same, elsewhere along its axis, but not outside of what it cuts. */
+    public CutPlane at(Scene scene, double place) {
+        Bounds all = all(scene);
+        return all.isEmpty() ? this : new CutPlane(axis, (place - axis.least(all)) / Math.max(Double.MIN_NORMAL, axis.most(all) - axis.least(all)));
+    }
+
     /** Where it is along its axis; empty if there is nothing that is cut. */
     public OptionalDouble place(Scene scene) {
-        Bounds all = IntStream.range(0, scene.objects().size()).mapToObj(i -> box(scene, i)).reduce(Bounds.EMPTY, Bounds::union);
+        Bounds all = all(scene);
         return all.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(axis.least(all) + share * (axis.most(all) - axis.least(all)));
     }
 

@@ -1,6 +1,9 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.Gesture;
+import cz.paprsek.fx.model.edit.Rounds;
+import cz.paprsek.fx.view.section.SectionSkin;
+import cz.paprsek.math.Vec3;
 import java.util.Locale;
 import javafx.scene.canvas.GraphicsContext;
 
@@ -71,6 +74,64 @@ interface Drag {
         @Override
         public final void cancel() {
             gesture.cancel();
+        }
+    }
+
+    /** One that moves the plane that solids are cut by, across the line in which it is seen. The scene stays as it is. */
+    final class Cutting implements Drag {
+        private final SectionSkin skin;
+        private final Axes axes;
+        private final Viewport view;
+        private final boolean snaps;
+        /** From the mouse to the line. */
+        private final double away;
+
+        Cutting(SectionSkin skin, SectionSkin.Line line, Axes axes, Viewport view, boolean snaps, double startX, double startY) {
+            this.skin = skin;
+            this.axes = axes;
+            this.view = view;
+            this.snaps = snaps;
+            away = line.place() - line.axis().of(axes.vector(view.u(startX), view.v(startY)));
+            skin.take();
+        }
+
+        /** How far from a line a point of the pane is, pixels. */
+        static double distance(SectionSkin.Line line, Axes axes, Viewport view, double x, double y) {
+            return Math.abs(line.place() - line.axis().of(axes.vector(view.u(x), view.v(y)))) * view.scale();
+        }
+
+        /** A point of a line in the middle of the pane. */
+        static Vec3 middle(SectionSkin.Line line, Axes axes, Viewport view) {
+            Vec3 centre = axes.vector(view.centreU(), view.centreV());
+            return centre.plus(line.axis().times(line.place() - line.axis().of(centre)));
+        }
+
+        /** Where a line is, in words. */
+        static String figures(SectionSkin.Line line, Viewport view, Locale locale) {
+            return line.axis().name().toLowerCase(Locale.ROOT) + " " + view.text(line.place(), locale);
+        }
+
+        @Override
+        public void to(double x, double y, Keys keys) {
+            skin.line(axes.along()).ifPresent(line -> {
+                double place = away + line.axis().of(axes.vector(view.u(x), view.v(y)));
+                skin.moveTo(snaps && !keys.free() ? Rounds.toGrid(place, Rounds.step(view.scale())) : place);
+            });
+        }
+
+        @Override
+        public void end() {
+            skin.letGo();
+        }
+
+        @Override
+        public void cancel() {
+            skin.putBack();
+        }
+
+        @Override
+        public String figures(Locale locale) {
+            return skin.line(axes.along()).map(line -> figures(line, view, locale)).orElse("");
         }
     }
 }

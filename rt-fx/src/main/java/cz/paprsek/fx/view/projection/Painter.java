@@ -6,6 +6,8 @@ import cz.paprsek.fx.model.edit.Arranging.Role;
 import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.view.look.Palette;
 import cz.paprsek.fx.view.projection.Grips.Grip;
+import cz.paprsek.fx.view.texts.PathNames;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
@@ -15,6 +17,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 import javafx.geometry.Point2D;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -23,6 +26,8 @@ import javafx.scene.text.Font;
 /** Draws figures, lights and cameras. */
 final class Painter {
     private static final Font NAME_FONT = Font.font("System", 11);
+    /** How far names of cameras are apart at least, pixels. */
+    private static final double PLATE = 16;
     /** Smaller things are drawn as a dot, pixels. */
     private static final double DOT = 2.5;
 
@@ -291,12 +296,32 @@ final class Painter {
         g.strokeLine(x, y - 8, x, y + 8);
     }
 
+    /** All cameras; the one looked through is drawn last, above the others. */
+    void cameras(EditorState state, Texts texts) {
+        int count = state.scene().cameras().size();
+        for (int i = 1; i <= count; i++) {
+            int camera = (state.eye() + i) % count;
+            if (!state.isHidden(ScenePath.camera(camera))) {
+                camera(state, camera, count > 1 && !isCovered(state, camera) ? PathNames.of(state.scene(), ScenePath.camera(camera), texts) : "");
+            }
+        }
+    }
+
+    /** Whether another camera stands so near that its name would lie on this one's: that of the one looked through, or selected, or first. */
+    private boolean isCovered(EditorState state, int camera) {
+        Vec3 own = state.scene().cameras().get(camera).position();
+        return camera != state.eye() && IntStream.range(0, state.scene().cameras().size())
+                .filter(i -> i == state.eye() || i < camera || state.selection().contains(ScenePath.camera(i)))
+                .filter(i -> i != camera && !state.isHidden(ScenePath.camera(i))).mapToObj(i -> state.scene().cameras().get(i).position())
+                .anyMatch(other -> Math.hypot(x(other) - x(own), y(other) - y(own)) < PLATE);
+    }
+
     /**
      * A camera and what it sees. All but those selected or looked through are thin.
      *
      * @param name beside it; empty for none
      */
-    void camera(EditorState state, int index, String name) {
+    private void camera(EditorState state, int index, String name) {
         CameraSketch sketch = CameraSketch.of(state.scene(), index);
         boolean isSelected = state.selection().contains(ScenePath.camera(index));
         boolean isThin = !isSelected && index != state.eye();

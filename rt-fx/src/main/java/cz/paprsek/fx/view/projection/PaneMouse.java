@@ -7,6 +7,7 @@ import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.model.edit.Pivots;
 import cz.paprsek.fx.view.projection.Grips.Grip;
+import cz.paprsek.fx.view.section.SectionSkin;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
@@ -33,6 +34,8 @@ final class PaneMouse {
     private static final double SLACK = 3;
     /** How near the mouse must come to what a light or camera is grabbed by, pixels. */
     private static final double GRIP = 8;
+    /** How near it must come to the line of the plane that solids are cut by, pixels. */
+    private static final double LINE = 4;
     private static final double ZOOM_PER_NOTCH = 1.15;
 
     private final ProjectionPane pane;
@@ -133,6 +136,11 @@ final class PaneMouse {
     }
 
     private void click(MouseEvent event) {
+        pane.section().ifPresent(SectionSkin::letGo);
+        if (lineAt(pressX, pressY).isPresent()) {
+            pane.section().ifPresent(SectionSkin::take);
+            return;
+        }
         boolean more = event.isShiftDown() || event.isShortcutDown();
         if (pressedOn.isEmpty()) {
             if (!more) {
@@ -167,6 +175,10 @@ final class PaneMouse {
         if (grip.isPresent()) {
             Label label = label(grip.get() instanceof Grip.Aim && !(grip.get().item() instanceof BodyAt) ? Edit.ROTATE : Edit.CHANGE, Set.of(grip.get().item()));
             return new GripDrag(model.begin(label), grip.get(), pane.axes(), pane.view(), pane.texts(), pane.snaps(), pressX, pressY);
+        }
+        Optional<SectionSkin.Line> line = lineAt(pressX, pressY);
+        if (line.isPresent()) {
+            return new Drag.Cutting(pane.section().orElseThrow(), line.get(), pane.axes(), pane.view(), pane.snaps(), pressX, pressY);
         }
         if (pressedOn.isEmpty()) {
             Set<ScenePath> before = event.isShiftDown() ? model.selection() : Set.of();
@@ -247,12 +259,22 @@ final class PaneMouse {
         return pane.grips().stream().filter(grip -> pane.toPane(grip.place()).distance(x, y) <= GRIP).findFirst();
     }
 
+    /** The line in which the plane that solids are cut by is seen there. */
+    private Optional<SectionSkin.Line> lineAt(double x, double y) {
+        return pane.section().flatMap(skin -> skin.line(pane.axes().along())).filter(line -> Drag.Cutting.distance(line, pane.axes(), pane.view(), x, y) <= LINE);
+    }
+
+    private Cursor cursor(double x, double y) {
+        return gripAt(x, y).isPresent() ? Cursor.CROSSHAIR
+                : lineAt(x, y).map(line -> line.axis().of(pane.axes().vector(1, 0)) != 0 ? Cursor.H_RESIZE : Cursor.V_RESIZE).orElse(Cursor.DEFAULT);
+    }
+
     private void moved(MouseEvent event) {
         point(event);
         lastX = event.getX();
         lastY = event.getY();
         Optional<Handle> handle = pane.handleAt(lastX, lastY);
-        pane.setHoverCursor(pane.edits().pipette().isActive() ? Cursor.CROSSHAIR : spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElseGet(() -> gripAt(lastX, lastY).isPresent() ? Cursor.CROSSHAIR : Cursor.DEFAULT));
+        pane.setHoverCursor(pane.edits().pipette().isActive() ? Cursor.CROSSHAIR : spaceHeld ? Cursor.OPEN_HAND : handle.map(Handle::cursor).orElseGet(() -> cursor(lastX, lastY)));
     }
 
     private void point(MouseEvent event) {

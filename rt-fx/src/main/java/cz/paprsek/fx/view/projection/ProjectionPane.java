@@ -52,9 +52,6 @@ public final class ProjectionPane extends Region {
     /** All on which the lower canvas depends, besides the objects. What a gesture changes is drawn above, and apart from the rest. */
     private record Look(Viewport view, Theme theme, Set<ScenePath> apart, Set<ScenePath> hidden) {}
 
-    /** How far names of cameras are apart at least, pixels. */
-    private static final double PLATE = 16;
-
     private final Edits edits;
     private final EditorModel model;
     private final Texts texts;
@@ -183,6 +180,11 @@ public final class ProjectionPane extends Region {
     public void cutBy(SectionSkin skin) {
         section = Optional.of(skin);
         skin.follow(onChange);
+    }
+
+    /** The plane that solids are cut by, if there may be one. */
+    Optional<SectionSkin> section() {
+        return section;
     }
 
     /** Which tell what is refused. */
@@ -351,11 +353,13 @@ public final class ProjectionPane extends Region {
         g.clearRect(0, 0, upper.getWidth(), upper.getHeight());
         Painter painter = new Painter(g, view, axes, theme().palette());
         section.ifPresent(skin -> skin.draw(g, theme().palette(), axes.along(), this::toPane));
+        section.filter(skin -> skin.isHeld() && drag == null).flatMap(skin -> skin.line(axes.along())).ifPresent(line ->
+                Plate.beside(g, view, Drag.Cutting.figures(line, view, texts.locale()), toPane(Drag.Cutting.middle(line, axes, view)), theme().palette()));
         onion.ifPresent(skin -> {
             skin.passing((object, isSelected) -> painter.moment(figures.passing(object), isSelected));
             skin.ways(g, theme().palette(), this::toPane);
         });
-        drawCameras(state, painter);
+        painter.cameras(state, texts);
         highlighted.filter(body -> body.isIn(state.scene())).ifPresent(body -> painter.highlighted(figures.of(body)));
         if (!state.selection().isEmpty()) {
             painter.selected(state, figures);
@@ -371,25 +375,6 @@ public final class ProjectionPane extends Region {
             drag.draw(g);
             Plate.beside(g, view, drag.figures(texts.locale()), mouse, theme().palette());
         }
-    }
-
-    /** The one looked through is drawn last, above the others. */
-    private void drawCameras(EditorState state, Painter painter) {
-        int count = state.scene().cameras().size();
-        for (int i = 1; i <= count; i++) {
-            int camera = (state.eye() + i) % count;
-            if (!state.isHidden(ScenePath.camera(camera))) {
-                painter.camera(state, camera, count > 1 && !isCovered(state, camera) ? PathNames.of(state.scene(), ScenePath.camera(camera), texts) : "");
-            }
-        }
-    }
-
-    /** Whether another camera stands so near that its name would lie on this one's: that of the one looked through, or selected, or first. */
-    private boolean isCovered(EditorState state, int camera) {
-        Point2D own = toPane(state.scene().cameras().get(camera).position());
-        return camera != state.eye() && IntStream.range(0, state.scene().cameras().size())
-                .filter(i -> i == state.eye() || i < camera || state.selection().contains(ScenePath.camera(i)))
-                .anyMatch(i -> i != camera && !state.isHidden(ScenePath.camera(i)) && toPane(state.scene().cameras().get(i).position()).distance(own) < PLATE);
     }
 
     private Segment segment(Vec3 from, Vec3 to) {

@@ -24,7 +24,8 @@ import java.util.Set;
 import java.util.function.Function;
 import javafx.beans.InvalidationListener;
 import javafx.beans.WeakInvalidationListener;
-import javafx.beans.value.ObservableValue;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.Point2D;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -40,7 +41,9 @@ public final class SectionSkin {
     private static final int MOST = 44;
 
     private final EditorModel model;
-    private final ObservableValue<Optional<CutPlane>> plane;
+    private final ObjectProperty<Optional<CutPlane>> plane;
+    /** Where the plane was when a hand took hold of it; empty if none has. */
+    private final ObjectProperty<Optional<CutPlane>> start = new SimpleObjectProperty<>(Optional.empty());
     private final IdentityHashMap<SceneObject, Face> faces = new IdentityHashMap<>();
     private Scene known = Scene.EMPTY;
     private Set<ScenePath> hidden = Set.of();
@@ -54,14 +57,56 @@ public final class SectionSkin {
     /** A face, of the colour that its object has now: a named material may become another while the object stays the same. */
     private record Seen(CutFace face, Color color) {}
 
-    public SectionSkin(EditorModel model, ObservableValue<Optional<CutPlane>> plane) {
+    /**
+     * What is seen of the plane from the side.
+     *
+     * @param axis across which the plane is
+     * @param place of the plane along it
+     */
+    public record Line(Axis axis, double place) {}
+
+    public SectionSkin(EditorModel model, ObjectProperty<Optional<CutPlane>> plane) {
         this.model = model;
         this.plane = plane;
+        plane.addListener((property, old, now) -> start.set(now.isEmpty() ? now : start.get()));
     }
 
-    /** Is told when the plane is another one; to be held by whoever listens. */
+    /** Is told when the plane is another one, or held; to be held by whoever listens. */
     public void follow(InvalidationListener listener) {
         plane.addListener(new WeakInvalidationListener(listener));
+        start.addListener(new WeakInvalidationListener(listener));
+    }
+
+    /** The line in which the plane is seen; empty if there is none, or it is not seen from the side. */
+    public Optional<Line> line(Vec3 along) {
+        look();
+        return place.isEmpty() ? Optional.empty() : knownPlane.map(CutPlane::axis).filter(axis -> axis.of(along) == 0).map(axis -> new Line(axis, place.getAsDouble()));
+    }
+
+    /** Whether a hand holds the plane. */
+    public boolean isHeld() {
+        return start.get().isPresent();
+    }
+
+    /** Takes hold of the plane. */
+    public void take() {
+        start.set(plane.get());
+    }
+
+    /** Leaves the plane where it is. */
+    public void letGo() {
+        start.set(Optional.empty());
+    }
+
+    /** Puts the plane back where it was when it was taken hold of. */
+    public void putBack() {
+        start.get().ifPresent(before -> plane.set(Optional.of(before)));
+        letGo();
+    }
+
+    /** Moves the plane along its axis. */
+    public void moveTo(double where) {
+        plane.set(plane.get().map(cut -> cut.at(Visible.of(model.state()).scene(), where)));
     }
 
     /**
@@ -166,8 +211,8 @@ public final class SectionSkin {
         }
         g.setGlobalAlpha(1);
         g.setStroke(palette.camera());
-        g.setLineWidth(1.5);
-        g.setLineDashes(8, 4);
+        g.setLineWidth(isHeld() ? 2.5 : 1.5);
+        g.setLineDashes(8, isHeld() ? 0 : 4);
         if (isUpright) {
             g.strokeLine(a.getX(), 0, a.getX(), height);
         } else {
