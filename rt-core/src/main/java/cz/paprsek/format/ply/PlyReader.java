@@ -2,21 +2,15 @@ package cz.paprsek.format.ply;
 
 import cz.paprsek.format.model.Convention;
 import cz.paprsek.format.model.Doubles;
-import cz.paprsek.format.model.Floats;
+import cz.paprsek.format.model.Faces;
 import cz.paprsek.format.model.FormatFault;
-import cz.paprsek.format.model.Ints;
 import cz.paprsek.format.model.Model;
 import cz.paprsek.format.model.Notes;
-import cz.paprsek.format.model.Pairs;
-import cz.paprsek.format.model.Polygon;
 import cz.paprsek.format.model.TextLines;
-import cz.paprsek.material.Rgb;
-import cz.paprsek.shape.mesh.Triangles;
 import java.io.BufferedInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.stream.IntStream;
 
 /**
  * Reads PLY: vertices with normals, places in pictures and colours, faces of any number of corners, strips of triangles. Properties may come in any order; those that are not
@@ -27,22 +21,11 @@ import java.util.stream.IntStream;
 public final class PlyReader {
     private static final Convention CONVENTION = new Convention("", false);
     private static final int MOST_CORNERS = 1_000_000;
-    private static final int WHITE = 0xFFFFFF;
-    private static final double[] LIGHT = IntStream.range(0, 256).mapToDouble(Rgb::linear).toArray();
 
     private final Notes notes = new Notes();
     private final Header header;
     private final Values values;
-    private final Doubles places = new Doubles();
-    private final Doubles normals = new Doubles();
-    private final Doubles map = new Doubles();
-    /** Linear light, three for each vertex. */
-    private final Floats vertexColors = new Floats();
-    /** sRGB, a byte for each of the three channels. */
-    private final Ints faceColors = new Ints();
-    /** How many corners each face has, and which. */
-    private final Ints sizes = new Ints();
-    private final Ints corners = new Ints();
+    private final Faces faces = new Faces();
 
     private PlyReader(Header header, Values values) {
         this.header = header;
@@ -78,7 +61,7 @@ public final class PlyReader {
                 throw values.ended("the file ends before all of its " + element.count() + " times " + FormatFault.quoted(element.name()));
             }
         }
-        return Model.of(build(), CONVENTION, notes);
+        return Model.of(faces.build(), CONVENTION, notes);
     }
 
     private void passOver(Element element) throws IOException {
@@ -130,12 +113,12 @@ public final class PlyReader {
                     throw values.fault("vertex " + i + " must have three numbers within ±3.4e38, but has " + row[place[0]] + " " + row[place[1]] + " " + row[place[2]]);
                 }
             }
-            take(row, place, places);
-            take(row, normal, normals);
-            take(row, uv, map);
+            take(row, place, faces.places());
+            take(row, normal, faces.normals());
+            take(row, uv, faces.map());
             if (isAll(color)) {
                 for (int index : color) {
-                    vertexColors.add(light(channel(element, row, index)));
+                    faces.vertexColor(channel(element, row, index));
                 }
             }
         }
@@ -162,19 +145,10 @@ public final class PlyReader {
         }
     }
 
-    /** An sRGB channel, 0–255. Numbers with a fraction go up to 1, others to 255 or 65535. */
+    /** An sRGB channel, of which 0–255 counts. Numbers with a fraction go up to 1, others to 255 or 65535. */
     private static double channel(Element element, double[] row, int index) {
         Property.Kind kind = element.properties().get(index).kind();
-        double value = kind.isFraction() ? row[index] * 255 : kind.bytes == 2 ? row[index] / 257 : row[index];
-        return value > 0 ? Math.min(255, value) : 0;
-    }
-
-    private static int whole(Element element, double[] row, int index) {
-        return (int) Math.rint(channel(element, row, index));
-    }
-
-    private static float light(double channel) {
-        return (float) (channel == Math.rint(channel) ? LIGHT[(int) channel] : Rgb.linear(channel));
+        return kind.isFraction() ? row[index] * 255 : kind.bytes == 2 ? row[index] / 257 : row[index];
     }
 
     private void faces(Element element) throws IOException {
@@ -190,7 +164,7 @@ public final class PlyReader {
                 row[k] = k == list ? corners(property) : value(property);
             }
             if (isAll(color)) {
-                faceColors.add(whole(element, row, color[0]) << 16 | whole(element, row, color[1]) << 8 | whole(element, row, color[2]));
+                faces.faceColor(channel(element, row, color[0]), channel(element, row, color[1]), channel(element, row, color[2]));
             }
         }
     }
@@ -200,9 +174,9 @@ public final class PlyReader {
         if (count < 3 || count > MOST_CORNERS) {
             throw values.fault("a face has from 3 to " + MOST_CORNERS + " corners, but this one has " + count);
         }
-        sizes.add((int) count);
+        faces.face((int) count);
         for (long i = 0; i < count; i++) {
-            corners.add(index(values.next(property.kind())));
+            faces.corner(index(values.next(property.kind())));
         }
         return 0;
     }
@@ -245,72 +219,13 @@ public final class PlyReader {
             }
             int c = index(value);
             if (++known >= 3) {
-                sizes.add(3);
-                corners.add(known % 2 == 1 ? a : b);
-                corners.add(known % 2 == 1 ? b : a);
-                corners.add(c);
+                faces.face(3);
+                faces.corner(known % 2 == 1 ? a : b);
+                faces.corner(known % 2 == 1 ? b : a);
+                faces.corner(c);
             }
             a = b;
             b = c;
         }
-    }
-
-    private Triangles build() throws IOException {
-        int vertexCount = places.size() / 3;
-        if (sizes.size() == 0) {
-            throw FormatFault.in("the end", "there is no face in this file" + (vertexCount > 0 ? ", only " + vertexCount + " vertices" : ""));
-        }
-        Triangles.Builder builder = Triangles.builder().expect(vertexCount, sizes.size());
-        boolean areFacesColored = faceColors.size() > 0;
-        for (int i = 0; i < vertexCount && !areFacesColored; i++) {
-            int vertex = vertex(builder, i);
-            if (vertexColors.size() > 0) {
-                builder.color(vertex, vertexColors.get(3 * i), vertexColors.get(3 * i + 1), vertexColors.get(3 * i + 2));
-            }
-        }
-        Polygon polygon = new Polygon();
-        Pairs colored = new Pairs();
-        int at = 0;
-        for (int f = 0; f < sizes.size(); f++) {
-            polygon.clear();
-            for (int k = 0; k < sizes.get(f); k++) {
-                int vertex = corners.get(at++);
-                if (vertex >= vertexCount) {
-                    throw FormatFault.in("face " + f, "a corner is vertex " + vertex + ", but vertices have numbers from 0 to " + (vertexCount - 1));
-                }
-                polygon.add(areFacesColored ? colored(builder, colored, vertex, f) : vertex, places.get(3 * vertex), places.get(3 * vertex + 1), places.get(3 * vertex + 2));
-            }
-            polygon.cut((a, b, c) -> {
-                if (a != b && b != c && a != c) {
-                    builder.triangle(a, b, c);
-                }
-            });
-        }
-        if (builder.triangleCount() == 0) {
-            throw FormatFault.in("the end", "no face of this file has three corners");
-        }
-        return builder.build();
-    }
-
-    /** The vertex that has a vertex's place and the colour of a face. */
-    private int colored(Triangles.Builder builder, Pairs known, int vertex, int face) {
-        int color = face < faceColors.size() ? faceColors.get(face) : WHITE;
-        int number = known.number(vertex, color);
-        if (number == builder.vertexCount()) {
-            vertex(builder, vertex);
-            builder.color(number, LIGHT[color >> 16], LIGHT[color >> 8 & 255], LIGHT[color & 255]);
-        }
-        return number;
-    }
-
-    private int vertex(Triangles.Builder builder, int number) {
-        int vertex = builder.vertex(places.get(3 * number), places.get(3 * number + 1), places.get(3 * number + 2));
-        if (normals.size() > 0) {
-            builder.normal(vertex, normals.get(3 * number), normals.get(3 * number + 1), normals.get(3 * number + 2));
-        }
-        if (map.size() > 0) {
-            builder.map(vertex, map.get(2 * number), map.get(2 * number + 1));
-        }
-        return vertex;
     }
 }
