@@ -14,6 +14,7 @@ import cz.paprsek.cli.process.Stop;
 import cz.paprsek.cli.process.Terminal;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.format.Belongings;
+import cz.paprsek.format.ForeignFormat;
 import cz.paprsek.format.ForeignScene;
 import cz.paprsek.format.MeshWriter;
 import cz.paprsek.image.Image;
@@ -163,7 +164,7 @@ final class ConvertCommand implements Callable<Integer> {
 
     private void mesh(SceneReading reading, boolean isObj) throws IOException {
         Triangles mesh = reading.foreign().flatMap(ForeignScene::triangles).map(raw -> raw.sewn(Mesh.USUAL_WELD))
-                .orElseThrow(() -> new WrongUsage("only what holds triangles and nothing else can become OBJ or STL: files such as STL, OBJ, PLY and glTF"));
+                .orElseThrow(() -> new WrongUsage("only what holds triangles and nothing else can become OBJ or STL: files such as " + ForeignFormat.meshes()));
         AtomicFile.write(target, out -> {
             if (isObj) {
                 MeshWriter.obj(mesh, out);

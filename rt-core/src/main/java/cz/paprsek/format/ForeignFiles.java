@@ -4,6 +4,7 @@ import cz.paprsek.format.gltf.GltfReader;
 import cz.paprsek.format.model.Companions;
 import cz.paprsek.format.model.Model;
 import cz.paprsek.format.obj.ObjReader;
+import cz.paprsek.format.off.OffReader;
 import cz.paprsek.format.ply.PlyReader;
 import cz.paprsek.format.stl.StlReader;
 import java.io.IOException;
@@ -37,6 +38,7 @@ public final class ForeignFiles {
                 case OBJ -> ObjReader.read(input, companions);
                 case PLY -> PlyReader.read(input, size);
                 case GLTF -> GltfReader.read(all(input), name + "#", companions);
+                case OFF -> OffReader.read(input, size);
                 case NFF, OPENSCAD -> throw new IOException("files of " + format.label() + " hold other things than triangles");
             };
         } catch (IllegalArgumentException impossible) {

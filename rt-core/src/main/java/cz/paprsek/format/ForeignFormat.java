@@ -7,15 +7,17 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /** The formats of other programs that are read. */
 public enum ForeignFormat {
-    STL("STL", "stl"),
-    OBJ("Wavefront OBJ", "obj"),
-    PLY("PLY", "ply"),
-    GLTF("glTF 2.0", "gltf glb"),
-    NFF("NFF", "nff"),
-    OPENSCAD("OpenSCAD CSG", "csg");
+    STL("STL", "STL", "stl"),
+    OBJ("OBJ", "Wavefront OBJ", "obj"),
+    PLY("PLY", "PLY", "ply"),
+    GLTF("glTF", "glTF 2.0", "gltf glb"),
+    OFF("OFF", "OFF", "off"),
+    NFF("NFF", "NFF", "nff"),
+    OPENSCAD("OpenSCAD", "OpenSCAD CSG", "csg");
 
     /** How many bytes of a file tell what it is. */
     public static final int HEAD = 1024;
@@ -29,13 +31,20 @@ public enum ForeignFormat {
     private static final Pattern CSG_NODE = Pattern.compile(
             "\\s*+(?:group|union|difference|intersection|multmatrix|color|render|hull|minkowski|linear_extrude|rotate_extrude|cube|sphere|cylinder|polyhedron)[ \t]*\\([^\n]*\\)[ \t]*[{;]");
 
+    private final String word;
     private final String label;
     /** With a blank between them. */
     private final String endings;
 
-    ForeignFormat(String label, String endings) {
+    ForeignFormat(String word, String label, String endings) {
+        this.word = word;
         this.label = label;
         this.endings = endings;
+    }
+
+    /** What people call it where several are listed. */
+    public String word() {
+        return word;
     }
 
     /** What people call it. */
@@ -51,6 +60,11 @@ public enum ForeignFormat {
     /** Whether its files hold triangles, and not bodies of other kinds. */
     public boolean isMesh() {
         return this != NFF && this != OPENSCAD;
+    }
+
+    /** Those that hold triangles, as they are listed in a sentence. */
+    public static String meshes() {
+        return Arrays.stream(values()).filter(ForeignFormat::isMesh).map(ForeignFormat::word).collect(Collectors.joining(", "));
     }
 
     /** By the ending of a file's name. */
@@ -72,6 +86,9 @@ public enum ForeignFormat {
         }
         if (text.matches("(?s)ply[\r\n].*")) {
             return Optional.of(PLY);
+        }
+        if (text.matches("(?s)C?N?C?OFF[\\s\\d].*")) {
+            return Optional.of(OFF);
         }
         Optional<ForeignFormat> named = ofName(fileName);
         boolean isJson = text.replaceFirst("^\u00EF\u00BB\u00BF", "").stripLeading().startsWith("{");

@@ -222,7 +222,7 @@ public final class MeshFiles {
             byte[] head = again.readNBytes(ForeignFormat.HEAD);
             again.reset();
             ForeignFormat format = ForeignFormat.of(name, head).filter(ForeignFormat::isMesh)
-                    .orElseThrow(() -> new IOException("this is none of the files that hold meshes: STL, OBJ, PLY, glTF"));
+                    .orElseThrow(() -> new IOException("this is none of the files that hold meshes: " + ForeignFormat.meshes()));
             Set<String> asked = new TreeSet<>();
             Model model = ForeignFiles.model(name, format, again, size, other -> {
                 String beside = folder(name) + Objects.requireNonNull(other, "other");

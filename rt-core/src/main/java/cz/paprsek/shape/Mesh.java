@@ -34,7 +34,7 @@ import org.jspecify.annotations.Nullable;
  */
 @Element("Triangles from a file beside the scene's: a solid if they are closed, else a surface without an inside.")
 public record Mesh(
-        @Attribute(value = Kind.FILE, means = "STL, OBJ, PLY or glTF, beside the scene's file; its axes stay as they are") String file,
+        @Attribute(value = Kind.FILE, means = "STL, OBJ, PLY, glTF or OFF, beside the scene's file; its axes stay as they are") String file,
         @Attribute(value = Kind.NAME, means = "Of the file's parts only the one of this name", otherwise = Attribute.NOTHING) String part,
         @Attribute(value = Kind.DISC_ANGLE, means = "Neighbours bent by no more than this look smooth; 0 for the normals that the file has, or flat ones", otherwise = "0")
         double smoothAngle,

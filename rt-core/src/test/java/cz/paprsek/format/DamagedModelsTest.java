@@ -15,6 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -38,7 +39,12 @@ class DamagedModelsTest {
                 Arguments.of(ForeignFormat.STL, Solids.stlBytes(ring, "solid bytes")), Arguments.of(ForeignFormat.OBJ, obj.getBytes(StandardCharsets.US_ASCII)),
                 Arguments.of(ForeignFormat.PLY, Solids.ply(ring, null)), Arguments.of(ForeignFormat.PLY, Solids.ply(ring, ByteOrder.BIG_ENDIAN)),
                 Arguments.of(ForeignFormat.PLY, Solids.ply(ring, ByteOrder.LITTLE_ENDIAN)), Arguments.of(ForeignFormat.GLTF, GltfTest.embedded(GLTF).getBytes(StandardCharsets.US_ASCII)),
-                Arguments.of(ForeignFormat.GLTF, GltfTest.inOnePiece(GltfTest.HEAD.replace(",'uri':'%s'", "") + GLTF + "}")));
+                Arguments.of(ForeignFormat.OFF, Solids.off(ring).getBytes(StandardCharsets.US_ASCII)), Arguments.of(ForeignFormat.GLTF, GltfTest.inOnePiece(GltfTest.HEAD.replace(",'uri':'%s'", "") + GLTF + "}")));
+    }
+
+    @Test
+    void everyFormatIsDamaged() {
+        assertThat(Stream.concat(files(), scenes()).map(row -> row.get()[0]).distinct()).containsExactlyInAnyOrder((Object[]) ForeignFormat.values());
     }
 
     @ParameterizedTest(name = "{0} {index}")

@@ -31,6 +31,7 @@ class MeshFormatsTest {
                 Arguments.of(ForeignFormat.STL, "bytes", Solids.stlBytes(BLOCK, "made by a test")),
                 Arguments.of(ForeignFormat.STL, "bytes that begin as text does", Solids.stlBytes(BLOCK, "solid made by a test")),
                 Arguments.of(ForeignFormat.OBJ, "text", Solids.obj(BLOCK).getBytes(StandardCharsets.US_ASCII)),
+                Arguments.of(ForeignFormat.OFF, "text", Solids.off(BLOCK).getBytes(StandardCharsets.US_ASCII)),
                 Arguments.of(ForeignFormat.PLY, "text", Solids.ply(BLOCK, null)),
                 Arguments.of(ForeignFormat.PLY, "high bytes first", Solids.ply(BLOCK, ByteOrder.BIG_ENDIAN)),
                 Arguments.of(ForeignFormat.PLY, "low bytes first", Solids.ply(BLOCK, ByteOrder.LITTLE_ENDIAN)));
@@ -199,6 +200,17 @@ class MeshFormatsTest {
         "PLY | ply\\nelement vertex 1\\nend_header\\n | line 3: before the end of the head must be a line \"format\"",
         "PLY | ply\\nformat ascii 1.0\\nelement face 1\\nproperty list float int vertex_index\\nend_header\\n | line 4: the length of a list must be a whole number",
         "PLY | plx\\n | line 1: a PLY file begins with the line \"ply\"",
+        "OFF | OFF BINARY\\n | line 1: an OFF file that is text, and of three dimensions, begins with \"OFF\"",
+        "OFF | 4OFF\\n | line 1: an OFF file that is text, and of three dimensions, begins with \"OFF\"",
+        "OFF | OFF\\n4000000000 1 0\\n | line 2: the file says it has 4000000000 vertices, but is only",
+        "OFF | OFF\\n1 | the end: the number of faces is missing",
+        "OFF | OFF 2 1 0\\n0 0 0\\n0 0 | line 3: z of a vertex is missing",
+        "OFF | OFF 1 1 0\\n0 0 0\\n | the end: here are 0 of 1 faces",
+        "OFF | OFF 1 1 0\\n0 0 0\\n3 0 0 1\\n | line 3: a corner is vertex 1, but vertices have numbers from 0 to 0",
+        "OFF | OFF 1 1 0\\n0 0 0\\n3 0 0\\n | line 3: a face of 3 corners needs as many numbers of vertices, but has 2",
+        "OFF | NOFF 1 1 0\\n0 0 0 1 0\\n | line 2: a vertex must have 3 numbers after its place, but has 2",
+        "OFF | COFF 1 1 0\\n0 0 0 255\\n | line 2: a vertex must have 3 or 4 numbers after its place, but has 1",
+        "OFF | OFF 1 0 0\\n0 0 0 | the end: there is no face in this file, only 1 vertices",
     })
     void whatIsWrongIsSaidWithItsPlace(ForeignFormat format, String file, String sentence) {
         assertThat(Read.fault(format, file.translateEscapes())).startsWith(sentence);

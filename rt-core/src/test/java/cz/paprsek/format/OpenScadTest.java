@@ -40,7 +40,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class OpenScadTest {
     private static ForeignScene read(String text) throws IOException {
         return ForeignScene.read("a.csg", ForeignFormat.OPENSCAD,
-                Assets.of(Map.of("a.csg", text.getBytes(StandardCharsets.UTF_8), "part.stl", Solids.stlBytes(Solids.block(1, 2, 3), "part"))));
+                Assets.of(Map.of("a.csg", text.getBytes(StandardCharsets.UTF_8), "part.stl", Solids.stlBytes(Solids.block(1, 2, 3), "part"),
+                        "part.off", Solids.off(Solids.block(1, 2, 3)).getBytes(StandardCharsets.UTF_8))));
     }
 
     /** Without the floor. */
@@ -185,6 +186,7 @@ class OpenScadTest {
         assertThat(mesh("polyhedron(points=[[10,10,0],[10,-10,0],[-10,-10,0],[-10,10,0],[0,0,10]],faces=[[0,1,4],[1,2,4],[2,3,4],[3,0,4],[1,0,3],[2,1,3]],convexity=1);").volume())
                 .isCloseTo(4000 / 3.0, within(1e-9));
         assertThat(mesh("import(file=\"part.stl\",layer=\"\",origin=[0,0],scale=1);").volume()).isEqualTo(6);
+        assertThat(mesh("import(file=\"part.off\",layer=\"\",origin=[0,0],scale=1);").volume()).isEqualTo(6);
     }
 
     /** A shear is no scale, turn and move; and yet the body is where each of its corners goes. */

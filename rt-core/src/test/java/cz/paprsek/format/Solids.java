@@ -86,6 +86,17 @@ final class Solids {
         return text.toString();
     }
 
+    static String off(Triangles mesh) {
+        StringBuilder text = new StringBuilder("OFF # made by a test\n" + mesh.vertexCount() + ' ' + mesh.count() + " 0\n");
+        for (int v = 0; v < mesh.vertexCount(); v++) {
+            text.append(mesh.x(v)).append(' ').append(mesh.y(v)).append(' ').append(mesh.z(v)).append('\n');
+        }
+        for (int t = 0; t < mesh.count(); t++) {
+            text.append("3 ").append(mesh.corner(t, 0)).append(' ').append(mesh.corner(t, 1)).append(' ').append(mesh.corner(t, 2)).append("  255 128 0 # orange\n");
+        }
+        return text.toString();
+    }
+
     /** @param order of the bytes; null for text */
     static byte[] ply(Triangles mesh, @Nullable ByteOrder order) {
         String head = "ply\nformat " + (order == null ? "ascii" : order == ByteOrder.BIG_ENDIAN ? "binary_big_endian" : "binary_little_endian")

@@ -105,7 +105,7 @@ final class FileActions {
         String name = String.valueOf(file.getFileName());
         Optional<ForeignFormat> foreign = ForeignFormat.ofName(name);
         if (foreign.isEmpty() && isOther(file)) {
-            notices.say(texts.get().of("file.other", name));
+            notices.say(texts.get().of("file.other", name, ForeignFormat.meshes()));
         } else if (mayLeave()) {
             if (foreign.isPresent()) {
                 bring(file, name, foreign.get());

@@ -90,7 +90,7 @@ record SceneMeshes(Document document, Dialogs dialogs, Notices notices, Texts te
                     brought.faults.add(Failures.sentence(unreadable));
                 }
             } else {
-                brought.faults.add(texts.of("mesh.other", file.getFileName()));
+                brought.faults.add(texts.of("mesh.other", file.getFileName(), ForeignFormat.meshes()));
             }
         }
         if (names.isEmpty()) {

@@ -6,6 +6,7 @@ import cz.paprsek.format.model.FormatFault;
 import cz.paprsek.format.model.Model;
 import cz.paprsek.format.model.Notes;
 import cz.paprsek.format.obj.ObjReader;
+import cz.paprsek.format.off.OffReader;
 import cz.paprsek.format.stl.StlReader;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
@@ -223,7 +224,7 @@ public final class CsgReader {
     private List<Operand> imported(Node node, Within within) throws IOException {
         String file = node.text("file");
         String ending = file.substring(file.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-        if (within.extrusion.isPresent() || !(ending.equals("stl") || ending.equals("obj"))) {
+        if (within.extrusion.isPresent() || !List.of("stl", "obj", "off").contains(ending)) {
             notes.line(node.line(), "import() of " + FormatFault.quoted(file) + " is not read, and left out");
             return List.of();
         }
@@ -232,7 +233,11 @@ public final class CsgReader {
             byte[] bytes = new byte[content.remaining()];
             content.get(bytes);
             ByteArrayInputStream input = new ByteArrayInputStream(bytes);
-            Model model = ending.equals("stl") ? StlReader.read(input, bytes.length) : ObjReader.read(input, Companions.NONE);
+            Model model = switch (ending) {
+                case "stl" -> StlReader.read(input, bytes.length);
+                case "off" -> OffReader.read(input, bytes.length);
+                default -> ObjReader.read(input, Companions.NONE);
+            };
             Solid solid = meshes.solid(model.triangles(), false);
             return one(Placing.placed(solid, within.map), within);
         } catch (FormatFault wrong) {
