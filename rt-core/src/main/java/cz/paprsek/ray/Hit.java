@@ -64,6 +64,21 @@ public final class Hit {
                 toLocal.xz() * x + toLocal.yz() * y + toLocal.zz() * z);
     }
 
+    /** Takes the normals out of another space, by the transpose of the map into that space; if they are one there, they are one here. */
+    public void normalsFrom(Affine toOther) {
+        boolean isRoundedThere = isRounded;
+        boolean areOne = sx == nx && sy == ny && sz == nz;
+        double x = sx;
+        double y = sy;
+        double z = sz;
+        normal(toOther, nx, ny, nz);
+        isRounded = isRoundedThere;
+        if (!areOne) {
+            bend(toOther.xx() * x + toOther.yx() * y + toOther.zx() * z, toOther.xy() * x + toOther.yy() * y + toOther.zy() * z,
+                    toOther.xz() * x + toOther.yz() * y + toOther.zz() * z);
+        }
+    }
+
     /** Sets the normals from a vector of any length but 0. */
     public void normal(double x, double y, double z) {
         double k = 1 / Math.sqrt(x * x + y * y + z * z);

@@ -117,6 +117,10 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
 
     @Override
     public Volume place(Affine toWorld, Parts parts) {
+        return parts.placed(this, this::placeAlone, toWorld);
+    }
+
+    private Volume placeAlone(Affine toWorld, Parts parts) {
         Volume[] placed = new Volume[operands.size()];
         boolean isGone = isGone();
         int count = 0;

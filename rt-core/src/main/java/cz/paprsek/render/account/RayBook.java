@@ -125,7 +125,7 @@ final class RayBook extends Witness {
         InScene<BodyAt> surface = surface(ray.part);
         boolean flipped = ray.face < 0;
         Vec3 outwards = new Vec3(hit.nx, hit.ny, hit.nz);
-        Part part = scene.parts().part(ray.part);
+        Part part = scene.parts().part(ray.part, level.copied);
         int own = flipped ? ~ray.face : ray.face;
         Encounter.Place place = new Encounter.Place(surface, face(surface, part.ownFace(own)),
                 part.corners(own, hit).map(at -> new Encounter.Triangle(at.triangle(), at.part(), at.shares())), flipped, level.leaving,

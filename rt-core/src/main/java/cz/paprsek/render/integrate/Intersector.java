@@ -45,11 +45,11 @@ final class Intersector {
         glows.nearest(ray);
         if (ray.part >= 0) {
             hits++;
-            locate(ray, level.hit);
+            locate(level, ray, level.hit);
         }
     }
 
-    private void locate(Ray ray, Hit hit) {
+    private void locate(Level level, Ray ray, Hit hit) {
         hit.px = ray.ox + ray.max * ray.dx;
         hit.py = ray.oy + ray.max * ray.dy;
         hit.pz = ray.oz + ray.max * ray.dz;
@@ -59,7 +59,7 @@ final class Intersector {
             return;
         }
         boolean flipped = ray.face < 0;
-        parts.part(ray.part).describe(flipped ? ~ray.face : ray.face, hit);
+        parts.part(ray.part, level.copied).describe(flipped ? ~ray.face : ray.face, hit);
         if (flipped) {
             hit.turn();
         }

@@ -30,7 +30,7 @@ final class Offspring {
         next.path = Sampler.mirrored(level.path);
         Lighting.backFrom(level, next.ray);
         if (footprints) {
-            next.footprint.mirrored(level.footprint, level.ray, level.hit, parts.part(level.ray.part));
+            next.footprint.mirrored(level.footprint, level.ray, level.hit, parts.part(level.ray.part, level.copied));
         }
         next.media.set(level.media);
         reflected++;
@@ -43,7 +43,7 @@ final class Offspring {
         next.path = Sampler.refracted(level.path);
         double beyond = scene.enterBeyond(level, finish, next.media);
         if (footprints) {
-            next.footprint.refracted(level.footprint, level.ray, level.hit, parts.part(level.ray.part), level.media.refractiveIndex() / beyond);
+            next.footprint.refracted(level.footprint, level.ray, level.hit, parts.part(level.ray.part, level.copied), level.media.refractiveIndex() / beyond);
         }
         refracted++;
     }

@@ -174,7 +174,7 @@ abstract class Shading implements Integrator {
     /** Finds the colour, and what else the surface is at the hit. */
     private Finish color(Level level, Finish finish) {
         if (footprints) {
-            level.part = parts.part(level.ray.part);
+            level.part = parts.part(level.ray.part, level.copied);
             level.footprint.meet(level.ray, level.hit);
         }
         if (!finish.isEven) {

@@ -25,7 +25,7 @@ final class Veils {
     }
 
     private double at(Ray ray, double t, int number, int face, Finish finish) {
-        Part part = parts.part(number);
+        Part part = parts.part(number, level.copied);
         Hit hit = level.hit;
         hit.px = ray.ox + t * ray.dx;
         hit.py = ray.oy + t * ray.dy;

@@ -1,6 +1,7 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.ray.Hit;
+import cz.paprsek.shape.copied.CopiedPart;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 
@@ -28,6 +29,7 @@ public final class Contacts {
     private final Spans spans;
     private final Ray stretch;
     private final Hit hit = new Hit();
+    private final CopiedPart copied = new CopiedPart();
 
     public Contacts(World scene, Bodies.Finder finder, Spans spans) {
         this.scene = scene;
@@ -131,7 +133,7 @@ public final class Contacts {
         hit.py = ray.oy + spans.t(i) * ray.dy;
         hit.pz = ray.oz + spans.t(i) * ray.dz;
         boolean flipped = spans.face(i) < 0;
-        parts.part(spans.part(i)).describe(flipped ? ~spans.face(i) : spans.face(i), hit);
+        parts.part(spans.part(i), copied).describe(flipped ? ~spans.face(i) : spans.face(i), hit);
         return ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz < 0 != flipped;
     }
 }

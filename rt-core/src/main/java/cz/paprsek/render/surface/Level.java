@@ -1,6 +1,7 @@
 package cz.paprsek.render.surface;
 
 import cz.paprsek.ray.Hit;
+import cz.paprsek.shape.copied.CopiedPart;
 import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
@@ -12,6 +13,8 @@ public final class Level {
     public final Hit hit = new Hit();
     /** The part that is hit; kept only if some finish asks for it, as one with a picture. */
     public @Nullable Part part;
+    /** Becomes the part that is hit, if that is one of a copy. */
+    public final CopiedPart copied = new CopiedPart();
     /** For places beside the hit. */
     final Hit probe = new Hit();
     /** How a picture lies around the hit. */

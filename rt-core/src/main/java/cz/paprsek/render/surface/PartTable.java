@@ -1,19 +1,27 @@
 package cz.paprsek.render.surface;
 
+import cz.paprsek.shape.copied.CopiedPart;
+import cz.paprsek.shape.copied.Original;
+import cz.paprsek.shape.copied.Runs;
 import cz.paprsek.shape.placed.Part;
 import java.util.Arrays;
 
 /**
- * The primitives of a scene, numbered as they are placed: for each its geometry, its finish and the object it belongs to. Numbers are {@value #APART}
- * apart, so that what is placed later finds room between its neighbours: of parts in one place the lowest number counts. Immutable.
+ * The primitives of a scene, numbered as they are placed: for each its geometry, its finish and the object it belongs to. Those of copies have numbers,
+ * but only what they are made of is kept for each copy. Numbers are {@value #APART} apart, so that what is placed later finds room between its neighbours: of parts in one place the lowest number counts. Immutable.
  */
 public final class PartTable {
-    private static final int BITS = 4;
+    private static final int BITS = Original.BITS;
     private static final int APART = 1 << BITS;
+    /** How many there may be; behind them come the lights that are seen. */
+    static final int MOST = (1 << (31 - BITS)) - 1024;
 
     private final Part[] parts;
     private final Finish[] finishes;
     private final int[] objects;
+    /** Where among these copies stand. */
+    private final Runs runs;
+    private final boolean hasNoCopies;
     /** The number of the first part of each object. */
     private final int[] firsts;
     private final int end;
@@ -35,8 +43,10 @@ public final class PartTable {
         this.parts = all.parts;
         this.finishes = all.finishes;
         this.objects = all.objects;
+        this.runs = all.runs;
+        this.hasNoCopies = runs.size() == 0;
         this.firsts = firsts;
-        this.end = number(all.size);
+        this.end = number(all.places);
         this.hasPictures = all.hasPictures;
         this.rough = all.isRough;
         this.numbers = new int[0];
@@ -50,6 +60,8 @@ public final class PartTable {
         this.parts = all.parts;
         this.finishes = all.finishes;
         this.objects = all.objects;
+        this.runs = all.runs;
+        this.hasNoCopies = runs.size() == 0;
         this.firsts = all.firsts;
         this.numbers = Arrays.copyOf(fresh.numbers, fresh.size);
         this.end = numbers.length == 0 ? all.end : Math.max(all.end, numbers[numbers.length - 1] + 1);
@@ -95,17 +107,23 @@ public final class PartTable {
         return hasPictures;
     }
 
-    public Part part(int i) {
-        return isFirst(i) ? parts[i >> BITS] : freshParts[fresh(i)];
+    /** @param scratch becomes the part if it is one of a copy */
+    public Part part(int i, CopiedPart scratch) {
+        return isAlone(i) ? parts[i >> BITS] : isFirst(i) ? runs.part(i >> BITS, parts, scratch) : freshParts[fresh(i)];
     }
 
     public Finish finish(int i) {
-        return isFirst(i) ? finishes[i >> BITS] : freshFinishes[fresh(i)];
+        return isAlone(i) ? finishes[i >> BITS] : isFirst(i) ? finishes[runs.slot(i >> BITS)] : freshFinishes[fresh(i)];
     }
 
     /** The object that the part belongs to. */
     public int object(int i) {
-        return isFirst(i) ? objects[i >> BITS] : freshObjects[fresh(i)];
+        return isAlone(i) ? objects[i >> BITS] : isFirst(i) ? objects[runs.slot(i >> BITS)] : freshObjects[fresh(i)];
+    }
+
+    /** Whether what is kept for a part stands at its own place, as all does that was placed first where there are no copies. */
+    private boolean isAlone(int i) {
+        return hasNoCopies && isFirst(i);
     }
 
     /** Whether a part was placed at first. */
@@ -136,7 +154,7 @@ public final class PartTable {
     /** The last part of an object of those that were placed first. */
     int lastOf(int object) {
         int place = firsts[object] >> BITS;
-        while (number(place + 1) < end && objects[place + 1] == object) {
+        while (number(place + 1) < end && objects[runs.slot(place + 1)] == object) {
             place++;
         }
         return number(place);

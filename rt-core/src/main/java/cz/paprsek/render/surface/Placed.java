@@ -10,9 +10,11 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.copied.Repeated;
 import cz.paprsek.shape.placed.Surface;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
@@ -51,6 +53,8 @@ final class Placed {
     /** The scene of which all objects were placed, and these. */
     private final Scene scene;
     private final Placed whole;
+    /** The solids in it that were placed once. */
+    private final Repeated repeated;
 
     /**
      * Places all objects of a scene.
@@ -59,7 +63,8 @@ final class Placed {
      */
     Placed(Scene scene, Textures textures, BooleanSupplier stop) {
         int count = scene.objects().size();
-        Placing placing = new Placing(scene, textures, Math.max(16, count + 2 * ROOM), false, stop);
+        this.repeated = Repeated.in(shapes(scene));
+        Placing placing = new Placing(scene, textures, Math.max(16, count + 2 * ROOM), false, repeated, stop);
         this.textures = textures;
         this.scene = scene;
         this.whole = this;
@@ -71,7 +76,7 @@ final class Placed {
         first.place(placing, scene.objects()::get, (object, isMedium) -> {
             placing.leaveRoom(isMedium && !hadMedium[0] ? ROOM : 0);
             hadMedium[0] = isMedium;
-            return PartTable.number(placing.size);
+            return PartTable.number(placing.places);
         }, stop);
         this.parts = new PartTable(placing, first.firsts);
         this.bodies = Bodies.of(first.surfaces, first.opaque, stop);
@@ -85,6 +90,7 @@ final class Placed {
     private Placed(Placed whole, Difference difference, PartTable parts, PlacedObjects later, Bodies bodies) {
         this.textures = whole.textures;
         this.scene = whole.scene;
+        this.repeated = whole.repeated;
         this.whole = whole;
         this.difference = difference;
         this.first = whole.first;
@@ -109,8 +115,22 @@ final class Placed {
         int most = first.surfaces.length / SHARE;
         Difference fromWhole = Difference.of(Pieces.of(scene.objects()), Pieces.of(changed.objects()), repainted(changed), most);
         return fromWhole.isNone() ? whole
-                : Math.max(fromWhole.removed().length, fromWhole.added().length) > most ? new Placed(changed, textures, stop)
+                : Math.max(fromWhole.removed().length, fromWhole.added().length) > most || !stays(changed, fromWhole)
+                ? new Placed(changed, textures, stop)
                 : whole.with(changed, fromWhole, stop).orElseGet(() -> new Placed(changed, textures, stop));
+    }
+
+    /** Whether the same solids are placed once, and none of them is new. */
+    private boolean stays(Scene changed, Difference fromWhole) {
+        return repeated.stays(shapes(scene, fromWhole.removed()), shapes(changed, fromWhole.added()), () -> shapes(changed));
+    }
+
+    private static List<Shape> shapes(Scene of) {
+        return of.objects().stream().map(SceneObject::shape).toList();
+    }
+
+    private static List<Shape> shapes(Scene of, int[] objects) {
+        return Arrays.stream(objects).mapToObj(i -> of.objects().get(i).shape()).toList();
     }
 
     /** Says which objects are made of a named material that is not the same; it may have been one that every scene knows, or be one now. */
@@ -128,7 +148,7 @@ final class Placed {
     /** Empty if there is no room for the numbers of the parts that come between others. */
     private Optional<Placed> with(Scene changed, Difference fromWhole, BooleanSupplier stop) {
         int count = fromWhole.added().length;
-        Placing placing = new Placing(changed, textures, Math.max(16, count), true, stop);
+        Placing placing = new Placing(changed, textures, Math.max(16, count), true, repeated, stop);
         IntFunction<SceneObject> objects = k -> changed.objects().get(fromWhole.added()[k]);
         boolean[] areMedia = new boolean[count];
         for (int k = 0; k < count; k++) {

@@ -12,9 +12,14 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.copied.Copy;
+import cz.paprsek.shape.copied.Originals;
+import cz.paprsek.shape.copied.Repeated;
+import cz.paprsek.shape.copied.Runs;
 import cz.paprsek.shape.placed.Part;
 import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Surface;
+import cz.paprsek.shape.placed.Volume;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -39,6 +44,10 @@ final class Placing {
     /** The numbers of the parts, unless they follow from their places. */
     int[] numbers;
     int size;
+    /** How many places parts have taken, of which those of a copy share what is kept. */
+    int places;
+    final Runs runs = new Runs();
+    private final Originals originals;
     /** The number of the last part. */
     int last;
     /** Whether a part is rough. */
@@ -52,8 +61,9 @@ final class Placing {
     /**
      * @param expected about how many parts there will be
      * @param areLater whether they come between others
+     * @param repeated the solids that are placed once
      */
-    Placing(Scene scene, Textures textures, int expected, boolean areLater, BooleanSupplier stop) {
+    Placing(Scene scene, Textures textures, int expected, boolean areLater, Repeated repeated, BooleanSupplier stop) {
         this.textures = textures;
         this.stop = stop;
         materials = scene.materials();
@@ -64,13 +74,22 @@ final class Placing {
         objects = new int[expected];
         numbers = new int[areLater ? expected : 0];
         this.areLater = areLater;
+        originals = new Originals(repeated, source -> !Finish.isPlaced(material(source)), stop);
     }
 
     /** Leaves places for which there are no parts. */
-    void leaveRoom(int places) {
-        reserve(size + places);
-        Arrays.fill(objects, size, size + places, -1);
-        size += places;
+    void leaveRoom(int count) {
+        reserve(size + count);
+        Arrays.fill(objects, size, size + count, -1);
+        size += count;
+        takePlaces(count);
+    }
+
+    private void takePlaces(int count) {
+        places += count;
+        if (places > PartTable.MOST || places < 0) {
+            throw new IllegalArgumentException("the scene has more than " + PartTable.MOST + " primitives in all places together");
+        }
     }
 
     /**
@@ -196,14 +215,28 @@ final class Placing {
         @Override
         public <P extends Part> P add(IntFunction<P> maker) {
             int place = Placing.this.add(object, finish);
+            takePlaces(1);
             P part = maker.apply(next);
             parts[place] = part;
             if (areLater) {
                 numbers[place] = next;
             }
             last = next;
-            next = areLater ? PartTable.after(next) : PartTable.number(size);
+            next = areLater ? PartTable.after(next) : PartTable.number(places);
             return part;
+        }
+
+        @Override
+        public Volume placed(Object solid, Placer alone, Affine toWorld) {
+            return areLater ? alone.place(toWorld, this) : originals.of(solid, alone).<Volume>map(original -> {
+                Copy copy = original.copy(toWorld, next);
+                runs.add(places, size, copy);
+                original.scopesIn(this, toWorld).forEach(scope -> Placing.this.add(object, ((Scope) scope).finish));
+                takePlaces(original.count());
+                last = PartTable.number(places - 1);
+                next = PartTable.number(places);
+                return copy;
+            }).orElseGet(() -> alone.place(toWorld, this));
         }
 
         @Override

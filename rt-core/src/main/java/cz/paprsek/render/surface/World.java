@@ -147,7 +147,7 @@ public final class World {
             level.hit.v = 0;
             return;
         }
-        parts.part(level.ray.part).map(face < 0 ? ~face : face, level.hit);
+        parts.part(level.ray.part, level.copied).map(face < 0 ? ~face : face, level.hit);
     }
 
     /** Whether rays are to know how far their neighbours are: if a picture is seen, on a surface or in the sky, or a finish asks. */

@@ -35,6 +35,17 @@ public interface Parts {
         return this;
     }
 
+    /** How a solid is placed, for one place alone. */
+    @FunctionalInterface
+    interface Placer {
+        Volume place(Affine toWorld, Parts parts);
+    }
+
+    /** Places a solid that may stand in many places: as a copy, if it has been placed once for all of them, else for this one alone. */
+    default Volume placed(Object solid, Placer alone, Affine toWorld) {
+        return alone.place(toWorld, this);
+    }
+
     /** Whether to give up; asked while many operands are placed. */
     default boolean isCancelled() {
         return false;

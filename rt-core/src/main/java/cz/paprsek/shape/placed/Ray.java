@@ -65,6 +65,7 @@ public final class Ray {
     public @Nullable Search<Ray> search;
     public final double[] breaks = new double[3];
     private double[] room = {};
+    private @Nullable Ray within;
     public final Spans spans;
 
     public Ray(Spans spans) {
@@ -130,6 +131,39 @@ public final class Ray {
         inwards = other.inwards;
         contact = other.contact;
         min = from;
+    }
+
+    /** Scratch for the same ray in the space of something that it meets. */
+    public Ray within() {
+        Ray known = within;
+        if (known == null) {
+            known = new Ray(spans);
+            within = known;
+        }
+        return known;
+    }
+
+    /**
+     * Becomes another ray in the space that a map leads to, with nothing hit.
+     *
+     * @param growth how often as fast t grows there, so that the direction is of length 1 again
+     * @param surface the part, by its number there, that the ray starts from; −1 for none
+     */
+    public void become(Ray other, Affine map, double growth, int surface) {
+        double x = map.pointX(other.ox, other.oy, other.oz);
+        double y = map.pointY(other.ox, other.oy, other.oz);
+        double z = map.pointZ(other.ox, other.oy, other.oz);
+        double before = growth * other.scale;
+        double here = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        start(x, y, z, map.directionX(other.dx, other.dy, other.dz) / growth, map.directionY(other.dx, other.dy, other.dz) / growth,
+                map.directionZ(other.dx, other.dy, other.dz) / growth, Math.max(before, here), growth * other.max);
+        // Larger numbers have larger errors: more of what lies near touches the start.
+        double wider = before > 0 && here > before ? here / before : 1;
+        left = surface;
+        inwards = other.inwards;
+        contact = growth * other.contact * wider;
+        min = growth * other.min * (other.min < 0 ? wider : 1);
+        reach = growth * other.reach;
     }
 
     /** The ray in the space that the map leads to. Its direction keeps the length that the map gives it, so t keeps its meaning. */

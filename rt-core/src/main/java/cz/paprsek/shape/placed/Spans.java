@@ -212,6 +212,19 @@ public final class Spans {
         size = kept;
     }
 
+    /**
+     * Takes the run [from, size) out of the space of a copy.
+     *
+     * @param growth how often as fast t grows there
+     * @param first the number of its first part
+     */
+    public void carry(int from, double growth, int first) {
+        for (int i = from; i < size; i++) {
+            t[i] /= growth;
+            part[i] += first;
+        }
+    }
+
     /** Keeps of the run [from, size) only the boundaries strictly between two values of t. */
     public void clip(int from, double min, double max) {
         int kept = from;

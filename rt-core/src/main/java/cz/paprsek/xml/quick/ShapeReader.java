@@ -5,11 +5,13 @@ import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Placement.Pivot;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
+import cz.paprsek.shape.copied.Alike;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,6 +22,8 @@ final class ShapeReader {
     private final Markup markup;
     private final double[] room;
     private final MaterialReader materials;
+    /** Copies of one definition are one: as many as there are need no room for each. */
+    private final Alike alike = Alike.forgetting();
     /** Of the shape read last: mostly there are many of a kind in a row. */
     private int latest;
 
@@ -35,7 +39,7 @@ final class ShapeReader {
         ShapeForm form = form();
         Object[] values = form.tag().read(markup, room);
         Inside inside = inside(form, depth);
-        return new SceneObject((String) values[0], form.maker().make(values, inside.operands), placement(values), pivot(values), (boolean) values[3], material(values, inside));
+        return new SceneObject((String) values[0], shape(form, values, inside), placement(values), pivot(values), (boolean) values[3], material(values, inside));
     }
 
     private Operand operand(int depth) throws IOException {
@@ -43,8 +47,13 @@ final class ShapeReader {
         Unusual.unless(form.isSolid());
         Object[] values = form.tag().read(markup, room);
         Inside inside = inside(form, depth);
-        Shape solid = form.maker().make(values, inside.operands);
+        Shape solid = shape(form, values, inside);
         return new Operand((String) values[0], (Solid) solid, placement(values), pivot(values), (boolean) values[3], material(values, inside));
+    }
+
+    private Shape shape(ShapeForm form, Object[] values, Inside inside) {
+        Shape shape = form.maker().make(values, inside.operands);
+        return shape instanceof Csg csg ? alike.only(csg) : shape;
     }
 
     private ShapeForm form() {

@@ -1,0 +1,146 @@
+package cz.paprsek.shape.copied;
+
+import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Operand;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** Knows equal operations for one: each is looked at once, whatever lies within it. */
+public final class Alike {
+    private final Map<Key, One> all = new HashMap<>();
+    /** By what has been asked for before. */
+    private final IdentityHashMap<Csg, One> seen = new IdentityHashMap<>();
+    private final @Nullable Alike base;
+    private final boolean remembers;
+
+    private Alike(@Nullable Alike base, boolean remembers) {
+        this.base = base;
+        this.remembers = remembers;
+    }
+
+    /** What forgets those that are equal to others, so that nothing is kept of them. */
+    public static Alike forgetting() {
+        return new Alike(null, false);
+    }
+
+    /** What remembers all that it has been asked for: it answers sooner if the same comes again. */
+    static Alike remembering() {
+        return new Alike(null, true);
+    }
+
+    /** Another one that knows all that this one does, and leaves it alone. */
+    Alike more() {
+        return new Alike(this, true);
+    }
+
+    /** An operation: of equal ones the first that was asked for. */
+    static final class One {
+        private final Csg csg;
+        private final List<One> within;
+        private final long size;
+        private final int height;
+
+        private One(Csg csg, List<One> within) {
+            this.csg = csg;
+            this.within = within;
+            size = within.stream().mapToLong(one -> one.size).sum() + csg.operands().size() - within.size();
+            height = 1 + within.stream().mapToInt(one -> one.height).max().orElse(0);
+        }
+
+        Csg csg() {
+            return csg;
+        }
+
+        /** The operations that are operands of it, as often as they are. */
+        List<One> within() {
+            return within;
+        }
+
+        /** How many primitives it has. */
+        long size() {
+            return size;
+        }
+
+        /** How many operations lie within one another. */
+        int height() {
+            return height;
+        }
+    }
+
+    /** Of equal operations always the same one. */
+    public Csg only(Csg csg) {
+        return of(csg).csg;
+    }
+
+    One of(Csg csg) {
+        One one = known(csg);
+        if (one == null) {
+            List<One> within = csg.operands().stream().map(Operand::solid).filter(Csg.class::isInstance).map(inner -> of((Csg) inner)).toList();
+            Key key = new Key(csg, within);
+            one = known(key);
+            if (one == null) {
+                one = new One(csg, within);
+                all.put(key, one);
+                seen.put(csg, one);
+            } else if (remembers) {
+                seen.put(csg, one);
+            }
+        }
+        return one;
+    }
+
+    private @Nullable One known(Csg csg) {
+        One one = seen.get(csg);
+        return one == null && base != null ? base.known(csg) : one;
+    }
+
+    private @Nullable One known(Key key) {
+        One one = all.get(key);
+        return one == null && base != null ? base.known(key) : one;
+    }
+
+    /** What an operation is, but for those within it, which are known by themselves. */
+    private static final class Key {
+        private final Csg csg;
+        private final List<One> within;
+        private final int hash;
+
+        Key(Csg csg, List<One> within) {
+            this.csg = csg;
+            this.within = within;
+            int sum = 31 * csg.operation().hashCode() + within.hashCode();
+            for (Operand operand : csg.operands()) {
+                sum = 31 * sum + 31 * operand.placement().hashCode() + (operand.solid() instanceof Csg ? 1 : operand.solid().hashCode());
+            }
+            hash = sum;
+        }
+
+        @Override
+        public int hashCode() {
+            return hash;
+        }
+
+        @Override
+        public boolean equals(Object other) {
+            if (!(other instanceof Key key) || hash != key.hash || csg.operation() != key.csg.operation() || !within.equals(key.within)
+                    || csg.operands().size() != key.csg.operands().size()) {
+                return false;
+            }
+            for (int i = 0; i < csg.operands().size(); i++) {
+                if (!areAlike(csg.operands().get(i), key.csg.operands().get(i))) {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        private static boolean areAlike(Operand one, Operand other) {
+            boolean areOperations = one.solid() instanceof Csg && other.solid() instanceof Csg;
+            return one.name().equals(other.name()) && (areOperations || one.solid().equals(other.solid())) && one.placement().equals(other.placement())
+                    && one.pivot().equals(other.pivot()) && one.hidden() == other.hidden() && one.material().equals(other.material());
+        }
+    }
+}
