@@ -13,7 +13,6 @@ import cz.paprsek.xml.SceneText;
 import cz.paprsek.xml.SceneText.Stand;
 import java.io.IOException;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
@@ -287,6 +286,6 @@ public final class Manuscript {
 
     /** The names that what is written there may have. */
     public Scene scene() {
-        return Objects.requireNonNull(model.scene());
+        return model.scene();
     }
 }

@@ -6,6 +6,7 @@ import cz.paprsek.xml.typing.Completion.Proposal;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
@@ -62,7 +63,7 @@ final class ProposalList extends VBox {
         layout();
     }
 
-    private static void show(javafx.scene.Node node, boolean is) {
+    private static void show(Node node, boolean is) {
         node.setVisible(is);
         node.setManaged(is);
     }

@@ -13,8 +13,6 @@ import cz.paprsek.shape.Sphere;
 import java.util.ArrayDeque;
 import java.util.Optional;
 import java.util.Queue;
-import java.util.concurrent.Callable;
-import java.util.function.Consumer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -26,21 +24,7 @@ class LateManuscriptTest {
 
     private final Queue<Runnable> under = new ArrayDeque<>();
     private final EditorModel model = new EditorModel(TWO);
-    private final Manuscript text = new Manuscript(model, () -> model.state().typed(), new Manuscript.Worker() {
-        @Override
-        public <T> void run(Callable<T> work, Consumer<T> done, Consumer<Throwable> failed) {
-            under.add(() -> {
-                T value;
-                try {
-                    value = work.call();
-                } catch (Exception e) {
-                    failed.accept(e);
-                    return;
-                }
-                done.accept(value);
-            });
-        }
-    });
+    private final Manuscript text = new Manuscript(model, () -> model.state().typed(), new ByExecutor(under::add));
 
     @BeforeEach
     void open() {

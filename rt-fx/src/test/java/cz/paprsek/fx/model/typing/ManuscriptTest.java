@@ -15,8 +15,6 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import java.util.concurrent.Callable;
-import java.util.function.Consumer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -32,19 +30,7 @@ class ManuscriptTest {
 
     private Optional<OriginalText> file = Optional.empty();
     private final EditorModel model = new EditorModel(Scene.EMPTY);
-    private final Manuscript text = new Manuscript(model, () -> model.state().typed().or(() -> file), new Manuscript.Worker() {
-        @Override
-        public <T> void run(Callable<T> work, Consumer<T> done, Consumer<Throwable> failed) {
-            T value;
-            try {
-                value = work.call();
-            } catch (Exception e) {
-                failed.accept(e);
-                return;
-            }
-            done.accept(value);
-        }
-    });
+    private final Manuscript text = new Manuscript(model, () -> model.state().typed().or(() -> file), new ByExecutor(Runnable::run));
 
     @BeforeEach
     void open() throws IOException, SceneFileException {

@@ -6,8 +6,6 @@ import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label.Edit;
-import cz.paprsek.fx.model.motion.Clock;
-import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
@@ -15,10 +13,7 @@ import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
-import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
@@ -31,26 +26,17 @@ import org.junit.jupiter.api.TestInstance.Lifecycle;
 /** Formulas typed into the sheet by a robot. */
 @TestInstance(Lifecycle.PER_CLASS)
 class FormulasInSheetTest {
-    private static final Scene START = scene();
-    private final EditorModel model = new EditorModel(START);
-    private final Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.ENGLISH), new SimpleBooleanProperty(true), (kind, owner) -> Optional.empty(), new Clock(model)), 320, 900);
+    private static final Scene START = SheetInHand.scene("""
+            <sphere name="ball" radius="1" position="0 {w/2} 5"/>
+            """);
 
-    private static Scene scene() {
-        try {
-            return SceneFiles.parse("""
-                    <scene xmlns="urn:paprsek:scene:1"><param name="w" value="3" min="1" max="9"/><camera position="0 0 9" target="0 0 0"/>
-                    <sphere name="ball" radius="1" position="0 {w/2} 5"/></scene>
-                    """);
-        } catch (SceneFileException e) {
-            throw new IllegalStateException(e);
-        }
-    }
+    private final SheetInHand sheet = SheetInHand.of(START);
+    private final EditorModel model = sheet.model();
+    private final Gui gui = sheet.gui();
 
     @BeforeEach
     void selectTheBall() {
-        gui.act(() -> model.open(START));
-        gui.act(() -> model.select(ScenePath.body(0)));
-        gui.until("the sheet shows the ball", () -> gui.stage().getScene().lookup("#shape-radius") instanceof TextField field && !field.getText().isEmpty());
+        sheet.select(START);
     }
 
     @AfterAll

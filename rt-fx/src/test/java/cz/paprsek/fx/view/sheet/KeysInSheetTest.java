@@ -6,16 +6,9 @@ import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.motion.Clock;
-import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Animation;
 import cz.paprsek.scene.Scene;
-import cz.paprsek.scene.ScenePath;
-import cz.paprsek.xml.SceneFileException;
-import cz.paprsek.xml.SceneFiles;
 import java.util.List;
-import java.util.Locale;
-import java.util.Optional;
-import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.TextField;
@@ -26,28 +19,18 @@ import org.junit.jupiter.api.Test;
 
 /** Keys of attributes, set where their values stand. */
 class KeysInSheetTest {
-    private static final Scene START = scene();
+    private static final Scene START = SheetInHand.scene("""
+            <sphere name="ball" radius="1"><material reflection="0.2"><checker size="1" scale="2"/></material></sphere>
+            """);
 
-    private final EditorModel model = new EditorModel(START);
-    private final Clock clock = new Clock(model);
-    private final Gui gui = Gui.show(() -> new PropertySheet(model, Texts.in(Locale.ENGLISH), new SimpleBooleanProperty(true), (kind, owner) -> Optional.empty(), clock), 320, 900);
-
-    private static Scene scene() {
-        try {
-            return SceneFiles.parse("""
-                    <scene xmlns="urn:paprsek:scene:1"><param name="w" value="3" min="1" max="9"/><camera position="0 0 5" target="0 0 0"/>
-                    <sphere name="ball" radius="1"><material reflection="0.2"><checker size="1" scale="2"/></material></sphere></scene>
-                    """);
-        } catch (SceneFileException e) {
-            throw new IllegalStateException(e);
-        }
-    }
+    private final SheetInHand sheet = SheetInHand.of(START);
+    private final EditorModel model = sheet.model();
+    private final Clock clock = sheet.clock();
+    private final Gui gui = sheet.gui();
 
     @BeforeEach
     void selectTheBall() {
-        gui.act(() -> model.open(START));
-        gui.act(() -> model.select(ScenePath.body(0)));
-        gui.until("the sheet shows the ball", () -> gui.stage().getScene().lookup("#shape-radius") instanceof TextField field && !field.getText().isEmpty());
+        sheet.select(START);
     }
 
     @AfterEach

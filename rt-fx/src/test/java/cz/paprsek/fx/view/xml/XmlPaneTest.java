@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.typing.ByExecutor;
 import cz.paprsek.fx.model.typing.Manuscript;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
@@ -15,8 +16,6 @@ import cz.paprsek.shape.Sphere;
 import java.util.Collection;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.Callable;
-import java.util.function.Consumer;
 import javafx.application.Platform;
 import javafx.geometry.Bounds;
 import javafx.scene.control.Labeled;
@@ -29,21 +28,7 @@ import org.junit.jupiter.api.Test;
 /** The scene as text, by mouse and keys. */
 class XmlPaneTest {
     private final EditorModel model = new EditorModel(Scene.EMPTY.plus(SceneObject.of(new Sphere(1)).named("ball")).plus(SceneObject.of(new Sphere(2)).named("other")));
-    private final Manuscript manuscript = Gui.on(() -> new Manuscript(model, () -> model.state().typed(), new Manuscript.Worker() {
-        @Override
-        public <T> void run(Callable<T> work, Consumer<T> done, Consumer<Throwable> failed) {
-            Platform.runLater(() -> {
-                T value;
-                try {
-                    value = work.call();
-                } catch (Exception e) {
-                    failed.accept(e);
-                    return;
-                }
-                done.accept(value);
-            });
-        }
-    }));
+    private final Manuscript manuscript = Gui.on(() -> new Manuscript(model, () -> model.state().typed(), new ByExecutor(Platform::runLater)));
     private final Gui gui = Gui.show(() -> new XmlPane(manuscript, model, Texts.in(Locale.forLanguageTag("cs"))), 700, 400);
     private final CodeArea area = (CodeArea) gui.node("#xml-text");
 

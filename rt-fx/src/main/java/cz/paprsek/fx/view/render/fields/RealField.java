@@ -6,7 +6,7 @@ import cz.paprsek.text.Numbers;
 import java.util.function.DoublePredicate;
 
 /** A field for a number, also as a small sum such as 1/255; what is out of range is marked, and has no value. */
-public final class RealField extends CheckedField {
+public class RealField extends CheckedField {
     private final Texts texts;
     private final DoublePredicate range;
 
@@ -15,36 +15,46 @@ public final class RealField extends CheckedField {
      * @param first the number that is shown at first
      */
     public RealField(String id, String hint, Texts texts, DoublePredicate range, double first) {
-        super(id, hint, hint, 4);
+        this(id, hint, hint, texts, range, first);
+    }
+
+    /** @param name what it is for; the hint also says within which range */
+    RealField(String id, String name, String hint, Texts texts, DoublePredicate range, double first) {
+        super(id, name, hint, 4);
         this.texts = texts;
         this.range = range;
-        set(first);
+        setText(texts.number(Numbers.text(first)));
     }
 
     /** Shows a number. */
-    public void set(double value) {
+    public final void set(double value) {
         setText(texts.number(Numbers.text(value)));
     }
 
     /** The number; only if it is valid. */
-    public double get() {
-        return Formula.value(getText());
+    public final double get() {
+        return value(getText());
+    }
+
+    /** Of a number with a sign, which a plus is too. */
+    private static double value(String text) {
+        return Formula.value(text.replaceFirst("^\\s*\\+", ""));
     }
 
     @Override
-    public String word() {
+    public final String word() {
         return validProperty().get() ? Numbers.text(get()) : getText();
     }
 
     @Override
-    public void say(String word) {
+    public final void say(String word) {
         setText(texts.number(word));
     }
 
     @Override
-    boolean isInRange(String text) {
+    final boolean isInRange(String text) {
         try {
-            return range.test(Formula.value(text));
+            return range.test(value(text));
         } catch (IllegalArgumentException refused) {
             return false;
         }
