@@ -13,6 +13,7 @@ import cz.paprsek.io.Json;
 import cz.paprsek.teach.grade.Grade.Verdict;
 import cz.paprsek.teach.mistake.Mistake;
 import cz.paprsek.teach.mistake.Mistakes;
+import cz.paprsek.words.Words;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
@@ -70,8 +71,8 @@ record GradeReport(Terminal terminal, Stop stop, boolean csv, boolean json, bool
         say((several ? picture + ": " : "") + verdict(graded));
         for (Mistakes made : graded.grade().explanations()) {
             for (Mistake mistake : made.all()) {
-                say("  " + mistake + ": " + mistake.meaning(cz.paprsek.words.Words.ENGLISH) + ":");
-                say("    " + mistake.wrong() + "   should be   " + mistake.right());
+                say("  " + mistake + ": " + mistake.meaning(Words.ENGLISH) + ":");
+                say("    " + mistake.wrong(Words.ENGLISH) + "   should be   " + mistake.right(Words.ENGLISH));
             }
         }
         say("  from right: " + distance(graded.distance()));

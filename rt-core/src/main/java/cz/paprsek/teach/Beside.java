@@ -46,8 +46,8 @@ public final class Beside {
         List<String> lines = new ArrayList<>();
         for (Mistake mistake : made.all()) {
             lines.add(mistake + ": " + mistake.meaning(words));
-            lines.add("  " + words.of("beside.right") + "  " + mistake.right());
-            lines.add("  " + words.of("beside.wrong") + "  " + mistake.wrong());
+            lines.add("  " + words.of("beside.right") + "  " + mistake.right(words));
+            lines.add("  " + words.of("beside.wrong") + "  " + mistake.wrong(words));
         }
         lines.add(words.of("beside.pixel", column, row));
         lines.add(line(" ", "", words.of("beside.right"), words.of("beside.wrong")));

@@ -8,9 +8,13 @@ import cz.paprsek.attribute.ElementTable;
 import cz.paprsek.attribute.Kind;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
+import cz.paprsek.query.Filter;
+import cz.paprsek.query.FilterException;
+import cz.paprsek.query.SceneTables;
 import cz.paprsek.scene.Light;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.teach.mistake.Mistake;
 import cz.paprsek.xml.Problem;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -22,6 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is wrong, told in Czech; the sentences come from files and records that are wrong. */
 class SentencesTest {
@@ -81,6 +86,26 @@ class SentencesTest {
     void aRecordIsUnderstoodAsWell() {
         IllegalArgumentException refused = catchThrowableOfType(IllegalArgumentException.class, () -> Light.at(0, 0, 0).withIntensity(-1));
         assertThat(CZECH.sentence(String.valueOf(refused.getMessage()))).isEqualTo("světlo, intenzita: má být konečné číslo, nejméně 0, ale je -1.0");
+    }
+
+    /** Their lines of derivations are formulas, or sentences with formulas in them. */
+    @Test
+    void whatGoesWrongIsSaidInCzech() {
+        for (Mistake mistake : Mistake.values()) {
+            assertThat(mistake.right(CZECH) + " / " + mistake.wrong(CZECH)).as("%s", mistake).doesNotContainPattern("\\b(the|of|is|it|if|no|all|once|each|first|in|and|column|colour|red|levels)\\b|\\d\\.\\d");
+            assertThat(mistake.wrong(Words.ENGLISH)).isNotEqualTo(mistake.right(Words.ENGLISH));
+        }
+        assertThat(Mistake.BEHIND.right(CZECH)).isEqualTo("nejmenší t > 0");
+        assertThat(Mistake.NO_DIFFUSE.right(CZECH)).isEqualTo(Mistake.NO_DIFFUSE.right(Words.ENGLISH));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"radiuss > 1", "kind = sphere", "radius like \"a\"", "position = 3", "position < \"1 2 3\"", "radius = \"a\"", "radius ! 3", "(radius = 1", "radius", "name = \"a", "name = 3", "radius.x = 1",
+        "position.w = 1", "exists(sphere)", "position = \"1 2\"", "radius in 3", "radius in (3 4)", "= 3", "radius = 1 radius", "1x = radius", "radius & 3"})
+    void whatIsWrongWithAFilterIsSaidInCzech(String filter) {
+        FilterException wrong = catchThrowableOfType(FilterException.class, () -> Filter.parse(filter, SceneTables.named("object").table()));
+        assertThat(CZECH.sentence(String.valueOf(wrong.getMessage())).replaceAll("\"[^\"]*\"|: \\w+, .*|jsou tu .*", "")).as(wrong.getMessage()).startsWith("znak ")
+                .doesNotContainPattern("\\b(expected|but|found|is|there|this|needs|the|of|write|compare|which|only|means)\\b");
     }
 
     @Test

@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Labeled;
@@ -188,7 +189,7 @@ class LibraryWindowTest {
         gui.until("the rows are there", () -> table.getItems().size() > 10);
         int rows = table.getItems().size();
         Node header = Gui.on(() -> table.lookupAll(".column-header").stream()
-                .filter(node -> node.lookup(".label") instanceof Labeled label && label.getText().equals("radius")).findFirst().orElseThrow());
+                .filter(node -> node.lookupAll(".label").stream().anyMatch(label -> ((Labeled) label).getText().equals("Radius"))).findFirst().orElseThrow());
         gui.click(header);
         picturesOfTables();
         editor.dialogs.save = Optional.of(folder.resolve("table.csv"));
@@ -202,6 +203,21 @@ class LibraryWindowTest {
         gui.click("#library-export");
         gui.until("it is written", () -> text("#library-message").endsWith("json"));
         assertThat(Files.readAllLines(folder.resolve("table.json"))).hasSize(rows).first().asString().startsWith("{\"scene\":");
+    }
+
+    /** Words of filters and files are those of files; what is shown is the window's. */
+    @Test
+    void tablesSpeakTheLanguageOfTheWindow() {
+        gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
+        gui.act(() -> ((TabPane) gui.node("#library-tabs")).getSelectionModel().select(1));
+        type("#library-filter", "kind = \"sphere\" and position.y = 0.8");
+        TableView<?> table = (TableView<?>) gui.node("#table");
+        gui.until("the rows are there", () -> !table.getItems().isEmpty() && table.getItems().size() < 1000);
+        List<String> shown = Gui.on(() -> Stream.of(".label", ".table-cell").flatMap(style -> table.lookupAll(style).stream()).filter(Labeled.class::isInstance).map(node -> ((Labeled) node).getText()).toList());
+        assertThat(shown).contains("Poloha", "Druh", "koule", "-3,1 0,8 -0,4").doesNotContain("kind", "Position", "sphere", "-3.1 0.8 -0.4");
+        assertThat(Gui.on(() -> ((ChoiceBox<?>) gui.node("#library-table")).lookup(".label"))).isInstanceOfSatisfying(Labeled.class, label -> assertThat(label.getText()).isEqualTo("Objekty a operandy"));
+        type("#library-filter", "positio > 1");
+        assertThat(textNow("#library-problem")).startsWith("znak 1: ").contains("nemyslíte \"position\"?").doesNotContain("there");
     }
 
     private void picturesOfTables() {

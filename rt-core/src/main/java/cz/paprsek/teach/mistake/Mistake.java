@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 
-/** What goes wrong in ray tracers that are written to learn: the line of the derivation as it should be, and as it was. Formulas are the same in every language. */
+/** What goes wrong in ray tracers that are written to learn: the line of the derivation as it should be, and as it was. What in it is said in words is in the table of sentences. */
 public enum Mistake {
     FULL_FOVY(Part.EYE, "h = 2·tan(fovy/2)", "h = 2·tan(fovy)"),
     FOVY_HORIZONTAL(Part.EYE, "h = 2·tan(fovy/2), w = h·W/H", "w = 2·tan(fovy/2), h = w·H/W"),
@@ -108,13 +108,13 @@ public enum Mistake {
     }
 
     /** The line of the derivation as it should be. */
-    public String right() {
-        return right;
+    public String right(Words words) {
+        return Objects.requireNonNull(words, "words").sentence(right);
     }
 
     /** The line as it was. */
-    public String wrong() {
-        return wrong;
+    public String wrong(Words words) {
+        return Objects.requireNonNull(words, "words").sentence(wrong);
     }
 
     /** What goes wrong, in a few words. */

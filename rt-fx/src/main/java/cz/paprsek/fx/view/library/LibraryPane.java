@@ -41,6 +41,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import javafx.stage.Window;
+import javafx.util.StringConverter;
 import javafx.util.Subscription;
 
 /** The library: the scenes of a database as pictures, and everything in them as tables; searched by what is typed above. */
@@ -77,7 +78,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
         scenes.filterProperty().bind(search.textProperty());
         grid = new SceneGrid(thumbnails, selection, desk::open);
         details = new SceneDetails(library, selection, texts, messages, actions);
-        table = new TablePane(library, searcher, search.textProperty(), problem, desk::open,
+        table = new TablePane(library, searcher, search.textProperty(), texts, problem, desk::open,
                 rows -> count.setText(texts.of("library.rows", rows)));
         tabs = new TabPane(tab("library.scenes", scenesTab()), tab("library.tables", tablesTab()));
         tabs.setId("library-tabs");
@@ -164,6 +165,18 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
 
     private Node tablesTab() {
         choice.setId("library-table");
+        TableWords words = new TableWords(texts);
+        choice.setConverter(new StringConverter<>() {
+            @Override
+            public String toString(String name) {
+                return name == null ? "" : words.table(name);
+            }
+
+            @Override
+            public String fromString(String text) {
+                return text;
+            }
+        });
         choice.getItems().addAll(SceneTables.all().stream().map(relation -> relation.table().name()).toList());
         choice.setValue("object");
         choice.setOnAction(event -> showTab());
@@ -200,7 +213,7 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
     private void showTab() {
         if (isShowingScenes()) {
             table.close();
-            problem.textProperty().bind(scenes.problemProperty());
+            problem.textProperty().bind(scenes.problemProperty().map(texts::sentence));
             show(scenes.rows());
         } else {
             table.show(choice.getValue());

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.library;
 
 import cz.paprsek.fx.model.library.Library;
 import cz.paprsek.fx.model.library.LibraryRows;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
 import cz.paprsek.query.Column;
 import cz.paprsek.query.Relation;
@@ -24,14 +25,23 @@ import javafx.scene.control.TableCell;
 import javafx.scene.control.TableColumn;
 import javafx.scene.control.TableRow;
 import javafx.scene.control.TableView;
+import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.text.Text;
 import org.jspecify.annotations.Nullable;
 
 /** Everything of one kind in all scenes, as a table to be sorted by any column. */
 final class TablePane extends BorderPane implements AutoCloseable {
+    /** Titles of columns are bold. */
+    private static final double TITLE_SCALE = 1.15;
+    /** Beside a title, for the arrow of what is sorted, pixels. */
+    private static final double TITLE_ROOM = 36;
+
     private final Library library;
     private final Executor searcher;
     private final StringProperty filter;
+    private final Texts texts;
+    private final TableWords words;
     private final Label problem;
     private final Consumer<String> onOpen;
     private final Consumer<Integer> onCount;
@@ -44,10 +54,12 @@ final class TablePane extends BorderPane implements AutoCloseable {
      * @param onOpen is told the scene of a row that is clicked twice
      * @param onCount is told how many rows there are
      */
-    TablePane(Library library, Executor searcher, StringProperty filter, Label problem, Consumer<String> onOpen, Consumer<Integer> onCount) {
+    TablePane(Library library, Executor searcher, StringProperty filter, Texts texts, Label problem, Consumer<String> onOpen, Consumer<Integer> onCount) {
         this.library = library;
         this.searcher = searcher;
         this.filter = filter;
+        this.texts = texts;
+        this.words = new TableWords(texts);
         this.problem = problem;
         this.onOpen = onOpen;
         this.onCount = onCount;
@@ -66,6 +78,7 @@ final class TablePane extends BorderPane implements AutoCloseable {
         TableView<R> view = new TableView<>();
         view.setId("table");
         view.setFixedCellSize(24);
+        view.setPlaceholder(new Label(texts.of("library.no-match")));
         columns.forEach(column -> view.getColumns().add(column(column)));
         view.setRowFactory(made -> row(relation.table()));
         view.setSortPolicy(sorted -> {
@@ -78,7 +91,7 @@ final class TablePane extends BorderPane implements AutoCloseable {
             view.getItems().setAll(found);
             onCount.accept(found.size());
         });
-        problem.textProperty().bind(rows.problemProperty());
+        problem.textProperty().bind(rows.problemProperty().map(texts::sentence));
         csv = () -> TableText.csv(columns, rows.rows());
         json = () -> TableText.json(columns, rows.rows());
         setCenter(view);
@@ -106,20 +119,24 @@ final class TablePane extends BorderPane implements AutoCloseable {
     }
 
     private static <R> LibraryRows.Order<R> order(List<Column<R>> columns, TableColumn<R, ?> sorted) {
-        Column<R> column = columns.stream().filter(each -> each.name().equals(sorted.getText())).findFirst().orElseThrow();
+        Column<R> column = columns.stream().filter(each -> each.name().equals(sorted.getId())).findFirst().orElseThrow();
         return new LibraryRows.Order<>(column, sorted.getSortType() == TableColumn.SortType.ASCENDING);
     }
 
-    private static <R> TableColumn<R, Value> column(Column<R> column) {
-        TableColumn<R, Value> made = new TableColumn<>(column.name());
+    private <R> TableColumn<R, Value> column(Column<R> column) {
+        TableColumn<R, Value> made = new TableColumn<>();
+        made.setId(column.name());
+        Label title = new Label(words.column(column.name()));
+        title.setTooltip(new Tooltip(texts.of("library.in-filter", column.name())));
+        made.setGraphic(title);
         boolean isNumber = column.type() == Column.Type.NUMBER;
-        made.setPrefWidth(isNumber ? 90 : column.name().equals("description") ? 400 : 140);
+        made.setPrefWidth(Math.max(isNumber ? 90 : column.name().equals("description") ? 400 : 140, new Text(title.getText()).getLayoutBounds().getWidth() * TITLE_SCALE + TITLE_ROOM));
         made.setCellValueFactory(row -> new ReadOnlyObjectWrapper<>(column.cell(row.getValue())));
         made.setCellFactory(view -> new TableCell<>() {
             @Override
             protected void updateItem(Value value, boolean empty) {
                 super.updateItem(value, empty);
-                setText(empty || value == null ? "" : value.text().strip().replace('\n', ' '));
+                setText(empty || value == null ? "" : words.cell(column, value));
             }
         });
         made.setStyle(isNumber ? "-fx-alignment: CENTER-RIGHT" : "-fx-alignment: CENTER-LEFT");

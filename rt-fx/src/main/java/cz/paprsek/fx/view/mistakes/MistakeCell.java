@@ -1,15 +1,16 @@
 package cz.paprsek.fx.view.mistakes;
 
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.teach.mistake.Mistake;
-import cz.paprsek.words.Words;
 import javafx.scene.control.ListCell;
+import javafx.scene.control.Tooltip;
 
-/** What goes wrong, in the language of the editor, and below it the name that the command line has for it. */
+/** What goes wrong, in the language of the editor; a tooltip has the name that the command line has for it. */
 final class MistakeCell extends ListCell<Mistake> {
-    private final Words words;
+    private final Texts texts;
 
-    MistakeCell(Words words) {
-        this.words = words;
+    MistakeCell(Texts texts) {
+        this.texts = texts;
         setWrapText(true);
         // As wide as the list, so that words are broken rather than left out.
         setPrefWidth(0);
@@ -19,6 +20,7 @@ final class MistakeCell extends ListCell<Mistake> {
     @Override
     protected void updateItem(Mistake mistake, boolean empty) {
         super.updateItem(mistake, empty);
-        setText(empty ? null : mistake.meaning(words) + "\n" + mistake);
+        setText(empty ? null : mistake.meaning(texts.words()));
+        setTooltip(empty ? null : new Tooltip(texts.of("mistakes.word", mistake)));
     }
 }

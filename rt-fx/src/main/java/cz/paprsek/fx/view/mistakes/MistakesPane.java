@@ -14,6 +14,7 @@ import cz.paprsek.teach.Beside;
 import cz.paprsek.teach.PlainTracer;
 import cz.paprsek.teach.mistake.Mistake;
 import cz.paprsek.teach.mistake.Mistakes;
+import cz.paprsek.words.Words;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
@@ -85,7 +86,7 @@ public final class MistakesPane extends BorderPane {
     private void fillList() {
         list.setId("mistakes-list");
         list.setPrefWidth(230);
-        list.setCellFactory(view -> new MistakeCell(texts.words()));
+        list.setCellFactory(view -> new MistakeCell(texts));
         list.getSelectionModel().setSelectionMode(SelectionMode.MULTIPLE);
         list.getItems().setAll(Mistake.values());
         list.getSelectionModel().getSelectedItems().addListener((ListChangeListener<Mistake>) change -> choose(List.copyOf(list.getSelectionModel().getSelectedItems())));
@@ -100,7 +101,8 @@ public final class MistakesPane extends BorderPane {
 
     private void choose(List<Mistake> made) {
         int mine = turn.incrementAndGet();
-        lines.setText(made.stream().map(mistake -> mistake.meaning(texts.words()) + ":   " + mistake.wrong() + "   (" + texts.words().of("beside.right") + ":   " + mistake.right() + ")")
+        Words words = texts.words();
+        lines.setText(made.stream().map(mistake -> mistake.meaning(words) + ":   " + mistake.wrong(words) + "   (" + words.of("beside.right") + ":   " + mistake.right(words) + ")")
                 .collect(Collectors.joining("\n")));
         numbers.clear();
         worker.execute(() -> compute(mine, made));

@@ -47,6 +47,11 @@ public final class Texts {
         return locale;
     }
 
+    /** Whether there is a text of that key. */
+    public boolean has(String key) {
+        return texts.containsKey(key) || words.has(key);
+    }
+
     /**
      * A text, with {0}, {1} … replaced.
      *

@@ -29,7 +29,7 @@ import org.junit.jupiter.params.provider.FieldSource;
 class TextsTest {
     /** Texts whose keys are put together: any of these beginnings counts as used. */
     private static final List<String> MADE = List.of(
-            "handles.", "free.", "kind.", "edit.", "format.", "field.", "alternative.", "template.", "theme.", "ready.", "mode.", "font.", "lesson.", "explain.save.", "hand.", "glossary.", "edit-menu.undo-", "edit-menu.redo-", "ease.");
+            "handles.", "free.", "kind.", "edit.", "format.", "field.", "alternative.", "template.", "theme.", "ready.", "mode.", "font.", "lesson.", "explain.save.", "hand.", "glossary.", "edit-menu.undo-", "edit-menu.redo-", "ease.", "library.word.", "javafx.");
     static final List<String> PARTS = Texts.PARTS;
     /** Texts that are the same in every language. */
     private static final List<String> INTERNATIONAL = List.of("glossary.vectors", "glossary.theta", "glossary.whitted", "hand.escape", "glossary.f", "explain.save.txt", "explain.save.json", "render.actual", "unit.degrees", "unit.pixels", "timeline.seconds-unit");
