@@ -14,6 +14,7 @@ import cz.paprsek.fx.view.lesson.LessonDesk;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.manual.ManualWindow;
 import cz.paprsek.fx.view.shell.MessageBar;
+import cz.paprsek.fx.view.texts.BuiltInWords;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;
@@ -64,6 +65,7 @@ final class Editor implements Notices {
     private final PresenterWindow presenter;
     private final LessonDesk lessons;
     private final ManualWindow manual;
+    private final BuiltInWords builtIn;
     private final ObjectProperty<Theme> theme;
     private final ObjectProperty<Texts> texts;
     private final BooleanProperty snapping = new SimpleBooleanProperty(true);
@@ -84,6 +86,7 @@ final class Editor implements Notices {
         this.settings = new Settings(folder, this::say);
         this.theme = new SimpleObjectProperty<>(settings.get("theme").filter("DARK"::equals).isPresent() ? Theme.DARK : Theme.LIGHT);
         this.texts = new SimpleObjectProperty<>(Texts.in(settings.get("language").map(Locale::forLanguageTag).orElse(system)));
+        this.builtIn = new BuiltInWords(texts::get);
         this.dialogs = asking.make(stage, texts::get);
         Recovery recovery = new Recovery(folder);
         this.autosave = new Autosave(document, manuscript, recovery, this::say);
@@ -253,6 +256,7 @@ final class Editor implements Notices {
         mistakes.close();
         presenter.close();
         manual.close();
+        builtIn.close();
         if (window != null) {
             window.close();
         }
