@@ -99,7 +99,7 @@ final class Views {
         present = () -> editor.presenter().show(explaining.pane().explained());
         explaining.pane().addTool(presentButton(texts));
         cameras = new CameraCommands(commands.edits(), () -> focus(editor));
-        titled.get(1).addTool(cameras.chooser());
+        titled.get(1).addChooser(cameras.chooser());
         titled.get(1).addFoldingTool(explainButton(texts));
         camera.acceptMaterials(commands.edits());
         camera.acceptEdits(commands.edits(), editor.snapping());

@@ -240,7 +240,9 @@ public final class ManualPane extends BorderPane {
     /** A page's name; of one that is not in the language, with a sign of its own. */
     private final class PageCell extends ListCell<ManualPage> {
         PageCell() {
+            // As wide as the list, so that long names are broken rather than cut.
             setPrefWidth(0);
+            setWrapText(true);
         }
 
         @Override

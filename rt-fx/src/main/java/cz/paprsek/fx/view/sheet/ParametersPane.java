@@ -14,6 +14,7 @@ import cz.paprsek.xml.SceneFiles;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.control.TitledPane;
@@ -21,6 +22,8 @@ import javafx.scene.layout.VBox;
 
 /** The parameters that a scene is made of: each a field, and a slider if it is a number that has bounds. What depends on them follows at once. */
 final class ParametersPane extends TitledPane {
+    private static final Pattern NUMBER = Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
+
     private final EditorModel model;
     private final Texts texts;
     private final Clock clock;
@@ -114,7 +117,7 @@ final class ParametersPane extends TitledPane {
             isShowing = true;
             if (!latest.equals(parameter.formula())) {
                 latest = parameter.formula();
-                field.setText(latest);
+                field.setText(shown(latest));
             }
             parameter.number().ifPresent(slider::setValue);
             isShowing = false;
@@ -133,7 +136,7 @@ final class ParametersPane extends TitledPane {
                 return;
             }
             latest = text;
-            field.setText(text);
+            field.setText(shown(text));
             if (edit.isOpen()) {
                 edit.preview(scene -> with(scene, text));
             } else {
@@ -142,15 +145,25 @@ final class ParametersPane extends TitledPane {
         }
 
         private void enter() {
-            String typed = field.getText().strip();
+            String typed = written(field.getText().strip());
             if (typed.equals(latest)) {
                 return;
             }
             boolean isDone = edit.change(scene -> with(scene, formula(typed)));
             if (isDone) {
                 latest = formula(typed);
-                field.setText(latest);
+                field.setText(shown(latest));
             }
+        }
+
+        /** A number has the decimal sign of the language; whatever else stands as in the file. */
+        private String shown(String written) {
+            return NUMBER.matcher(written).matches() ? texts.number(written) : written;
+        }
+
+        private static String written(String typed) {
+            String points = typed.replace(',', '.');
+            return NUMBER.matcher(points).matches() ? points : typed;
         }
 
         /** Who types names wants what they stand for; a colour's name is a name as well, and stays. */

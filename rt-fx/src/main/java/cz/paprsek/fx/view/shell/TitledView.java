@@ -19,6 +19,8 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignW;
 public final class TitledView extends BorderPane {
     /** A narrower title has room for its caption and one name only, pixels. */
     private static final double ROOM_FOR_TEXTS = 330;
+    /** And one narrower than this for its caption only, pixels. */
+    private static final double ROOM_FOR_A_NAME = 210;
 
     private final Node content;
     private final FontIcon icon = new FontIcon(MaterialDesignW.WINDOW_MAXIMIZE);
@@ -69,8 +71,18 @@ public final class TitledView extends BorderPane {
     /** Puts a button into the title which loses its text, but not its icon, where there is no room. */
     public void addFoldingTool(Labeled tool) {
         addTool(tool);
-        tool.contentDisplayProperty().bind(Bindings.when(title.widthProperty().lessThan(ROOM_FOR_TEXTS)).then(ContentDisplay.GRAPHIC_ONLY).otherwise(ContentDisplay.LEFT));
+        fold(tool, ROOM_FOR_TEXTS);
         tool.setMinWidth(Region.USE_PREF_SIZE);
+    }
+
+    /** Puts a menu into the title which loses the name of what is chosen, but not its icon, where not even that has room. */
+    public void addChooser(Labeled chooser) {
+        addTool(chooser);
+        fold(chooser, ROOM_FOR_A_NAME);
+    }
+
+    private void fold(Labeled tool, double room) {
+        tool.contentDisplayProperty().bind(Bindings.when(title.widthProperty().lessThan(room)).then(ContentDisplay.GRAPHIC_ONLY).otherwise(ContentDisplay.LEFT));
     }
 
     /** The view itself. */

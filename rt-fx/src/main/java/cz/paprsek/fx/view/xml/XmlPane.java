@@ -129,6 +129,8 @@ public final class XmlPane extends BorderPane {
         hint.getStyleClass().add("xml-hint");
         hint.setMaxWidth(Double.MAX_VALUE);
         hint.setMinWidth(0);
+        // Beside other panes there may be no room for all of it.
+        hint.setTooltip(new Tooltip(texts.of("xml.hint")));
         HBox.setHgrow(hint, Priority.ALWAYS);
         Button close = new Button("", new FontIcon(MaterialDesignC.CLOSE));
         close.setId("xml-close");
