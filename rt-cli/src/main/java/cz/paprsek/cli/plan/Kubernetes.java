@@ -70,7 +70,7 @@ public final class Kubernetes {
         Map<String, Object> one = map("name", container, "image", image, "workingDir", FOLDER,
                 // A dollar is doubled, as the cluster itself would replace $(NAME).
                 "command", List.of("sh", "-c", ("exec " + line).replace("$", "$$")),
-                "env", List.of(map("name", "PAPRSEK_JAVA_OPTIONS", "value", "-Xmx" + plan.heap() + "m")),
+                "env", List.of(map("name", "PAPRSEK_JAVA_OPTIONS", "value", plan.javaOptions(cpus))),
                 "resources", map("requests", requests, "limits", memory),
                 "securityContext", map("allowPrivilegeEscalation", false, "readOnlyRootFilesystem", true, "capabilities", map("drop", List.of("ALL"))),
                 "volumeMounts", List.of(map("name", "work", "mountPath", FOLDER), map("name", "tmp", "mountPath", "/tmp")));

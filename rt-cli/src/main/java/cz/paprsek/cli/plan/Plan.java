@@ -41,8 +41,13 @@ public record Plan(String name, List<String> render, int shards, int parallel, i
         return program + " merge " + Again.quoted(parts) + " -o " + Again.quoted(picture);
     }
 
+    /** For Java, on so many processors: without being told, it may begin helpers for all that the machine has, each share for itself. */
+    String javaOptions(int processors) {
+        return "-Xmx" + heap() + "m -XX:ActiveProcessorCount=" + processors;
+    }
+
     /** For Java's heap, in MiB: three quarters of what there is, or all but what Java takes itself. */
-    int heap() {
+    private int heap() {
         return Math.max(64, Math.min(memory * 3 / 4, memory - BESIDE));
     }
 

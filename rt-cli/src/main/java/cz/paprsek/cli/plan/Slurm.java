@@ -36,7 +36,7 @@ public final class Slurm {
                         --open-mode=append --output=@PARTS/render-%A-%a.log --export=ALL,PAPRSEK_FIRST="$first" << 'END'
                 #!/bin/sh
                 shard=$((PAPRSEK_FIRST + SLURM_ARRAY_TASK_ID))/@SHARDS
-                export PAPRSEK_JAVA_OPTIONS="${PAPRSEK_JAVA_OPTIONS:--Xmx@HEAP}"
+                export PAPRSEK_JAVA_OPTIONS="${PAPRSEK_JAVA_OPTIONS:-@JAVA}"
                 for attempt in 1 2 3; do
                     code=0
                     @RENDER || code=$?
@@ -54,13 +54,13 @@ public final class Slurm {
 
                 sbatch --parsable --job-name=paprsek-@LABEL-merge --dependency="afterany$ended" --mem=@MEMORY --output=@PARTS/merge.log << 'END'
                 #!/bin/sh
-                export PAPRSEK_JAVA_OPTIONS="${PAPRSEK_JAVA_OPTIONS:--Xmx@HEAP}"
+                export PAPRSEK_JAVA_OPTIONS="${PAPRSEK_JAVA_OPTIONS:-@ONE}"
                 exec @MERGE
                 END
                 """;
         Map<String, String> words = Map.ofEntries(entry("@LABEL", plan.label()), entry("@SHARDS", number(plan.shards())), entry("@LARGEST", number(LARGEST_ARRAY)),
                 entry("@LIMIT", plan.parallel() < plan.shards() ? "%" + plan.parallel() : ""), entry("@CPUS", number(plan.cpus())), entry("@MEMORY", plan.memory() + "M"),
-                entry("@HEAP", plan.heap() + "m"), entry("@USAGE", number(ExitCode.WRONG_USAGE)), entry("@SCENE", number(ExitCode.BAD_SCENE)), entry("@PARTS", Again.quoted(plan.parts())),
+                entry("@JAVA", plan.javaOptions(plan.cpus())), entry("@ONE", plan.javaOptions(1)), entry("@USAGE", number(ExitCode.WRONG_USAGE)), entry("@SCENE", number(ExitCode.BAD_SCENE)), entry("@PARTS", Again.quoted(plan.parts())),
                 entry("@RENDER", plan.renderLine(program, "\"$shard\"")), entry("@MERGE", plan.mergeLine(program)));
         // All at once: what stands in a name is none of these words.
         return WORD.matcher(script).replaceAll(found -> Matcher.quoteReplacement(words.getOrDefault(found.group(), found.group())));

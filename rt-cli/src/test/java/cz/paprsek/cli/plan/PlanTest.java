@@ -48,6 +48,7 @@ class PlanTest {
         assertThat(documents.stream().map(each -> map(each).get("kind"))).containsExactly("PersistentVolumeClaim", "Job", "Job");
         Map<String, Object> spec = map(in(documents.get(1), "spec"));
         assertThat(spec).containsEntry("completionMode", "Indexed").containsEntry("completions", 12).containsEntry("parallelism", 5).containsEntry("backoffLimitPerIndex", 6);
+        assertThat(in(spec, "template", "spec", "containers").toString()).contains("{name=PAPRSEK_JAVA_OPTIONS, value=-Xmx1536m -XX:ActiveProcessorCount=1}");
         assertThat(in(spec, "podFailurePolicy").toString()).isEqualTo("{rules=[{action=FailJob, onExitCodes={containerName=render, operator=In, values=[2, 3]}}, "
                 + "{action=Ignore, onPodConditions=[{type=DisruptionTarget, status=True}]}]}");
         assertThat(Manifest.documents(plan(scene.toString(), "--kubernetes", "--claim", "scenes"))).hasSize(2);
@@ -112,7 +113,7 @@ class PlanTest {
     @DisabledOnOs(OS.WINDOWS)
     void slurmIsGivenEveryShareOnceAndThenTheMerge() throws Exception {
         String scene = Scenes.ball(folder.resolve("ball.xml")).toString();
-        Path script = Files.writeString(folder.resolve("plan.sh"), plan(scene, "--slurm", "--shards", "1003", "--parallel", "7", "--parts", HARD));
+        Path script = Files.writeString(folder.resolve("plan.sh"), plan(scene, "--slurm", "--shards", "1003", "--parallel", "7", "--cpus", "3", "--parts", HARD));
         assertThat(run(Map.of(), "bash", "-n", script.toString())).isEmpty();
         program("sbatch", """
                 cat > job
@@ -122,13 +123,15 @@ class PlanTest {
                 for i in 1 ${range%%%*}; do SLURM_ARRAY_TASK_ID=$i PAPRSEK_FIRST=$first sh job; [ -z "$range" ] && break; done >> calls
                 echo "77;cluster"
                 """);
-        program("paprsek", "echo \"paprsek $*\"");
+        program("paprsek", "echo \"paprsek $*\"\necho \"java $PAPRSEK_JAVA_OPTIONS\"");
         run(Map.of(), "sh", script.toString());
         List<String> calls = Files.readAllLines(folder.resolve("calls"));
         assertThat(calls).filteredOn(call -> call.startsWith("paprsek")).containsExactly(
-                "paprsek render " + scene + " --threads 1 --shard 1/1003 -o " + HARD, "paprsek render " + scene + " --threads 1 --shard 1000/1003 -o " + HARD,
-                "paprsek render " + scene + " --threads 1 --shard 1001/1003 -o " + HARD, "paprsek render " + scene + " --threads 1 --shard 1003/1003 -o " + HARD,
+                "paprsek render " + scene + " --threads 3 --shard 1/1003 -o " + HARD, "paprsek render " + scene + " --threads 3 --shard 1000/1003 -o " + HARD,
+                "paprsek render " + scene + " --threads 3 --shard 1001/1003 -o " + HARD, "paprsek render " + scene + " --threads 3 --shard 1003/1003 -o " + HARD,
                 "paprsek merge " + HARD + " -o ball.png");
+        assertThat(calls).filteredOn(call -> call.startsWith("java")).as("Java helps itself to what was asked for, not to the whole node").endsWith("java -Xmx1536m -XX:ActiveProcessorCount=1")
+                .filteredOn(call -> call.equals("java -Xmx1536m -XX:ActiveProcessorCount=3")).hasSize(4);
         assertThat(calls).filteredOn(call -> call.startsWith("sbatch")).hasSize(3);
         assertThat(calls.get(0)).contains("--array=1-1000%7", "--mem=2048M", "--requeue");
         assertThat(calls).filteredOn(call -> call.contains("-merge")).singleElement().asString().contains("--dependency=afterany:77:77 ");
