@@ -3,6 +3,7 @@ package cz.paprsek.cli;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.cli.input.ChosenScene;
 import cz.paprsek.cli.input.GradedPictures;
+import cz.paprsek.cli.output.GradeProgress;
 import cz.paprsek.cli.process.ExitCode;
 import cz.paprsek.cli.process.Interruption;
 import cz.paprsek.cli.process.Stop;
@@ -113,6 +114,10 @@ final class GradeCommand implements Callable<Integer> {
             terminal.message(Failures.sentence(picture.toString(), e));
             return ExitCode.BAD_SCENE;
         }
-        return report.told(picture, grading.of(given));
+        Grading.Graded graded;
+        try (GradeProgress progress = new GradeProgress(terminal, picture.toString())) {
+            graded = grading.of(given, progress);
+        }
+        return report.told(picture, graded);
     }
 }

@@ -1,6 +1,7 @@
 package cz.paprsek.cli;
 
 import cz.paprsek.asset.Assets;
+import cz.paprsek.cli.output.GradeProgress;
 import cz.paprsek.cli.process.Stop;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageComparison;
@@ -70,15 +71,18 @@ final class Grading {
         };
     }
 
-    Graded of(StoredImage read) {
+    Graded of(StoredImage read, GradeProgress progress) {
         StoredImage given = new StoredImage(read.image(), Precision.EIGHT_BIT, read.isGrey());
         RenderSettings settings = scene.settings().withSize(given.image().width(), given.image().height());
-        Right right = bySize.computeIfAbsent(List.of(settings.width(), settings.height()), size -> right(settings));
+        Right right = bySize.computeIfAbsent(List.of(settings.width(), settings.height()), size -> {
+            progress.rendering();
+            return right(settings);
+        });
         StoredImage nearest = right.pictures.stream().min(Comparator.comparingDouble(one -> ImageComparison.of(given, one, TOLERANCE).mean())).orElseThrow();
         ImageComparison distance = ImageComparison.of(given, nearest, TOLERANCE);
         boolean isRight = distance.shareBeyond() <= FEW;
         Grade grade = isRight ? new Grade(Verdict.RIGHT, List.of(), 1, settings.samples())
-                : right.grader.isEmpty() ? new Grade(Verdict.UNEXPLAINED, List.of(), 0, settings.samples()) : right.grader.get(0).grade(given);
+                : right.grader.isEmpty() ? new Grade(Verdict.UNEXPLAINED, List.of(), 0, settings.samples()) : right.grader.get(0).grade(given, progress);
         StoredImage wrong = grade.explanations().isEmpty() ? nearest : wrong(settings.withSamples(grade.samples()), grade.explanations().get(0));
         return new Graded(given, nearest, distance, grade, wrong, ImageComparison.of(given, wrong, TOLERANCE), PlainTracer.unknown(scene, settings));
     }

@@ -2,6 +2,7 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.cli.process.Stop;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import java.io.IOException;
@@ -59,6 +60,19 @@ class GradeCommandTest {
     @Test
     void brightnessAsTextIsEnough() {
         assertThat(Run.cli("grade", scene, picture("a.txt", "no-shadow")).out()).startsWith("no-shadow\n").contains("in brightness");
+    }
+
+    /** In one line, which is gone before anything is told. */
+    @Test
+    void whoWatchesIsToldHowFarItIs() {
+        Path picture = picture("a.png", "no-shadow");
+        Run watched = Run.watched(true, new Stop(), "grade", scene, picture);
+        assertThat(watched.err()).startsWith("\r").contains("a.png: rendering the right picture").endsWith("\r").doesNotContain("\n");
+        String[] drawn = watched.err().split("\r", -1);
+        assertThat(drawn[drawn.length - 2]).as("the last thing that is drawn").isBlank().hasSize(drawn[drawn.length - 3].stripTrailing().length());
+        Run other = Run.cli("grade", scene, picture);
+        assertThat(other.err()).isEmpty();
+        assertThat(watched.out()).isEqualTo(other.out()).startsWith("no-shadow\n");
     }
 
     @Test

@@ -18,6 +18,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -51,6 +52,32 @@ public final class Grader {
     private static final double RATHER_RIGHT = 0.03;
 
     private final List<Look> looks;
+
+    /** Is told how far the search is; by any thread. */
+    @FunctionalInterface
+    public interface Watcher {
+        /** Whoever does not wish to know. */
+        Watcher NONE = (together, done, all) -> {};
+
+        /**
+         * So many are tried.
+         *
+         * @param together how many mistakes each of them has, 1 or 2
+         */
+        void tried(int together, int done, int all);
+    }
+
+    /** Counts what is tried. */
+    private record Count(Watcher watcher, int together, int all, AtomicInteger done) {
+        Count(Watcher watcher, int together, int all) {
+            this(watcher, together, all, new AtomicInteger());
+        }
+
+        <T> T one(T tried) {
+            watcher.tried(together, done.incrementAndGet(), all);
+            return tried;
+        }
+    }
 
     /** One number of rays along a pixel's side. */
     private static final class Look {
@@ -94,6 +121,16 @@ public final class Grader {
      * @throws IllegalArgumentException if its size is not the one
      */
     public Grade grade(StoredImage picture) {
+        return grade(picture, Watcher.NONE);
+    }
+
+    /**
+     * As {@link #grade(StoredImage)}, telling how far it is.
+     *
+     * @throws IllegalArgumentException if the picture's size is not the one
+     */
+    public Grade grade(StoredImage picture, Watcher watcher) {
+        Objects.requireNonNull(watcher, "watcher");
         Image image = picture.image();
         Grade best = null;
         for (Look look : looks) {
@@ -101,7 +138,7 @@ public final class Grader {
             if (places.width() != image.width() || places.height() != image.height()) {
                 throw new IllegalArgumentException("the picture is " + image.width() + " x " + image.height() + " pixels, not " + places.width() + " x " + places.height());
             }
-            Grade grade = new Judging(look, image, picture.isGrey()).grade();
+            Grade grade = new Judging(look, image, picture.isGrey(), watcher).grade();
             if (best == null || rank(grade) > rank(best)) {
                 best = grade;
             }
@@ -137,10 +174,12 @@ public final class Grader {
         private final Sheet few;
         private final int[] glanced;
         private final Sheet glance;
+        private final Watcher watcher;
 
-        Judging(Look look, Image image, boolean isGrey) {
+        Judging(Look look, Image image, boolean isGrey, Watcher watcher) {
             this.look = look;
             this.isGrey = isGrey;
+            this.watcher = watcher;
             this.many = Sheet.of(image, look.attempts.places(), look.many, isGrey);
             Sheet right = look.attempts.with(Mistakes.NONE, look.many, isGrey);
             this.telling = telling(right, FEW);
@@ -160,8 +199,9 @@ public final class Grader {
                 return new Grade(Verdict.RIGHT, List.of(), 1, look.samples);
             }
             Sheet rightOnes = look.attempts.with(Mistakes.NONE, telling, isGrey);
+            Count count = new Count(watcher, 1, Mistake.values().length);
             List<Candidate> singles = Stream.of(Mistake.values()).parallel().map(Mistakes::of)
-                    .filter(one -> look.attempts.with(one, telling, isGrey).distance(rightOnes) > SHOWS).map(this::rough).sorted(Comparator.comparingDouble(Candidate::left)).toList();
+                    .filter(one -> count.one(look.attempts.with(one, telling, isGrey).distance(rightOnes)) > SHOWS).map(this::rough).sorted(Comparator.comparingDouble(Candidate::left)).toList();
             List<Candidate> best = best(singles);
             if (best.isEmpty() || best.get(0).left >= SAME) {
                 List<Candidate> pairs = best(pairs(singles));
@@ -190,7 +230,8 @@ public final class Grader {
             IntStream.range(0, singles.size()).forEach(i -> singles.subList(i + 1, singles.size()).stream().map(Candidate::made)
                     .filter(other -> i < LIKELY || isCheap(other) || isCheap(singles.get(i).made) || (isOfEye(other) && isOfEye(singles.get(i).made)))
                     .forEach(other -> pairs.add(singles.get(i).made.and(other.all().iterator().next()))));
-            List<Candidate> likely = pairs.stream().parallel().map(this::glanced).sorted(Comparator.comparingDouble(Candidate::left)).limit(GLANCED).toList();
+            Count count = new Count(watcher, 2, pairs.size());
+            List<Candidate> likely = pairs.stream().parallel().map(pair -> count.one(glanced(pair))).sorted(Comparator.comparingDouble(Candidate::left)).limit(GLANCED).toList();
             return likely.stream().parallel().map(one -> rough(one.made)).sorted(Comparator.comparingDouble(Candidate::left)).toList();
         }
 

@@ -20,6 +20,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
@@ -58,7 +60,14 @@ class GraderTest {
         Scene scene = SceneFiles.read(SCENES.resolve("csg.xml"));
         RenderSettings settings = scene.settings().withSize(480, 270).withSamples(2);
         Mistakes two = Mistakes.of(Mistake.FLIP_Y).and(Mistake.NO_HIGHLIGHT);
-        assertThat(new Grader(scene, settings, false, () -> false).grade(picture(scene, settings, two)).explanations()).contains(two);
+        Set<Integer> finished = ConcurrentHashMap.newKeySet();
+        Grader.Watcher watcher = (together, done, all) -> {
+            if (done == all) {
+                finished.add(together);
+            }
+        };
+        assertThat(new Grader(scene, settings, false, () -> false).grade(picture(scene, settings, two), watcher).explanations()).contains(two);
+        assertThat(finished).as("all mistakes alone, and pairs of them, are told").containsExactlyInAnyOrder(1, 2);
     }
 
     /** Takes minutes: to be had by {@code -Dpaprsek.proof}. Prints what was found of what was made, scene by scene. */
