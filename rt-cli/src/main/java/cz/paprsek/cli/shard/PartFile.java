@@ -116,8 +116,11 @@ final class PartFile {
             throw new IOException("cut off, it has " + size + " bytes");
         }
         int length = input.readInt();
-        if (length < 0 || length > LARGEST_HEAD || length > size) {
+        if (length < 0 || length > LARGEST_HEAD) {
             throw new IOException("damaged, its head cannot have " + Integer.toUnsignedString(length) + " bytes");
+        }
+        if (length > size - MAGIC.length - Integer.BYTES) {
+            throw new IOException("cut off, it has " + size + " bytes");
         }
         byte[] text = input.readNBytes(length);
         PartHead head = PartHead.read(new String(text, StandardCharsets.UTF_8));

@@ -130,8 +130,9 @@ class MergeTest {
         flipped[flipped.length - 40] ^= 4;
         Files.write(all.get(1), flipped);
         Files.write(all.get(2), new byte[0]);
+        Files.write(all.get(3), Arrays.copyOf(right, 300));
         assertThat(refused().err()).contains(all.get(0) + ": cut off, it has " + (right.length - 7) + " bytes in place of " + right.length, all.get(1) + ": damaged, its content is not what was written",
-                all.get(2) + ": cut off, it has 0 bytes", "3 of 12 tiles are missing: ", "--shard 1/1 ");
+                all.get(2) + ": cut off, it has 0 bytes", all.get(3) + ": cut off, it has 300 bytes\n", "4 of 12 tiles are missing: ", "--shard 1/1 ");
         render(1, 1);
         assertThat(merge().code()).isEqualTo(ExitCode.DONE);
     }
