@@ -1,0 +1,24 @@
+package cz.paprsek.fx.view.explain;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.Gui;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Where lines of the exercise may be broken: at the blanks that are left, never within a number. */
+class StepCellTest {
+    private static final String LINE = "cos θ = -(0.101, -0.277)·(-0.0541, 0.328) + 1";
+
+    private static List<String> lines(int room) {
+        // A class of JavaFX's cannot begin before JavaFX has.
+        return Gui.on(() -> List.of(StepCell.broken(LINE, run -> run.length() <= room).split(" ")));
+    }
+
+    @Test
+    void vectorsStayWholeAsLongAsTheyHaveRoom() {
+        assertThat(lines(99)).containsExactly("cos", "θ", "=\u00a0-(0.101,\u00a0-0.277)·(-0.0541,\u00a00.328)", "+\u00a01");
+        assertThat(lines(22)).containsExactly("cos", "θ", "=\u00a0-(0.101,\u00a0-0.277)·", "(-0.0541,\u00a00.328)", "+\u00a01");
+        assertThat(lines(12)).containsExactly("cos", "θ", "=\u00a0-(0.101,", "-0.277)·", "(-0.0541,", "0.328)", "+\u00a01");
+    }
+}
