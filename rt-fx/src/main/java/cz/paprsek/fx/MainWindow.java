@@ -65,7 +65,8 @@ final class MainWindow {
     /** What the warnings are about. */
     private EditorState warned;
     private final Columns columns;
-    private final XmlPane xml;
+    /** Made when it is first opened: it takes a tenth of the start. */
+    private Optional<XmlPane> xml = Optional.empty();
     private Optional<LessonPane> lesson = Optional.empty();
     /** Held here, because the editor, which outlives the window, holds it weakly. */
     private final ChangeListener<Object> showLesson = (property, old, now) -> showLesson();
@@ -125,7 +126,6 @@ final class MainWindow {
         views.explaining().onProperty().addListener((property, old, now) -> columns.explain(now ? Optional.of(views.explaining().pane()) : Optional.empty()));
         editor.lessons().currentProperty().addListener(new WeakChangeListener<>(showLesson));
         showLesson();
-        xml = new XmlPane(editor.manuscript(), model, texts);
         editor.manuscript().openProperty().addListener(new WeakChangeListener<>(showXml));
         showXml(false);
         root.addEventHandler(KeyEvent.KEY_PRESSED, views.explaining()::key);
@@ -136,11 +136,11 @@ final class MainWindow {
         root.setBottom(new VBox(problems, warningList, status));
         status.followRender(editor.renders().statusProperty());
         UndoKeys.reach(() -> {
-            if (!xml.undo()) {
+            if (xml.filter(XmlPane::undo).isEmpty()) {
                 model.undo();
             }
         }, () -> {
-            if (!xml.redo()) {
+            if (xml.filter(XmlPane::redo).isEmpty()) {
                 model.redo();
             }
         }, root);
@@ -244,9 +244,12 @@ final class MainWindow {
 
     private void showXml(boolean takesKeys) {
         boolean isOpen = editor.manuscript().openProperty().get();
-        columns.write(isOpen ? Optional.of(xml) : Optional.empty());
+        if (isOpen && xml.isEmpty()) {
+            xml = Optional.of(new XmlPane(editor.manuscript(), editor.model(), editor.texts()));
+        }
+        columns.write(xml.filter(pane -> isOpen).map(pane -> pane));
         if (takesKeys) {
-            Platform.runLater(isOpen ? xml::takeKeys : views::takeKeys);
+            Platform.runLater(() -> xml.filter(pane -> isOpen).ifPresentOrElse(XmlPane::takeKeys, views::takeKeys));
         }
     }
 
