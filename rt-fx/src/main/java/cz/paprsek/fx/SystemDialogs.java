@@ -18,7 +18,6 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
-import javafx.application.Platform;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
@@ -27,7 +26,6 @@ import javafx.scene.control.Hyperlink;
 import javafx.scene.control.TextArea;
 import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
-import javafx.stage.Modality;
 import javafx.stage.Window;
 
 /** The questions as dialogs of the system and of JavaFX. */
@@ -100,10 +98,9 @@ final class SystemDialogs implements Dialogs {
         ButtonType copy = new ButtonType(texts.get().of("dialog.copy.yes"), ButtonData.YES);
         ButtonType no = new ButtonType(texts.get().of("dialog.copy.no"), ButtonData.CANCEL_CLOSE);
         Alert alert = new Alert(Alert.AlertType.CONFIRMATION, texts.get().of("dialog.copy.text", folder), copy, no);
-        alert.initOwner(owner);
         alert.setTitle("Paprsek");
         alert.setHeaderText(texts.get().of("dialog.copy.header", picture.getFileName()));
-        return ask(alert).filter(copy::equals).isPresent();
+        return Deaf.ask(alert, owner).filter(copy::equals).isPresent();
     }
 
     private static FileChooser chooser(String title, List<ExtensionFilter> filters) {
@@ -138,25 +135,10 @@ final class SystemDialogs implements Dialogs {
         ButtonType discard = new ButtonType(texts.get().of("dialog.unsaved.discard"), ButtonData.NO);
         ButtonType stay = new ButtonType(texts.get().of("dialog.unsaved.stay"), ButtonData.CANCEL_CLOSE);
         Alert alert = new Alert(Alert.AlertType.CONFIRMATION, texts.get().of("dialog.unsaved.text"), save, discard, stay);
-        alert.initOwner(owner);
         alert.setTitle("Paprsek");
         alert.setHeaderText(texts.get().of("dialog.unsaved.header", title));
-        ButtonType answer = ask(alert).orElse(stay);
+        ButtonType answer = Deaf.ask(alert, owner).orElse(stay);
         return answer.equals(save) ? Unsaved.SAVE : answer.equals(discard) ? Unsaved.DISCARD : Unsaved.STAY;
-    }
-
-    /** Some window managers put what is not modal into a corner. */
-    private void centre(Alert alert) {
-        Window dialog = alert.getDialogPane().getScene().getWindow();
-        dialog.setX(owner.getX() + (owner.getWidth() - dialog.getWidth()) / 2);
-        dialog.setY(owner.getY() + (owner.getHeight() - dialog.getHeight()) / 3);
-    }
-
-    /** Shows a question, and lets nothing else be done until it is answered. */
-    private Optional<ButtonType> ask(Alert alert) {
-        alert.initModality(Modality.NONE);
-        alert.setOnShown(event -> Platform.runLater(() -> centre(alert)));
-        return Deaf.during(alert::showAndWait);
     }
 
     @Override
@@ -181,8 +163,7 @@ final class SystemDialogs implements Dialogs {
         ButtonType save = new ButtonType(texts.get().of("dialog.fault.save"), ButtonData.LEFT);
         ButtonType goOn = new ButtonType(texts.get().of("dialog.fault.continue"), ButtonData.OK_DONE);
         Alert alert = new Alert(Alert.AlertType.ERROR, texts.get().of("dialog.fault.text"), save, goOn);
-        alert.initOwner(owner);
-        alert.initModality(Modality.NONE);
+        Deaf.over(alert, owner);
         alert.setTitle("Paprsek");
         alert.setHeaderText(texts.get().of("dialog.fault.header"));
         alert.getDialogPane().setMinWidth(FAULT_WIDTH);
@@ -194,7 +175,6 @@ final class SystemDialogs implements Dialogs {
                 saveCopy.run();
             }
         });
-        alert.setOnShown(event -> Platform.runLater(() -> centre(alert)));
         alert.show();
         translate(alert.getDialogPane());
     }

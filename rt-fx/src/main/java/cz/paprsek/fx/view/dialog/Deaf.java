@@ -1,10 +1,14 @@
 package cz.paprsek.fx.view.dialog;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
+import javafx.application.Platform;
 import javafx.event.Event;
 import javafx.event.EventHandler;
+import javafx.scene.control.Dialog;
 import javafx.scene.input.InputEvent;
+import javafx.stage.Modality;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 
@@ -14,6 +18,23 @@ import javafx.stage.WindowEvent;
  */
 public final class Deaf {
     private Deaf() {}
+
+    /** Shows a dialog, and lets nothing else be done until it is answered. */
+    public static <T> Optional<T> ask(Dialog<T> dialog, Window owner) {
+        over(dialog, owner);
+        return during(dialog::showAndWait);
+    }
+
+    /** Has a dialog stand over a window, of which it is independent: some window managers put what is not modal into a corner. */
+    public static void over(Dialog<?> dialog, Window owner) {
+        dialog.initOwner(owner);
+        dialog.initModality(Modality.NONE);
+        dialog.setOnShown(event -> Platform.runLater(() -> {
+            Window shown = dialog.getDialogPane().getScene().getWindow();
+            shown.setX(owner.getX() + (owner.getWidth() - shown.getWidth()) / 2);
+            shown.setY(owner.getY() + (owner.getHeight() - shown.getHeight()) / 3);
+        }));
+    }
 
     /** Asks while all windows that are open are deaf. */
     public static <T> T during(Supplier<T> question) {

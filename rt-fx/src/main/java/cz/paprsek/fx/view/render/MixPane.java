@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render;
 
+import cz.paprsek.fx.view.dialog.ColorBox;
 import cz.paprsek.fx.view.render.Mixer.Setting;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
@@ -14,7 +15,6 @@ import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
-import javafx.scene.control.ColorPicker;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.Slider;
@@ -82,7 +82,7 @@ final class MixPane extends VBox {
         private final CheckBox shines = new CheckBox();
         private final Slider stops = new Slider(-MOST_STOPS, MOST_STOPS, 0);
         private final Label value = new Label();
-        private final ColorPicker color = new ColorPicker(Color.WHITE);
+        private final ColorBox color = new ColorBox(texts);
         private final Node box;
         private boolean isShowing;
 

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.model.property.Trait;
+import cz.paprsek.fx.view.dialog.ColorBox;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.scene.Scene;
@@ -10,7 +11,6 @@ import java.util.List;
 import java.util.Locale;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
-import javafx.scene.control.ColorPicker;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -21,13 +21,14 @@ final class ColorEditor implements PropertyEditor {
     private static final List<String> CHANNELS = List.of("red", "green", "blue");
 
     private final HBox box = new HBox();
-    private final ColorPicker picker = new ColorPicker();
+    private final ColorBox picker;
     private final List<NumberField> fields = new ArrayList<>();
     private final Property property;
     private boolean showing;
 
     ColorEditor(Property property, PropertyEdit edit, Texts texts, String pick) {
         this.property = property;
+        picker = new ColorBox(texts);
         box.getStyleClass().add("color-editor");
         box.setAlignment(Pos.CENTER_LEFT);
         picker.setId(String.join("-", property.path()) + "-picker");

@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.model.property.TypedFormula;
+import cz.paprsek.fx.view.dialog.ColorBox;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Pattern.Stop;
 import cz.paprsek.material.Rgb;
@@ -13,7 +14,6 @@ import java.util.function.UnaryOperator;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
-import javafx.scene.control.ColorPicker;
 import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
@@ -125,7 +125,7 @@ final class StopsEditor implements PropertyEditor {
     /** One of them. */
     private final class Line extends HBox {
         private final TextField at = new TextField();
-        private final ColorPicker color = new ColorPicker();
+        private final ColorBox color = new ColorBox(texts);
         private final Button remove;
 
         Line() {

@@ -1,0 +1,47 @@
+package cz.paprsek.fx.view.dialog;
+
+import cz.paprsek.fx.view.texts.Texts;
+import javafx.event.ActionEvent;
+import javafx.scene.control.ButtonBar.ButtonData;
+import javafx.scene.control.ButtonType;
+import javafx.scene.control.ColorPicker;
+import javafx.scene.control.ComboBoxBase;
+import javafx.scene.control.Dialog;
+import javafx.scene.control.Hyperlink;
+import javafx.scene.paint.Color;
+import javafx.stage.PopupWindow;
+import javafx.stage.Window;
+
+/**
+ * A colour out of a palette, or any other in a dialog of our own: that of JavaFX is modal in the way that {@link Deaf} avoids, and has no words in Czech.
+ */
+public final class ColorBox extends ColorPicker {
+    private final Texts texts;
+
+    public ColorBox(Texts texts) {
+        super(Color.WHITE);
+        this.texts = texts;
+        addEventHandler(ComboBoxBase.ON_SHOWN, event -> Window.getWindows().forEach(window -> {
+            if (window instanceof PopupWindow && window.getScene().lookup(".color-palette .hyperlink") instanceof Hyperlink other) {
+                other.setText(texts.of("color.other"));
+                other.setOnAction(clicked -> {
+                    hide();
+                    ask();
+                });
+            }
+        }));
+    }
+
+    private void ask() {
+        ButtonType take = new ButtonType(texts.of("color.take"), ButtonData.OK_DONE);
+        ColorForm form = new ColorForm(getValue(), texts);
+        Dialog<ButtonType> dialog = new Dialog<>();
+        dialog.setTitle(texts.of("color.title"));
+        dialog.getDialogPane().getButtonTypes().setAll(take, new ButtonType(texts.of("color.leave"), ButtonData.CANCEL_CLOSE));
+        dialog.getDialogPane().setContent(form);
+        if (Deaf.ask(dialog, getScene().getWindow()).filter(take::equals).isPresent()) {
+            setValue(form.color());
+            fireEvent(new ActionEvent());
+        }
+    }
+}
