@@ -16,6 +16,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -26,6 +27,8 @@ class Site {
     private static final Pattern EXAMPLE = Pattern.compile("```xml\n(<.*?)```\n", Pattern.DOTALL);
     private static final String PLACE = "<!-- here -->";
     private static final int WIDTH = 360;
+    /** How many letters of code stand in a cell of a table without a break. */
+    private static final int LONG = 36;
     /** What examples name lies where the shipped scenes are. */
     private static final Assets FILES = Assets.beside(Path.of("scenes", "example.xml"));
 
@@ -61,15 +64,24 @@ class Site {
                 }
                 example.appendReplacement(with, Matcher.quoteReplacement(example.group() + shown));
             }
-            Files.writeString(page, bars(example.appendTail(with).toString()));
+            Files.writeString(page, tables(example.appendTail(with).toString()));
         }
         Files.writeString(Path.of(words[0], "resources", "search-index.js"), index.append("];\n"));
         System.out.println(pages.size() + " pages, " + pictures + " pictures");
     }
 
-    /** A bar in code in a table is written with a backslash, which would be seen here. */
-    private static String bars(String text) {
-        return Pattern.compile("`([^`\n]*\\\\\\|[^`\n]*)`").matcher(text).replaceAll(code -> Matcher.quoteReplacement("<code>" + code.group(1).replace("&", "&amp;").replace("<", "&lt;").replace("\\|", "&#124;") + "</code>"));
+    /** A bar in code in a table is written with a backslash, which would be seen here; and what is long there has to go to the next line. */
+    private static String tables(String text) {
+        return Pattern.compile("(?m)^\\|.*").matcher(text).replaceAll(row -> Matcher.quoteReplacement(Pattern.compile("`([^`]+)`").matcher(row.group()).replaceAll(code -> {
+            String words = code.group(1).replace("\\|", "|");
+            boolean isLong = words.length() > LONG;
+            return Matcher.quoteReplacement(isLong || !words.equals(code.group(1)) ? (isLong ? "<code class=\"long\">" : "<code>") + entities(words) + "</code>" : code.group());
+        })));
+    }
+
+    /** As it is, whatever Markdown makes of two hyphens, quotes and bars. */
+    private static String entities(String text) {
+        return text.chars().mapToObj(c -> Character.isLetterOrDigit(c) || c == ' ' ? Character.toString(c) : "&#" + c + ";").collect(Collectors.joining());
     }
 
     /** With links as the site has them: to where the README has gone, and to headings by the names that they get there. One that leads nowhere ends the build. */
