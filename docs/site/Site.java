@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.DoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -54,12 +55,10 @@ class Site {
                     stage = xml;
                 } else if (!text.startsWith("\n![", example.end()) && (xml.startsWith("<scene") || !stage.isEmpty())) {
                     Scene scene = scene(xml.startsWith("<scene") ? xml : stage.replace(PLACE, xml));
-                    int height = WIDTH * scene.settings().height() / scene.settings().width();
                     String name = link.replaceAll("\\.html$", "").replace('/', '-') + "-" + ++pictures + ".png";
                     Path picture = Path.of(words[0], "resources", "docs", "shown", name);
                     Files.createDirectories(picture.getParent());
-                    Scene small = scene.withSettings(scene.settings().withSize(WIDTH, height));
-                    ImageFiles.write(Renderer.render(RenderScene.of(small, FILES, RenderMonitor.NONE), RenderOptions.of(small), RenderMonitor.NONE).image(), picture);
+                    ImageFiles.write(Renderer.render(prepared(scene), RenderOptions.of(small(scene)), RenderMonitor.NONE).image(), picture);
                     shown = "\n![" + (xml.startsWith("<scene") ? "This scene" : xml.replaceAll("(?s)^<([\\w-]+).*", "$1")) + "](" + "../".repeat(link.split("/").length - 1) + "docs/shown/" + name + ")\n";
                 }
                 example.appendReplacement(with, Matcher.quoteReplacement(example.group() + shown));
@@ -125,8 +124,20 @@ class Site {
 
     /** At its first frame, if anything moves there. */
     private static Scene scene(String xml) throws Exception {
-        Scene read = SceneFiles.contents(new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "example", Map.of(), FILES).scenes().get(0);
-        return SceneFiles.moves(read) ? SceneFiles.frames(read).apply(1) : read;
+        return SceneFiles.contents(new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "example", Map.of(), FILES).scenes().get(0);
+    }
+
+    private static Scene small(Scene scene) {
+        return scene.withSettings(scene.settings().withSize(WIDTH, WIDTH * scene.settings().height() / scene.settings().width()));
+    }
+
+    /** What moves is seen as in its first frame, blurred while the shutter is open. */
+    private static RenderScene prepared(Scene scene) {
+        boolean moves = SceneFiles.moves(scene);
+        DoubleFunction<Scene> frames = SceneFiles.frames(scene);
+        double shutter = scene.settings().shutter();
+        RenderScene prepared = RenderScene.of(small(moves ? frames.apply(1) : scene), FILES, RenderMonitor.NONE);
+        return moves && shutter > 0 ? prepared.exposed(share -> small(frames.apply(1 + shutter * share)), RenderMonitor.NONE) : prepared;
     }
 
     /** An entry for each section: page, heading, and its words. */
