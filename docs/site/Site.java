@@ -73,14 +73,14 @@ class Site {
     private static String tables(String text) {
         return Pattern.compile("(?m)^\\|.*").matcher(text).replaceAll(row -> Matcher.quoteReplacement(Pattern.compile("`([^`]+)`").matcher(row.group()).replaceAll(code -> {
             String words = code.group(1).replace("\\|", "|");
-            boolean isLong = words.length() > LONG;
-            return Matcher.quoteReplacement(isLong || !words.equals(code.group(1)) ? (isLong ? "<code class=\"long\">" + spans(words) : "<code>" + entities(words)) + "</code>" : code.group());
+            return Matcher.quoteReplacement(words.length() > LONG || !words.equals(code.group(1)) ? pieces(words) : code.group());
         })));
     }
 
-    /** Each word by itself, so that lines end between words and not at a hyphen. */
-    private static String spans(String text) {
-        return Pattern.compile(" ").splitAsStream(text).map(word -> "<span>" + entities(word) + "</span>").collect(Collectors.joining(" "));
+    /** Options each by themselves, if the whole is long, so that lines end between them and not at their hyphens. */
+    private static String pieces(String text) {
+        return Pattern.compile(text.length() > LONG ? " (?=-)" : "$").splitAsStream(text)
+                .map(piece -> (piece.length() > LONG ? "<code class=\"long\">" : "<code>") + entities(piece) + "</code>").collect(Collectors.joining(" "));
     }
 
     /** As it is, whatever Markdown makes of two hyphens, quotes and bars. */
