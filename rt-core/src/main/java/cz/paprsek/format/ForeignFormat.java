@@ -99,6 +99,11 @@ public enum ForeignFormat {
             return Optional.of(STL);
         }
         return text.indexOf('\0') >= 0 ? named : OBJ_STATEMENT.matcher(text).lookingAt() ? Optional.of(OBJ)
-                : NFF_VIEW.matcher(text).lookingAt() ? Optional.of(NFF) : CSG_NODE.matcher(text).lookingAt() ? Optional.of(OPENSCAD) : named;
+                : NFF_VIEW.matcher(text).lookingAt() ? Optional.of(NFF) : CSG_NODE.matcher(text).lookingAt() && !isProgram(fileName) ? Optional.of(OPENSCAD) : named;
+    }
+
+    /** OpenSCAD's own programs may begin as what it makes of them. */
+    private static boolean isProgram(String fileName) {
+        return fileName.toLowerCase(Locale.ROOT).endsWith(".scad");
     }
 }
