@@ -130,7 +130,7 @@ final class TablePane extends BorderPane implements AutoCloseable {
         title.setTooltip(new Tooltip(texts.of("library.in-filter", column.name())));
         made.setGraphic(title);
         boolean isNumber = column.type() == Column.Type.NUMBER;
-        made.setPrefWidth(Math.max(isNumber ? 90 : column.name().equals("description") ? 400 : 140, new Text(title.getText()).getLayoutBounds().getWidth() * TITLE_SCALE + TITLE_ROOM));
+        made.setPrefWidth(Math.max(width(column), new Text(title.getText()).getLayoutBounds().getWidth() * TITLE_SCALE + TITLE_ROOM));
         made.setCellValueFactory(row -> new ReadOnlyObjectWrapper<>(column.cell(row.getValue())));
         made.setCellFactory(view -> new TableCell<>() {
             @Override
@@ -141,6 +141,15 @@ final class TablePane extends BorderPane implements AutoCloseable {
         });
         made.setStyle(isNumber ? "-fx-alignment: CENTER-RIGHT" : "-fx-alignment: CENTER-LEFT");
         return made;
+    }
+
+    private static double width(Column<?> column) {
+        return switch (column.type()) {
+            case NUMBER -> 90;
+            case VECTOR -> 190;
+            case COLOR -> 140;
+            case TEXT -> column.name().equals("description") ? 400 : 140;
+        };
     }
 
     private <R> TableRow<R> row(Table<R> table) {

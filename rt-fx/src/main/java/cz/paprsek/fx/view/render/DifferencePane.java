@@ -53,6 +53,8 @@ final class DifferencePane extends HBox {
         map.setTooltip(new Tooltip(texts.of("render.difference.hint")));
         map.selectedProperty().addListener((property, old, now) -> show());
         figures.setId("render-difference-figures");
+        figures.setWrapText(true);
+        figures.setMinHeight(USE_PREF_SIZE);
         clock.setCycleCount(Animation.INDEFINITE);
         setAlignment(Pos.CENTER_LEFT);
         getStyleClass().add("render-status");

@@ -33,6 +33,9 @@ import javafx.util.Duration;
 
 /** One render: its picture, how far it is, and what the mouse points at. */
 final class RenderTab extends Tab {
+    /** So narrow may what is told of a render be, pixels. */
+    private static final double LEAST_TEXT = 90;
+
     private static final Duration BETWEEN_UPDATES = Duration.millis(100);
 
     private final Texts texts;
@@ -72,7 +75,9 @@ final class RenderTab extends Tab {
         goOn = button("render.go-on", () -> goOn(desk));
         bar.setId("render-progress");
         progress.setId("render-status");
-        progress.setMinWidth(Region.USE_PREF_SIZE);
+        // Beside an explanation and the queue there may be no room for it in one line.
+        progress.setWrapText(true);
+        progress.setMinSize(LEAST_TEXT, Region.USE_PREF_SIZE);
         pixel.setId("pixel-text");
         pixel.getStyleClass().add("pixel-text");
         before.setText(texts.of("render.before"));
