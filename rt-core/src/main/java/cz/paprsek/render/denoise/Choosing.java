@@ -1,6 +1,5 @@
 package cz.paprsek.render.denoise;
 
-import cz.paprsek.image.Image;
 import java.util.Arrays;
 
 /** Chooses for each pixel the way of which the error is least around it. Scratch of one worker. */
@@ -10,20 +9,27 @@ final class Choosing implements Stage.Step {
     /** Between two ways there is no edge: it is so many pixels wide to each side. */
     private static final int BLUR = 1;
     private static final int SIDE = 2 * BLUR + 1;
+    private static final double SHARE = 1.0 / (SIDE * SIDE);
     private static final int WIDE = Window.WIDTH + 2 * BLUR;
 
     private final Found found;
-    private final Image image;
+    private final Sink sink;
     private final int width;
     private final int height;
     private final Window window = new Window(REACH + BLUR);
     private final float[][] errors;
     private final int[] best = new int[WIDE * (Window.HEIGHT + 2 * BLUR)];
-    private final double[] value = new double[Noisy.CHANNELS];
+    private final double[][] value = new double[Noisy.HALVES][Noisy.CHANNELS];
 
-    Choosing(Noisy noisy, Found found, Image image) {
+    /** Gets what was chosen. */
+    interface Sink {
+        /** @param halves what each half of the paths says of a pixel, by channels; valid during the call only */
+        void set(int x, int y, double[][] halves);
+    }
+
+    Choosing(Noisy noisy, Found found, Sink sink) {
         this.found = found;
-        this.image = image;
+        this.sink = sink;
         width = noisy.width;
         height = noisy.height;
         errors = new float[found.error.length][];
@@ -46,19 +52,21 @@ final class Choosing implements Stage.Step {
         for (int row = 0; row < Math.min(Window.HEIGHT, height - top); row++) {
             for (int column = 0; column < Math.min(Window.WIDTH, width - left); column++) {
                 mix(row * WIDE + column, (top + row) * width + left + column);
-                set(left + column, top + row);
+                sink.set(left + column, top + row, value);
             }
         }
     }
 
     /** The mean of what is best for the pixels around one. */
     private void mix(int corner, int pixel) {
-        Arrays.fill(value, 0);
-        for (int dy = 0; dy < SIDE; dy++) {
-            for (int dx = 0; dx < SIDE; dx++) {
-                float[][] light = found.light[best[corner + dy * WIDE + dx]];
-                for (int channel = 0; channel < Noisy.CHANNELS; channel++) {
-                    value[channel] += light[channel][pixel];
+        for (int half = 0; half < Noisy.HALVES; half++) {
+            Arrays.fill(value[half], 0);
+            for (int dy = 0; dy < SIDE; dy++) {
+                for (int dx = 0; dx < SIDE; dx++) {
+                    float[][] light = found.light[best[corner + dy * WIDE + dx]][half];
+                    for (int channel = 0; channel < Noisy.CHANNELS; channel++) {
+                        value[half][channel] += light[channel][pixel] * SHARE;
+                    }
                 }
             }
         }
@@ -80,21 +88,5 @@ final class Choosing implements Stage.Step {
             }
         }
         return best;
-    }
-
-    private void set(int x, int y) {
-        double share = 1.0 / (SIDE * SIDE);
-        double red = Math.max(0, value[0] * share);
-        double green = Math.max(0, value[1] * share);
-        double blue = Math.max(0, value[2] * share);
-        if (!(red + green + blue <= Float.MAX_VALUE)) {
-            // Lights so bright that their squares are not numbers: the pixel stays as it was traced.
-            return;
-        }
-        if (image.isTransparent()) {
-            image.set(x, y, red, green, blue, image.alpha(x, y));
-        } else {
-            image.set(x, y, red, green, blue);
-        }
     }
 }

@@ -116,6 +116,23 @@ final class Fit {
             }
             value[channel] = sum;
         }
+        hold(pixel, share);
+    }
+
+    /** No light is less than none: the farther below a plane leads, the less steep it is taken to be. Beside what is very bright a single pixel would else be black. */
+    private void hold(int pixel, double share) {
+        double steep = 1;
+        for (int channel = 0; channel < CHANNELS; channel++) {
+            double middle = rights[channel * size][pixel] * share;
+            if (value[channel] < 0 && middle > 0) {
+                double above = middle / (middle - value[channel]);
+                steep = Math.min(steep, above * above);
+            }
+        }
+        for (int channel = 0; channel < CHANNELS && steep < 1; channel++) {
+            double middle = rights[channel * size][pixel] * share;
+            value[channel] = middle + steep * (value[channel] - middle);
+        }
     }
 
     /** Cholesky's decomposition, in place. */

@@ -4,37 +4,47 @@ import java.util.Arrays;
 
 /** Lays planes through the neighbours of each pixel, in several ways. Scratch of one worker. */
 final class Fitting implements Stage.Step {
-    /** k² of each way: how many variances neighbours may be from the pixel. The one keeps faint edges, the other is smooth. */
-    private static final float[] TOLERANCES = {0.4f, 1.5f};
-    static final int WAYS = TOLERANCES.length;
     /** How far away neighbours are at most, by columns and by rows. */
     private static final int REACH = 7;
-    /** How far around two pixels is compared. */
-    private static final int AROUND = 2;
     /** How much of what guides must vary to count by half: in squares of shares of light, and of sines of angles. */
     private static final double RELUCTANCE = 1e-4;
     /** The same of the place, of which {@value #REACH} pixels are 1: only where nothing else explains it. */
     private static final double RELUCTANCE_OF_PLACE = 1e-2;
-    private static final int HALVES = 2;
     /** Errors are told by the variance of noise; and where there is next to none, by this share of the square of the light, and by no less than that of black. */
     private static final double EXACT = 1e-4;
     private static final double DARKEST = 1e-8;
 
     private final Noisy noisy;
+    private final Noisy guess;
     private final Found found;
-    private final Window window = new Window(REACH + AROUND);
-    private final float[][][] light = new float[HALVES][Noisy.CHANNELS][];
+    private final int ways;
+    private final Window window;
+    private final float[][][] light = new float[Noisy.HALVES][Noisy.CHANNELS][];
     private final float[][] spread = new float[Noisy.CHANNELS][];
+    private final float[][][] guessed = new float[Noisy.HALVES][Noisy.CHANNELS][];
+    private final float[][] doubt = new float[Noisy.CHANNELS][];
     private final float[][] variables;
     private final double[] reluctance;
-    private final Likeness[] likeness = new Likeness[TOLERANCES.length];
-    private final float[][] weights = new float[Fit.TOGETHER][window.span];
+    private final Likeness[] likeness;
+    private final float[][] weights;
     private final Fit fit;
-    private final double[][][][] value = new double[WAYS][HALVES][Noisy.CHANNELS][window.span];
+    private final double[][][][] value;
 
-    Fitting(Noisy noisy, Found found) {
+    /**
+     * In so many ways as there are tolerances.
+     *
+     * @param guess by whose light and spread neighbours count; at first the noisy picture itself
+     * @param around how far around two pixels is compared
+     * @param tolerances k² of each way: how many variances neighbours may be from the pixel
+     */
+    Fitting(Noisy noisy, Noisy guess, int around, float[] tolerances, Found found) {
         this.noisy = noisy;
+        this.guess = guess;
         this.found = found;
+        ways = tolerances.length;
+        window = new Window(REACH + around);
+        weights = new float[Fit.TOGETHER][window.span];
+        value = new double[ways][Noisy.HALVES][Noisy.CHANNELS][window.span];
         int guides = noisy.guides.length;
         variables = new float[guides + 3][];
         reluctance = new double[guides + 3];
@@ -52,12 +62,16 @@ final class Fitting implements Stage.Step {
             }
         }
         for (int channel = 0; channel < Noisy.CHANNELS; channel++) {
-            light[0][channel] = window.newImage();
-            light[1][channel] = window.newImage();
+            for (int half = 0; half < Noisy.HALVES; half++) {
+                light[half][channel] = window.newImage();
+                guessed[half][channel] = window.newImage();
+            }
             spread[channel] = window.newImage();
+            doubt[channel] = window.newImage();
         }
-        for (int i = 0; i < likeness.length; i++) {
-            likeness[i] = new Likeness(window, AROUND, TOLERANCES[i]);
+        likeness = new Likeness[ways];
+        for (int i = 0; i < ways; i++) {
+            likeness[i] = new Likeness(window, around, tolerances[i]);
         }
         fit = new Fit(window, guides + 2);
     }
@@ -66,9 +80,12 @@ final class Fitting implements Stage.Step {
     public void at(int left, int top) {
         window.moveTo(left, top, noisy.width, noisy.height);
         for (int channel = 0; channel < Noisy.CHANNELS; channel++) {
-            window.copy(noisy.light[0][channel], light[0][channel]);
-            window.copy(noisy.light[1][channel], light[1][channel]);
+            for (int half = 0; half < Noisy.HALVES; half++) {
+                window.copy(noisy.light[half][channel], light[half][channel]);
+                window.copy(guess.light[half][channel], guessed[half][channel]);
+            }
             window.copy(noisy.spread[channel], spread[channel]);
+            window.copy(guess.spread[channel], doubt[channel]);
         }
         for (int i = 0; i < noisy.guides.length; i++) {
             window.copy(noisy.guides[i], variables[i + 1]);
@@ -76,7 +93,7 @@ final class Fitting implements Stage.Step {
         }
         int rows = Math.min(Window.HEIGHT, noisy.height - top);
         int columns = Math.min(Window.WIDTH, noisy.width - left);
-        for (int half = 0; half < HALVES; half++) {
+        for (int half = 0; half < Noisy.HALVES; half++) {
             for (int i = 0; i < likeness.length; i++) {
                 gather(half, likeness[i]);
                 for (int row = 0; row < rows; row++) {
@@ -111,7 +128,7 @@ final class Fitting implements Stage.Step {
         for (int dy = -REACH; dy <= REACH; dy++) {
             for (int dx = -REACH; dx <= REACH; dx += Fit.TOGETHER) {
                 for (int i = 0; i < Fit.TOGETHER; i++) {
-                    likeness.compare(dx + i, dy, light[1 - half], spread, weights[i]);
+                    likeness.compare(dx + i, dy, guessed[1 - half], doubt, weights[i]);
                 }
                 fit.add(weights, window.at(dx, dy), variables, light[half]);
             }
@@ -131,7 +148,7 @@ final class Fitting implements Stage.Step {
             double mean = (value[0][0][channel][pixel] + value[0][1][channel][pixel]) / 2;
             scale += spread[channel][at] + EXACT * mean * mean;
         }
-        for (int way = 0; way < WAYS; way++) {
+        for (int way = 0; way < ways; way++) {
             double error = 0;
             for (int channel = 0; channel < Noisy.CHANNELS; channel++) {
                 double first = value[way][0][channel][pixel];
@@ -139,7 +156,8 @@ final class Fitting implements Stage.Step {
                 double a = first - light[1][channel][at];
                 double b = second - light[0][channel][at];
                 error += (a * a + b * b) / 2 - spread[channel][at];
-                found.light[way][channel][out] = (float) ((first + second) / 2);
+                found.light[way][0][channel][out] = (float) first;
+                found.light[way][1][channel][out] = (float) second;
             }
             found.error[way][out] = (float) (error / scale);
         }

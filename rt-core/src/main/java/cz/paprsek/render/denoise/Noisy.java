@@ -7,6 +7,7 @@ import java.util.stream.Stream;
 /** What is known of a picture with noise, pixel by pixel, row by row from the top left. Workers fill it each for pixels of its own. */
 final class Noisy {
     static final int CHANNELS = 3;
+    static final int HALVES = 2;
 
     final int width;
     final int height;
@@ -20,7 +21,7 @@ final class Noisy {
     final float[][] doubts;
 
     Noisy(int width, int height, int guides) {
-        this(width, height, guides, new float[2][CHANNELS][width * height], new float[guides][width * height]);
+        this(width, height, guides, new float[HALVES][CHANNELS][width * height], new float[guides][width * height]);
     }
 
     /** Of the same light and the same doubts, with what else there is still to be said. */
@@ -45,6 +46,15 @@ final class Noisy {
         this.spread = spread;
         this.guides = guides;
         this.doubts = doubts;
+    }
+
+    /** @param halves what each half says of a pixel, by channels */
+    void setLight(int x, int y, double[][] halves) {
+        for (int half = 0; half < HALVES; half++) {
+            for (int channel = 0; channel < CHANNELS; channel++) {
+                light[half][channel][y * width + x] = (float) halves[half][channel];
+            }
+        }
     }
 
     private static float[][] some(List<float[]> planes, int from, int count) {

@@ -24,6 +24,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -117,6 +118,25 @@ class DenoiserTest {
             assertThat(image.blue(edge - 2, y) - image.blue(edge + 1, y)).isCloseTo(0.48f, within(0.16f));
         }
         assertThat(left(image, (x, y) -> 0.8 * shadow.applyAsDouble(x, y))).isLessThan(0.5);
+    }
+
+    /** A plane through what is bright leads below nothing where a guide is not as around it. */
+    @Test
+    void nothingIsBlackBesideWhatIsBright() {
+        DoubleBinaryOperator albedo = (x, y) -> isAlone(x, y) ? 0.3 : x < WIDTH / 2.0 ? 0.5 : 0.6;
+        DoubleBinaryOperator light = (x, y) -> isAlone(x, y) || x < WIDTH / 2.0 ? 0.8 : 5;
+        Noisy noisy = noisy(albedo, light);
+        for (float[] spread : noisy.spread) {
+            Arrays.fill(spread, 4);
+        }
+        Image image = clean(noisy);
+        for (int y = 2; y < HEIGHT; y += 7) {
+            assertThat(image.green(WIDTH / 2, y)).isGreaterThan(0.1f);
+        }
+    }
+
+    private static boolean isAlone(double x, double y) {
+        return x == WIDTH / 2.0 && y % 7 == 2;
     }
 
     @Test
