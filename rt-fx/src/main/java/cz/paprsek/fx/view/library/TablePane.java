@@ -146,9 +146,9 @@ final class TablePane extends BorderPane implements AutoCloseable {
     private static double width(Column<?> column) {
         return switch (column.type()) {
             case NUMBER -> 90;
-            case VECTOR -> 190;
+            case VECTOR -> 220;
             case COLOR -> 140;
-            case TEXT -> column.name().equals("description") ? 400 : 140;
+            case TEXT -> column.name().equals("description") ? 400 : column.name().equals("path") ? 200 : 140;
         };
     }
 
