@@ -79,6 +79,25 @@ public final class Hit {
         }
     }
 
+    /** Takes the normal of the surface itself into another space, where it has any length: by the transpose of the map back, by Cramer's rule. */
+    public void normalInto(Affine toOther) {
+        double ax = toOther.yy() * toOther.zz() - toOther.yz() * toOther.zy();
+        double ay = toOther.yz() * toOther.zx() - toOther.yx() * toOther.zz();
+        double az = toOther.yx() * toOther.zy() - toOther.yy() * toOther.zx();
+        double bx = toOther.zy() * toOther.xz() - toOther.zz() * toOther.xy();
+        double by = toOther.zz() * toOther.xx() - toOther.zx() * toOther.xz();
+        double bz = toOther.zx() * toOther.xy() - toOther.zy() * toOther.xx();
+        double cx = toOther.xy() * toOther.yz() - toOther.xz() * toOther.yy();
+        double cy = toOther.xz() * toOther.yx() - toOther.xx() * toOther.yz();
+        double cz = toOther.xx() * toOther.yy() - toOther.xy() * toOther.yx();
+        double side = toOther.xx() * ax + toOther.xy() * ay + toOther.xz() * az < 0 ? -1 : 1;
+        double x = side * (ax * nx + ay * ny + az * nz);
+        double y = side * (bx * nx + by * ny + bz * nz);
+        nz = side * (cx * nx + cy * ny + cz * nz);
+        nx = x;
+        ny = y;
+    }
+
     /** Sets the normals from a vector of any length but 0. */
     public void normal(double x, double y, double z) {
         double k = 1 / Math.sqrt(x * x + y * y + z * z);

@@ -78,7 +78,14 @@ public final class CopiedPart implements Part {
 
     @Override
     public void map(int face, Hit hit) {
+        double x = hit.nx;
+        double y = hit.ny;
+        double z = hit.nz;
+        hit.normalInto(Objects.requireNonNull(copy).toOriginal());
         Affine map = ask(Part::map, face, hit);
+        hit.nx = x;
+        hit.ny = y;
+        hit.nz = z;
         hit.tangentFrom(map);
     }
 }

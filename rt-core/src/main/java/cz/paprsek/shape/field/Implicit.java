@@ -93,9 +93,9 @@ public final class Implicit extends InBox {
             }
             isCut = !(slowest > 0 || fastest < 0);
             double reach = Math.max(-slowest, fastest) * half;
-            if (isCut && reach < Double.POSITIVE_INFINITY) {
+            if (isCut && areAlike && reach < Double.POSITIVE_INFINITY) {
                 int at = field.along(line, centre, centre, room);
-                if (areAlike && (room[at] - reach * (1 + 1e-15) > 0 || room[at + 1] + reach * (1 + 1e-15) < 0)) {
+                if (room[at] - reach * (1 + 1e-15) > 0 || room[at + 1] + reach * (1 + 1e-15) < 0) {
                     return false;
                 }
             }

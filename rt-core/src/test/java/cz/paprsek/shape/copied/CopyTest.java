@@ -10,6 +10,7 @@ import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cone;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Cylinder;
+import cz.paprsek.shape.Isosurface;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Solid;
@@ -40,7 +41,7 @@ class CopyTest {
             Operand.of(new Torus(0.75, 0.125)).at(0, -1, 0),
             Operand.of(new Cone(0.5, 1)).rotated(0, 0, 90).at(1, 0, 0),
             Operand.of(new Sphere(0.25)).at(0, 0, 1),
-            Operand.of(new Sphere(0.25)).at(0, 0, -1)));
+            Operand.of(new Isosurface("x^2 + 2*y^2 + z^4 - 0.2", new Vec3(-0.5, -0.5, -0.7), new Vec3(0.5, 0.5, 0.7))).rotated(20, 30, 0).at(0, 0, -1)));
 
     private static Operand at(Solid solid, Random random) {
         double size = 0.5 + random.nextDouble();
