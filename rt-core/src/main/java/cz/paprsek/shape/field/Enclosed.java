@@ -14,12 +14,12 @@ import cz.paprsek.formula.Function;
  */
 final class Enclosed {
     static final int SIZE = 4;
-    private static final int LOW = 0;
-    private static final int HIGH = 1;
-    private static final int SLOWEST = 2;
-    private static final int FASTEST = 3;
+    static final int LOW = 0;
+    static final int HIGH = 1;
+    static final int SLOWEST = 2;
+    static final int FASTEST = 3;
     private static final double INF = Double.POSITIVE_INFINITY;
-    private static final double DEGREE = Math.PI / 180;
+    static final double DEGREE = Math.PI / 180;
 
     private Enclosed() {}
 
@@ -74,21 +74,23 @@ final class Enclosed {
     }
 
     /** What StrictMath may be wrong by, and one more. */
-    private static double lower(double x) {
+    static double lower(double x) {
         return down(down(x));
     }
 
-    private static double upper(double x) {
+    static double upper(double x) {
         return up(up(x));
     }
 
-    /** The least of the products of two intervals; 0 times infinity is 0 here, for infinity stands for large numbers. */
-    private static double least(double a, double b, double c, double d) {
-        return down(Math.min(Math.min(product(a, c), product(a, d)), Math.min(product(b, c), product(b, d))));
+    /** The least of the products of two intervals; 0 times infinity, which the processor has no number for, is 0 here, for infinity stands for large numbers. */
+    static double least(double a, double b, double c, double d) {
+        double least = Math.min(Math.min(a * c, a * d), Math.min(b * c, b * d));
+        return down(Double.isNaN(least) ? Math.min(Math.min(product(a, c), product(a, d)), Math.min(product(b, c), product(b, d))) : least);
     }
 
-    private static double most(double a, double b, double c, double d) {
-        return up(Math.max(Math.max(product(a, c), product(a, d)), Math.max(product(b, c), product(b, d))));
+    static double most(double a, double b, double c, double d) {
+        double most = Math.max(Math.max(a * c, a * d), Math.max(b * c, b * d));
+        return up(Double.isNaN(most) ? Math.max(Math.max(product(a, c), product(a, d)), Math.max(product(b, c), product(b, d))) : most);
     }
 
     private static double product(double a, double b) {
@@ -127,8 +129,8 @@ final class Enclosed {
             case OR -> steps(r, out, isTrue(al, ah) || isTrue(bl, bh) ? 1 : 0, isFalse(al, ah) && isFalse(bl, bh) ? 0 : 1);
             case NOT -> steps(r, out, isFalse(al, ah) ? 1 : 0, isTrue(al, ah) ? 0 : 1);
             case IF -> choice(r, isTrue(al, ah), isFalse(al, ah), b, c, out);
-            case SIN -> wave(r, a, 0, out);
-            case COS -> wave(r, a, 90, out);
+            case SIN -> Wave.of(r, a, 0, out);
+            case COS -> Wave.of(r, a, 90, out);
             case TAN -> tangent(r, a, out);
             case ASIN, ACOS -> arc(function, r, a, out);
             case ATAN -> rising(r, a, out, StrictMath.atan(al) / DEGREE, StrictMath.atan(ah) / DEGREE, 1 / DEGREE / (1 + largest(al, ah) * largest(al, ah)), 1 / DEGREE / (1 + smallest(al, ah) * smallest(al, ah)));
@@ -191,7 +193,7 @@ final class Enclosed {
         return low > 0 ? low : high < 0 ? -high : 0;
     }
 
-    private static double largest(double low, double high) {
+    static double largest(double low, double high) {
         return Math.max(Math.abs(low), Math.abs(high));
     }
 
@@ -280,27 +282,6 @@ final class Enclosed {
         } else {
             set(r, out, Math.min(r[b + LOW], r[c + LOW]), Math.max(r[b + HIGH], r[c + HIGH]), -INF, INF);
         }
-    }
-
-    /** The sine of a + ahead, and its slope, the sine of 90 degrees more. */
-    private static void wave(double[] r, int a, double ahead, int out) {
-        double low = sine(r[a + LOW] + ahead, r[a + HIGH] + ahead, -1);
-        double high = sine(r[a + LOW] + ahead, r[a + HIGH] + ahead, 1);
-        double slow = lower(DEGREE * sine(r[a + LOW] + ahead + 90, r[a + HIGH] + ahead + 90, -1));
-        double fast = upper(DEGREE * sine(r[a + LOW] + ahead + 90, r[a + HIGH] + ahead + 90, 1));
-        set(r, out, low, high, least(slow, fast, r[a + SLOWEST], r[a + FASTEST]), most(slow, fast, r[a + SLOWEST], r[a + FASTEST]));
-    }
-
-    /** The extreme of the sine over an interval of degrees, with what rounding of the angle does to it. */
-    private static double sine(double low, double high, int sign) {
-        double slack = 1e-14 * (1 + largest(low, high));
-        double turns = Math.floor((high + slack - 90 * sign) / 360);
-        if (!(high - low < 360) || turns * 360 + 90 * sign >= low - slack) {
-            return sign;
-        }
-        double one = Function.SIN.of(low, 0, 0);
-        double other = Function.SIN.of(high, 0, 0);
-        return sign > 0 ? Math.min(1, Math.max(one, other) + slack) : Math.max(-1, Math.min(one, other) - slack);
     }
 
     private static void tangent(double[] r, int a, int out) {
