@@ -22,6 +22,7 @@ public final class Words {
     public static final Words ENGLISH = new Words(Locale.ENGLISH);
     private static final Words CZECH = new Words(Locale.forLanguageTag("cs"));
 
+    private static final Pattern UNIT = Pattern.compile(" (°|\\(.*\\))$");
     private static final Pattern QUOTED = Pattern.compile("\"[^\"]*\"");
     private static final Pattern DECIMAL_POINT = Pattern.compile("(?<=[0-9])\\.(?=[0-9])");
     private static final Pattern BETWEEN_NUMBERS = Pattern.compile("(?<=[0-9⁰¹²³⁴⁵⁶⁷⁸⁹)°∞]), (?=[−0-9(∞])");
@@ -98,11 +99,11 @@ public final class Words {
         return names.apply(Objects.requireNonNull(english, "english"));
     }
 
-    /** What an element or an attribute is called, by its name in files: {@code major-radius}. */
+    /** What an element or an attribute is called, by its name in files: {@code major-radius}. The unit behind it on a sheet is no part of a sentence. */
     private Optional<String> word(String name) {
         String label = "field." + Pattern.compile("-(.)").matcher(name).replaceAll(letter -> letter.group(1).toUpperCase(Locale.ROOT));
         return Stream.of("kind." + name, "element." + name, label).filter(this::has).map(this::of).findFirst()
-                .map(text -> text.substring(0, 1).toLowerCase(Locale.ROOT) + text.substring(1));
+                .map(text -> text.substring(0, 1).toLowerCase(Locale.ROOT) + UNIT.matcher(text.substring(1)).replaceFirst(""));
     }
 
     /** What a body is called, from the outermost operation inwards, such as {@code difference "bowl" › sphere "hollow"}; of what is repeated also which copy it is. */

@@ -35,6 +35,7 @@ class SentencesTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
             torus major-radius must be a finite number above 0, but is -1.0            | anuloid, poloměr prstence: má být konečné číslo větší než 0, ale je -1.0
+            sphere rotation must be three finite numbers, x y z, but has 2: "1 2"      | koule, natočení: má být tři konečná čísla, x y z, ale má 2: "1 2"
             reflection must be a number from 0 to 1, but is 2.0                        | zrcadlení: má být číslo od 0 do 1, ale je 2.0
             there is no material named "gols"; did you mean "gold"?                    | není tu materiál se jménem "gols"; nemyslíte "gold"?
             there is already an object named "a {1} b" here; give one of them another name | předmět se jménem "a {1} b" tu už je; dejte jednomu z nich jiné jméno
