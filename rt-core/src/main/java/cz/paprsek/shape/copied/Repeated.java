@@ -21,7 +21,7 @@ import java.util.function.Supplier;
 public final class Repeated {
     /** Solids of fewer primitives are met faster than a ray is taken into their space. */
     static final int SMALLEST = 8;
-    /** So many primitives take about 100 MB. */
+    /** As operands so many spheres take about 60 MB. */
     static final int MANY = 1 << 16;
 
     private final Alike alike;
