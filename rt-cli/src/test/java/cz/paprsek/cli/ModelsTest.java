@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -117,6 +119,23 @@ class ModelsTest {
         assertThat(run.code()).as(run.err()).isZero();
         assertThat(IncomingTest.fed(content.getBytes(StandardCharsets.UTF_8), "render", "-").err())
                 .isEqualTo("-: this looks like " + format + "; files of other programs cannot come through a pipe; write it to a file first\n");
+    }
+
+    /** A scene begins with it; the lengths and titles of binary files may hold it as any other byte. */
+    @Test
+    void anAngleBracketFurtherOnMakesNoSceneOfAFile() throws IOException {
+        ByteBuffer solid = ByteBuffer.allocate(134).order(ByteOrder.LITTLE_ENDIAN).put("part <1>".getBytes(StandardCharsets.US_ASCII)).putInt(80, 1);
+        for (int i = 0; i < 12; i++) {
+            solid.putFloat(84 + 4 * i, "001000300040".charAt(i) - '0');
+        }
+        Run read = Run.cli("info", Files.write(folder.resolve("titled.stl"), solid.array()));
+        assertThat(read.code()).as(read.err()).isZero();
+        assertThat(read.out()).containsPattern("triangles +1, ");
+        ByteBuffer glb = ByteBuffer.allocate(80).order(ByteOrder.LITTLE_ENDIAN).put("glTF".getBytes(StandardCharsets.US_ASCII)).putInt(2).putInt(80).putInt('<')
+                .put(String.format("JSON%-60s", "{\"asset\":{\"version\":\"2.0\"}}").getBytes(StandardCharsets.US_ASCII));
+        Run empty = Run.cli("info", Files.write(folder.resolve("sixty.glb"), glb.array()));
+        assertThat(empty.code()).isEqualTo(3);
+        assertThat(empty.err().lines()).singleElement().asString().endsWith("there is no triangle in the scene of this file");
     }
 
     @Test

@@ -18,6 +18,8 @@ public final class Foreign {
     private static final String PACKED = "; unpack it first";
     /** What to do with one that comes in as it is read. */
     static final String NOT_THROUGH = "files of other programs cannot come through a pipe; write it to a file first";
+    /** What may come before the first letter: the bytes of byte-order marks, zeros of wide letters, and blanks. */
+    private static final String BEFORE_MARKUP = "\u00EF\u00BB\u00BF\u00FE\u00FF\0 \t\r\n";
     private static final Map<String, String> KINDS = Map.ofEntries(
             Map.entry("fbx", "an FBX model" + MESH),
             Map.entry("3ds", "a model of 3D Studio's" + MESH), Map.entry("dae", "a COLLADA model" + MESH), Map.entry("x3d", "an X3D model" + MESH),
@@ -78,11 +80,14 @@ public final class Foreign {
         }
     }
 
-    /** Past a byte-order mark, and in any encoding. */
+    /** Whether the first letter opens an element: past a byte-order mark and blanks, and in any encoding. Binary files may have that byte anywhere else. */
     static boolean isMarkup(byte[] head) {
         for (int i = 0; i < Math.min(16, head.length); i++) {
             if (head[i] == '<') {
                 return true;
+            }
+            if (BEFORE_MARKUP.indexOf(head[i] & 0xFF) < 0) {
+                return false;
             }
         }
         return false;
