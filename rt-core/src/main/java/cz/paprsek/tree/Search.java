@@ -9,12 +9,17 @@ import org.jspecify.annotations.Nullable;
  *         reference for every ray costs more than it seems: the collector wants to know.
  */
 public abstract class Search<R> {
+    /** Of so many leaves it is enough to ask at once. */
+    static final int SOME = 4;
+
     final Probe probe = new Probe();
     private final WideProbe wide = new WideProbe();
     /** The tree that is to know the line, if it has wide nodes. */
     private @Nullable WideNodes nodes;
     int[] node = {};
     int[] near = {};
+    /** Leaves to be asked. */
+    final int[] leaves = new int[SOME + WideNodes.WIDTH];
     long visits;
 
     /** Called before the first box is asked about, and not at all if there is none: tells the line by {@link #along}. */

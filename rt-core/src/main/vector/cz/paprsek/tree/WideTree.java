@@ -68,11 +68,11 @@ final class WideTree extends Tree {
         }
         WideProbe probe = search.aimAt(nodes, ray);
         for (int group = 0; group < entries.groups && entries.groupNear[group] < reach; group++) {
-            int leaf = next(probe, search, entries.planes, entries.names, group, true);
+            int leaf = next(probe, search, entries.planes, entries.names, group);
             while (leaf != NOTHING) {
                 reach = search.meet(ray, first(leaf), end(leaf));
                 probe.end(reach);
-                leaf = next(probe, search, planes, child, NEXT, true);
+                leaf = next(probe, search, planes, child, NEXT);
             }
         }
     }
@@ -92,12 +92,14 @@ final class WideTree extends Tree {
         }
         WideProbe probe = search.aimAt(nodes, ray);
         for (int group = 0; group < entries.groups; group++) {
-            int leaf = next(probe, search, entries.planes, entries.names, group, false);
-            while (leaf != NOTHING) {
-                if (search.stopsAt(ray, first(leaf), end(leaf))) {
-                    return true;
+            int found = leaves(probe, search, entries.planes, entries.names, group);
+            while (found > 0) {
+                for (int i = 0; i < found; i++) {
+                    if (search.stopsAt(ray, first(search.leaves[i]), end(search.leaves[i]))) {
+                        return true;
+                    }
                 }
-                leaf = next(probe, search, planes, child, NEXT, false);
+                found = leaves(probe, search, planes, child, NEXT);
             }
         }
         return false;
@@ -110,9 +112,8 @@ final class WideTree extends Tree {
      * @param firstPlanes of the node to begin with
      * @param firstNames of its children
      * @param first its number, or {@link #NEXT} to go on with those that are left to visit
-     * @param nearestFirst whether children are visited in order; else there is no need to know where they are entered
      */
-    private int next(WideProbe probe, Search<?> search, float[] firstPlanes, int[] firstNames, int first, boolean nearestFirst) {
+    private int next(WideProbe probe, Search<?> search, float[] firstPlanes, int[] firstNames, int first) {
         FloatVector nearX = FloatVector.broadcast(FLOATS, probe.nearX);
         FloatVector nearY = FloatVector.broadcast(FLOATS, probe.nearY);
         FloatVector nearZ = FloatVector.broadcast(FLOATS, probe.nearZ);
@@ -169,12 +170,20 @@ final class WideTree extends Tree {
             // All bits where in ≤ out + slack: no mask, whose way to an integer Java 17 does not compile.
             int hits = in.sub(out).sub(WideProbe.SLACK + 1).lanewise(VectorOperators.ASHR, 31).and(lanes).reduceLanes(VectorOperators.OR);
             int at8 = WIDTH * node;
-            node = NEXT;
-            if (!nearestFirst) {
-                for (; hits != 0; hits &= hits - 1) {
-                    stack[top++] = names[at8 + Integer.numberOfTrailingZeros(hits)] & 0xFFFFFFFFL;
+            // Mostly there is one, which need not go over the stack.
+            if ((hits & hits - 1) == 0 && hits != 0) {
+                node = names[at8 + Integer.numberOfTrailingZeros(hits)];
+                if (node < 0) {
+                    probe.top = top;
+                    search.visits += visits + 1;
+                    return node;
                 }
-            } else if (hits != 0) {
+                box = planes;
+                names = child;
+                continue;
+            }
+            node = NEXT;
+            if (hits != 0) {
                 in.intoArray(enters, 0);
                 int bottom = top;
                 for (; hits != 0; hits &= hits - 1) {
@@ -187,6 +196,83 @@ final class WideTree extends Tree {
                     stack[place] = entry;
                 }
             }
+        }
+    }
+
+    /**
+     * Visits nodes until some leaves are found, in any order, and returns how many: they are named in {@link Search#leaves}. Several at once, since whoever asks
+     * whether anything is met mostly has to ask them all.
+     */
+    private int leaves(WideProbe probe, Search<?> search, float[] firstPlanes, int[] firstNames, int first) {
+        int top = probe.top;
+        if (first == NEXT && top == 0) {
+            return 0;
+        }
+        FloatVector nearX = FloatVector.broadcast(FLOATS, probe.nearX);
+        FloatVector nearY = FloatVector.broadcast(FLOATS, probe.nearY);
+        FloatVector nearZ = FloatVector.broadcast(FLOATS, probe.nearZ);
+        FloatVector farX = FloatVector.broadcast(FLOATS, probe.farX);
+        FloatVector farY = FloatVector.broadcast(FLOATS, probe.farY);
+        FloatVector farZ = FloatVector.broadcast(FLOATS, probe.farZ);
+        FloatVector rx = FloatVector.broadcast(FLOATS, probe.rx);
+        FloatVector ry = FloatVector.broadcast(FLOATS, probe.ry);
+        FloatVector rz = FloatVector.broadcast(FLOATS, probe.rz);
+        IntVector begin = IntVector.broadcast(INTS, probe.begin);
+        IntVector end = IntVector.broadcast(INTS, probe.end);
+        IntVector lanes = IntVector.fromArray(INTS, LANES, 0);
+        int firstX = probe.firstX;
+        int firstY = probe.firstY;
+        int firstZ = probe.firstZ;
+        long[] stack = probe.stack;
+        int[] leaves = search.leaves;
+        float[] box = firstPlanes;
+        int[] names = firstNames;
+        int node = first;
+        if (node == NEXT) {
+            node = (int) stack[--top];
+            box = planes;
+            names = child;
+        }
+        int found = 0;
+        int visits = first == NEXT ? 0 : -1;
+        while (true) {
+            visits++;
+            int at = STRIDE * node;
+            IntVector in = FloatVector.fromArray(FLOATS, box, at + firstX).sub(nearX).mul(rx).reinterpretAsInts()
+                    .max(FloatVector.fromArray(FLOATS, box, at + firstY).sub(nearY).mul(ry).reinterpretAsInts())
+                    .max(FloatVector.fromArray(FLOATS, box, at + firstZ).sub(nearZ).mul(rz).reinterpretAsInts())
+                    .max(begin);
+            IntVector out = FloatVector.fromArray(FLOATS, box, at + 24 - firstX).sub(farX).mul(rx).reinterpretAsInts()
+                    .min(FloatVector.fromArray(FLOATS, box, at + 40 - firstY).sub(farY).mul(ry).reinterpretAsInts())
+                    .min(FloatVector.fromArray(FLOATS, box, at + 56 - firstZ).sub(farZ).mul(rz).reinterpretAsInts())
+                    .min(end).max(-1 - WideProbe.SLACK);
+            int hits = in.sub(out).sub(WideProbe.SLACK + 1).lanewise(VectorOperators.ASHR, 31).and(lanes).reduceLanes(VectorOperators.OR);
+            int at8 = WIDTH * node;
+            if ((hits & hits - 1) == 0 && hits != 0) {
+                int name = names[at8 + Integer.numberOfTrailingZeros(hits)];
+                if (name >= 0) {
+                    node = name;
+                    box = planes;
+                    names = child;
+                    continue;
+                }
+            }
+            for (; hits != 0; hits &= hits - 1) {
+                int name = names[at8 + Integer.numberOfTrailingZeros(hits)];
+                // Both are written, and one stays: no branch, which could not be foretold.
+                leaves[found] = name;
+                stack[top] = name;
+                found += name >>> 31;
+                top += ~name >>> 31;
+            }
+            if (top == 0 || found >= Search.SOME) {
+                probe.top = top;
+                search.visits += visits + found;
+                return found;
+            }
+            node = (int) stack[--top];
+            box = planes;
+            names = child;
         }
     }
 }

@@ -230,38 +230,41 @@ final class MeshSearch extends Search<Ray> {
         return !all && bestNumber != NONE;
     }
 
-    /** Notes where the line crosses triangles, by their places in the tree. Most are passed by, which the first products tell, unless they are too small. */
+    /**
+     * Notes where the line crosses triangles, by their places in the tree, up to the first if one will do. Most are passed by, which the signs of three products tell
+     * at once: a branch for each of them would often be taken against expectation, and costs more than the products do.
+     */
     private void cross(int first, int last) {
         double[] at = facets.places;
         int[] corners = facets.corners;
         int x = kx;
         int y = ky;
         int z = kz;
-        double wanted = sides == FRONT ? 1 : sides == BACK ? -1 : 0;
+        double sx = shearX;
+        double sy = shearY;
+        double px = atX;
+        double py = atY;
+        double pz = atZ;
         for (int i = first; i < last; i++) {
             int a = corners[3 * i];
             int b = corners[3 * i + 1];
             int c = corners[3 * i + 2];
-            double az = at[a + z] - atZ;
-            double bz = at[b + z] - atZ;
-            double cz = at[c + z] - atZ;
-            double bx = at[b + x] - atX - shearX * bz;
-            double by = at[b + y] - atY - shearY * bz;
-            double cx = at[c + x] - atX - shearX * cz;
-            double cy = at[c + y] - atY - shearY * cz;
+            double az = at[a + z] - pz;
+            double bz = at[b + z] - pz;
+            double cz = at[c + z] - pz;
+            double ax = at[a + x] - px - sx * az;
+            double ay = at[a + y] - py - sy * az;
+            double bx = at[b + x] - px - sx * bz;
+            double by = at[b + y] - py - sy * bz;
+            double cx = at[c + x] - px - sx * cz;
+            double cy = at[c + y] - py - sy * cz;
             double u = cx * by - cy * bx;
-            if (u * wanted < 0) {
-                continue;
-            }
-            double ax = at[a + x] - atX - shearX * az;
-            double ay = at[a + y] - atY - shearY * az;
             double v = ax * cy - ay * cx;
-            if (u * v < 0) {
+            double w = bx * ay - by * ax;
+            if (haveSeveralSigns(u, v, w) && u != 0 && v != 0 && w != 0) {
                 continue;
             }
-            double w = bx * ay - by * ax;
-            boolean isBeside = (u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0);
-            if (isBeside || ((u == 0 || v == 0 || w == 0) && !isCrossedAside(u, v, w, ax, ay, bx, by, cx, cy))) {
+            if ((u == 0 || v == 0 || w == 0) && !isCrossedAside(u, v, w, ax, ay, bx, by, cx, cy)) {
                 continue;
             }
             double sum = u + v + w;
@@ -270,6 +273,11 @@ final class MeshSearch extends Search<Ray> {
                 note(where, facets.numbers[i], sum > 0);
             }
         }
+    }
+
+    private static boolean haveSeveralSigns(double u, double v, double w) {
+        long sign = Double.doubleToRawLongBits(u);
+        return ((sign ^ Double.doubleToRawLongBits(v)) | (sign ^ Double.doubleToRawLongBits(w))) < 0;
     }
 
     /** Whether a line that passes through sides crosses the triangle if it is moved by an infinitely small step along x, and one much smaller along y. */
