@@ -68,7 +68,8 @@ public final class SectionSkin {
     public SectionSkin(EditorModel model, ObjectProperty<Optional<CutPlane>> plane) {
         this.model = model;
         this.plane = plane;
-        plane.addListener((property, old, now) -> start.set(now.isEmpty() ? now : start.get()));
+        // What is held is a plane across one axis: across another it is another plane.
+        plane.addListener((property, old, now) -> start.set(start.get().filter(held -> now.filter(cut -> cut.axis() == held.axis()).isPresent())));
     }
 
     /** Is told when the plane is another one, or held; to be held by whoever listens. */

@@ -145,8 +145,13 @@ final class ParametersPane extends TitledPane {
         }
 
         private void enter() {
+            if (field.getText().equals(shown(latest))) {
+                edit.forgive();
+                return;
+            }
             String typed = written(field.getText().strip());
             if (typed.equals(latest)) {
+                edit.forgive();
                 return;
             }
             boolean isDone = edit.change(scene -> with(scene, formula(typed)));
@@ -161,9 +166,10 @@ final class ParametersPane extends TitledPane {
             return NUMBER.matcher(written).matches() ? texts.number(written) : written;
         }
 
-        private static String written(String typed) {
+        /** Where a text with a comma stood, one stays a text. */
+        private String written(String typed) {
             String points = typed.replace(',', '.');
-            return NUMBER.matcher(points).matches() ? points : typed;
+            return latest.indexOf(',') < 0 && NUMBER.matcher(points).matches() ? points : typed;
         }
 
         /** Who types names wants what they stand for; a colour's name is a name as well, and stays. */

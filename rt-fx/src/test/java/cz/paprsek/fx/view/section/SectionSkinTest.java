@@ -89,4 +89,16 @@ class SectionSkinTest {
         assertThat(model.scene().objects().get(0)).isSameAs(red.objects().get(0));
         assertThat(at(drawn(), 50, 50).getGreen()).isGreaterThan(at(drawn(), 50, 50).getRed());
     }
+
+    @Test
+    void acrossAnotherAxisItIsNotHeldAnyMore() {
+        plane.set(Optional.of(new CutPlane(Axis.X, 0.5)));
+        skin.take();
+        plane.set(Optional.of(new CutPlane(Axis.X, 0.7)));
+        assertThat(skin.isHeld()).as("moved").isTrue();
+        plane.set(Optional.of(new CutPlane(Axis.Y, 0.5)));
+        assertThat(skin.isHeld()).isFalse();
+        skin.putBack();
+        assertThat(plane.get().map(CutPlane::axis)).contains(Axis.Y);
+    }
 }

@@ -45,6 +45,18 @@ class FormulasInSheetTest {
     }
 
     @Test
+    void aTextWithACommaStaysOne() {
+        Scene scene = SheetInHand.scene("<param name=\"label\" value=\"1,5\"/><sphere radius=\"1\"/>");
+        sheet.select(scene);
+        gui.click("#parameter-label");
+        gui.keys(KeyCode.TAB);
+        assertThat(model.scene()).isSameAs(scene);
+        assertThat(model.undoableProperty().get()).isEmpty();
+        type("#parameter-label", "2,5");
+        assertThat(model.scene().recipe().text()).contains("value=\"2,5\"");
+    }
+
+    @Test
     void whatIsTypedStaysAFormulaOfTheFile() {
         type("#shape-radius", "=w/2+1");
         assertThat(model.scene().objects().get(0).shape()).isEqualTo(new Sphere(2.5));
