@@ -29,6 +29,11 @@ final class Choice {
         if (!(all > 0)) {
             return false;
         }
+        if (!(highlight + rest > 0)) {
+            // Of most surfaces: without three divisions.
+            diffuse = 1;
+            return true;
+        }
         diffuse /= all;
         highlight /= all;
         rest /= all;

@@ -156,15 +156,20 @@ public class Paths extends BlockTracer {
         }
         Choice choice = lighting.choice;
         boolean scatters = choice.at(level, finish);
+        // The direction depends on none of the lights: chosen before they are looked for, it is ready when the way to them is found.
+        boolean isChosen = scatters && choice.diffuse == 1;
+        if (isChosen) {
+            diffuse(level);
+        }
         if (finish.isLit()) {
             lighting.illuminate(depth, level, finish);
         }
         if (scatters) {
-            goOn(level, depth, finish, choice);
+            goOn(level, depth, finish, choice, isChosen);
         }
     }
 
-    private void goOn(Level level, int depth, Finish finish, Choice choice) {
+    private void goOn(Level level, int depth, Finish finish, Choice choice, boolean isChosen) {
         double which = 0;
         double end = 0;
         if (choice.diffuse < 1 || depth + 1 >= ROULETTE) {
@@ -175,7 +180,9 @@ public class Paths extends BlockTracer {
         }
         if (which < choice.diffuse) {
             double k = finish.diffusion / choice.diffuse;
-            diffuse(level);
+            if (!isChosen) {
+                diffuse(level);
+            }
             strew(level, depth, finish, end, k * level.colorRed, k * level.colorGreen, k * level.colorBlue);
         } else if (which < choice.diffuse + choice.highlight) {
             double k = finish.highlights / choice.highlight;

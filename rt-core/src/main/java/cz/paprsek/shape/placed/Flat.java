@@ -10,14 +10,18 @@ public abstract class Flat extends Surface implements Part {
     private final int part;
     private final Affine toLocal;
     private final Bounds bounds;
-    /** The same everywhere. */
+    /** Both are the same everywhere. */
     private final Vec3 tangent;
+    private final Vec3 normal;
 
     protected Flat(int part, Affine toWorld, Bounds worldBounds) {
         this.part = part;
         this.toLocal = toWorld.inverse();
         this.bounds = worldBounds;
         this.tangent = toWorld.direction(Vec3.X).normalized();
+        Hit hit = new Hit();
+        hit.normal(toLocal, 0, 0, 1);
+        this.normal = new Vec3(hit.nx, hit.ny, hit.nz);
     }
 
     /** Whether a point of the plane belongs to the figure. */
@@ -57,7 +61,7 @@ public abstract class Flat extends Surface implements Part {
 
     @Override
     public void describe(int face, Hit hit) {
-        hit.normal(toLocal, 0, 0, 1);
+        hit.unitNormal(normal.x(), normal.y(), normal.z());
     }
 
     @Override
@@ -75,7 +79,12 @@ public abstract class Flat extends Surface implements Part {
             return Double.NaN;
         }
         double dz = toLocal.directionZ(ray.dx, ray.dy, ray.dz);
-        double t = -toLocal.pointZ(ray.ox, ray.oy, ray.oz) / dz;
+        double z = toLocal.pointZ(ray.ox, ray.oy, ray.oz);
+        if (z * dz > 0 && from >= 0) {
+            // Behind the start: known before the division, which takes longer than all the rest.
+            return Double.NaN;
+        }
+        double t = -z / dz;
         if (dz == 0 || !(t > from && t < to)) {
             return Double.NaN;
         }
