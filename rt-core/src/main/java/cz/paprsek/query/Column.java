@@ -37,6 +37,11 @@ public final class Column<R> {
         this.values = values;
     }
 
+    /** The same values under another name. */
+    Column<R> named(String other) {
+        return new Column<>(other, type, values);
+    }
+
     public static <R> Column<R> number(String name, ToDoubleFunction<R> value) {
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(value, "value");

@@ -13,7 +13,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** The tables of objects: one of all, and one for each kind of shape, whose columns are the attributes of its record. */
@@ -51,8 +53,12 @@ final class KindTables {
         return tables;
     }
 
+    /** A measure that is called as a column of all bodies has its kind before it: of letters {@code depth} is how deep they are within others, {@code text-depth} how thick. */
     private static Relation<Scene, InScene<BodyAt>> kind(String name, List<Column<InScene<BodyAt>>> measures, Predicate<Shape> isOfKind) {
-        Table<InScene<BodyAt>> table = new Table<>(name.toLowerCase(Locale.ROOT), columns(measures), List.of());
+        String word = name.toLowerCase(Locale.ROOT);
+        Set<String> common = columns(List.of()).stream().map(Column::name).collect(Collectors.toSet());
+        List<Column<InScene<BodyAt>>> own = measures.stream().map(column -> common.contains(column.name()) ? column.named(word + "-" + column.name()) : column).toList();
+        Table<InScene<BodyAt>> table = new Table<>(word, columns(own), List.of());
         return new Relation<>(table, scene -> rows(scene).filter(row -> isOfKind.test(body(row).shape())), true);
     }
 

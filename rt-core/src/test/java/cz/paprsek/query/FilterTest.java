@@ -40,6 +40,13 @@ class FilterTest {
         assertThat(String.join(", ", rows(SceneTables.named(table), filter, database()))).isEqualTo(rows);
     }
 
+    /** A filter that names one of two could not tell which. */
+    @Test
+    void noTwoColumnsOfATableHaveOneName() {
+        SceneTables.all().forEach(relation -> assertThat(relation.table().columns()).as(relation.table().name()).extracting(Column::name).doesNotHaveDuplicates());
+        assertThat(SceneTables.named("text").table().columns()).extracting(Column::name).contains("depth", "text-depth");
+    }
+
     private static <R> List<String> rows(Relation<Scene, R> relation, String filter, SceneDatabase database) throws FilterException {
         Filter<R> parsed = Filter.parse(filter, relation.table());
         List<String> names = new ArrayList<>();

@@ -80,6 +80,10 @@ final class RenderTab extends Tab {
         progress.setMinSize(LEAST_TEXT, Region.USE_PREF_SIZE);
         pixel.setId("pixel-text");
         pixel.getStyleClass().add("pixel-text");
+        pixel.setWrapText(true);
+        // Once it needed two lines it keeps them, so that the picture does not jump while the mouse goes over it.
+        pixel.heightProperty().addListener((property, old, now) -> pixel.setMinHeight(now.doubleValue()));
+        pixel.widthProperty().addListener(property -> pixel.setMinHeight(Region.USE_PREF_SIZE));
         before.setText(texts.of("render.before"));
         before.setId("render-before");
         before.setMinWidth(Region.USE_PREF_SIZE);

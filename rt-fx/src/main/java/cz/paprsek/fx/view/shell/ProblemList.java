@@ -74,7 +74,12 @@ public final class ProblemList extends BorderPane {
     }
 
     public void show(String header, List<Problem> problems) {
-        showEntries(header, problems.stream().map(p -> new Entry(p.line() + ":" + p.column() + "   " + language.apply(p.message()), () -> {}, Optional::empty)).toList());
+        int longest = problems.stream().mapToInt(p -> place(p).length()).max().orElse(0);
+        showEntries(header, problems.stream().map(p -> new Entry(place(p) + " ".repeat(longest - place(p).length()) + "   " + language.apply(p.message()), () -> {}, Optional::empty)).toList());
+    }
+
+    private static String place(Problem problem) {
+        return problem.line() + ":" + problem.column();
     }
 
     public void showEntries(String header, List<Entry> entries) {

@@ -125,12 +125,8 @@ public final class XmlPane extends BorderPane {
         Label caption = new Label(texts.of("xml.title"));
         caption.getStyleClass().add("view-caption");
         caption.setMinWidth(Region.USE_PREF_SIZE);
-        Label hint = new Label(texts.of("xml.hint"));
+        ShortLabel hint = new ShortLabel(texts.of("xml.hint"), texts.of("xml.hint.short"));
         hint.getStyleClass().add("xml-hint");
-        hint.setMaxWidth(Double.MAX_VALUE);
-        hint.setMinWidth(0);
-        // Beside other panes there may be no room for all of it.
-        hint.setTooltip(new Tooltip(texts.of("xml.hint")));
         HBox.setHgrow(hint, Priority.ALWAYS);
         Button close = new Button("", new FontIcon(MaterialDesignC.CLOSE));
         close.setId("xml-close");
