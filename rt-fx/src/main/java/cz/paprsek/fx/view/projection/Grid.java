@@ -68,8 +68,9 @@ final class Grid {
         }
         for (long i = first(view.v(view.height()), skip * step); i * skip * step <= view.v(0); i++) {
             double y = view.y(i * skip * step);
+            // From the very edge: a bit of the line left of a number would look like its sign.
             if (y > 12 && y < view.height() - 16) {
-                label(g, view, number(axes.worldV(i * skip * step), step, point), 4, y + 3, palette);
+                label(g, view, number(axes.worldV(i * skip * step), step, point), Plate.MARGIN, y + 3, palette);
             }
         }
         g.setFont(Font.font("System", FontWeight.BOLD, 11));
@@ -86,7 +87,7 @@ final class Grid {
         g.setTextAlign(TextAlignment.CENTER);
         g.setFill(color(axes.right(), palette));
         boolean rightwards = axes.worldU(1) > 0;
-        g.fillText(axes.right().letter(), rightwards ? view.width() - 10 : 10, y - 5);
+        g.fillText(axes.right().letter(), rightwards ? view.width() - 10 : 10, rightwards ? y - 5 : y - 11);
         g.setFill(color(axes.up(), palette));
         boolean upwards = axes.worldV(1) > 0;
         g.fillText(axes.up().letter(), x + 9, upwards ? 14 : view.height() - 20);

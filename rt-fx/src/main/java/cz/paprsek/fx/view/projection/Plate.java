@@ -12,7 +12,8 @@ import javafx.scene.text.TextAlignment;
 
 /** Text on a ground of its own, so that no line strikes it through, and within the pane, so that none of it is cut off. */
 final class Plate {
-    private static final double MARGIN = 2;
+    /** Of the ground about the text, pixels. */
+    static final double MARGIN = 2;
     private static final Font FIGURES = Font.font("System", FontWeight.BOLD, 11);
     /** From the mouse to its figures, pixels. */
     private static final double AWAY = 14;
