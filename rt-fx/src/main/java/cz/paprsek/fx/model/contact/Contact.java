@@ -11,6 +11,7 @@ import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.placed.Surface;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -19,7 +20,10 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** How far bodies can be moved along an axis until their surface touches that of another body, slanted and round ones too. Keeps what it has found. */
+/**
+ * How far bodies can be moved along an axis until their surface touches that of another body, slanted and round ones too. Keeps what it has found;
+ * among many it does not look at all of them in one step.
+ */
 public final class Contact {
     /** Among more objects a hand would not be followed. */
     private static final int MOST = 2000;
@@ -30,6 +34,10 @@ public final class Contact {
     private final List<Surface> own;
     private final List<Surface> others;
     private final Map<Axis, List<Gap>> gaps = new EnumMap<>(Axis.class);
+    private final Work work = new Work();
+
+    /** What may be touched, and how far that is by the boxes. */
+    private record Try(Gap gap, boolean isAbove, double estimate) {}
 
     private Contact(Bounds box, List<Surface> own, List<Surface> others) {
         this.box = box;
@@ -53,26 +61,44 @@ public final class Contact {
      * @param reach how far from a contact it may be, scene units
      */
     public Optional<Line> along(Axis axis, double by, double reach) {
-        Optional<Line> best = Optional.empty();
-        double nearest = reach;
+        if (reach <= 0) {
+            return Optional.empty();
+        }
+        work.begin();
+        List<Try> tries = new ArrayList<>();
         for (Gap gap : gaps.computeIfAbsent(axis, this::across)) {
             for (boolean isAbove : new boolean[] {false, true}) {
-                Optional<Gap.Touch> touch = gap.touch(isAbove, by, nearest);
-                if (touch.isPresent() && Math.abs(touch.get().by() - by) < nearest) {
-                    nearest = Math.abs(touch.get().by() - by);
-                    Bounds other = gap.other().isFinite() ? gap.other() : Bounds.of(box.middle(), box.middle());
-                    best = Optional.of(new Line(axis, Math.rint(touch.get().by() * FINEST) / FINEST, touch.get().place(), other));
+                double estimate = gap.estimate(isAbove, by, reach);
+                if (estimate < Double.POSITIVE_INFINITY) {
+                    tries.add(new Try(gap, isAbove, estimate));
                 }
+            }
+        }
+        tries.sort(Comparator.comparingDouble(Try::estimate));
+        Optional<Line> best = Optional.empty();
+        double nearest = reach;
+        for (Try one : tries) {
+            Optional<Gap.Touch> touch = one.gap.touch(one.isAbove, by, nearest);
+            if (touch.isPresent() && Math.abs(touch.get().by() - by) < nearest) {
+                nearest = Math.abs(touch.get().by() - by);
+                Bounds other = one.gap.other().isFinite() ? one.gap.other() : Bounds.of(box.middle(), box.middle());
+                best = Optional.of(new Line(axis, Math.rint(touch.get().by() * FINEST) / FINEST, touch.get().place(), other));
             }
         }
         return best;
     }
 
+    /** How often surfaces have been asked where a line meets them. */
+    long asked() {
+        return work.asked();
+    }
+
     /** Those that lie in the way along an axis. */
     private List<Gap> across(Axis axis) {
         List<Gap> found = new ArrayList<>();
+        Moved moved = Moved.along(axis, own);
         for (Surface other : box.isEmpty() ? List.<Surface>of() : others) {
-            Gap gap = new Gap(axis, box, own, other);
+            Gap gap = new Gap(moved, box, other, work);
             if (gap.isInTheWay()) {
                 found.add(gap);
             }

@@ -120,7 +120,8 @@ public final class Document {
     private Optional<OriginalText> untyped(SceneSource to) {
         Optional<OriginalText> own = text.file().map(SceneFile::text);
         return to.inDatabase().isEmpty() ? own
-                : text.typed().or(() -> own.or(() -> known.flatMap(scene -> text.database().map(database -> database.text().alone(scene)))).map(OriginalText::asTyped));
+                : text.typed().or(() -> own.or(() -> known.flatMap(scene -> text.database().map(database -> database.text().alone(scene))))
+                        .map(OriginalText::asTyped));
     }
 
     private Assets taken(Scene scene, SceneSource to) throws IOException {

@@ -97,12 +97,13 @@ final class Manipulation {
     /** Sides and middles of others, or what is pulled would touch, whichever is nearer. */
     private Optional<Line> line(Axis axis, double own, double reach) {
         Optional<Line> line = alignment.along(axis, box, own, reach);
-        if (held.isEmpty()) {
+        double nearer = line.map(found -> Math.abs(found.by() - own) - SAME).orElse(reach);
+        if (held.isEmpty() || nearer <= 0) {
             return line;
         }
         Contact known = contact == null ? Contact.with(gesture.start(), items) : contact;
         contact = known;
-        return known.along(axis, own, line.map(found -> Math.abs(found.by() - own) - SAME).orElse(reach)).or(() -> line);
+        return known.along(axis, own, nearer).or(() -> line);
     }
 
     private Optional<Vec3> along(Axis axis, double x0, double y0, double x, double y) {

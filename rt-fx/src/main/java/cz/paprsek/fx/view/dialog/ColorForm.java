@@ -13,6 +13,7 @@ import javafx.scene.paint.CycleMethod;
 import javafx.scene.paint.LinearGradient;
 import javafx.scene.paint.Stop;
 import javafx.scene.shape.Rectangle;
+import javafx.scene.shape.StrokeType;
 
 /** A colour by hue, saturation and brightness: a slider for each, above it what it would lead to. */
 final class ColorForm extends GridPane {
@@ -22,7 +23,7 @@ final class ColorForm extends GridPane {
     private final Slider hue;
     private final Slider saturation;
     private final Slider brightness;
-    private final Rectangle shown = new Rectangle(WIDTH, 40);
+    private final Rectangle shown = bordered(40);
 
     ColorForm(Color start, Texts texts) {
         setPadding(new Insets(10, 4, 0, 10));
@@ -32,7 +33,7 @@ final class ColorForm extends GridPane {
         saturation = slider("color.saturation", 100, 100 * start.getSaturation(), texts, 1);
         brightness = slider("color.brightness", 100, 100 * start.getBrightness(), texts, 2);
         List<Slider> all = List.of(hue, saturation, brightness);
-        List<Rectangle> ways = IntStream.range(0, all.size()).mapToObj(i -> new Rectangle(WIDTH, 8)).toList();
+        List<Rectangle> ways = IntStream.range(0, all.size()).mapToObj(i -> bordered(8)).toList();
         for (int i = 0; i < all.size(); i++) {
             add(ways.get(i), 1, 2 * i);
             all.get(i).valueProperty().addListener(property -> show(ways));
@@ -40,6 +41,14 @@ final class ColorForm extends GridPane {
         shown.setId("color-shown");
         add(shown, 1, 2 * all.size());
         show(ways);
+    }
+
+    /** White on a light window and black on a dark one are seen by it. */
+    private static Rectangle bordered(double height) {
+        Rectangle fresh = new Rectangle(WIDTH, height);
+        fresh.setStroke(Color.GRAY);
+        fresh.setStrokeType(StrokeType.INSIDE);
+        return fresh;
     }
 
     private Slider slider(String name, double most, double value, Texts texts, int row) {
@@ -72,8 +81,9 @@ final class ColorForm extends GridPane {
         }
     }
 
-    /** The colour with a slider elsewhere. */
+    /** The colour with a slider elsewhere; hues pure, or they could not be told apart where it is black, white or grey. */
     private Color at(int way, double share) {
-        return Color.hsb(way == 0 ? 360 * share : hue.getValue(), way == 1 ? share : saturation.getValue() / 100, way == 2 ? share : brightness.getValue() / 100);
+        return way == 0 ? Color.hsb(360 * share, 1, 1)
+                : Color.hsb(hue.getValue(), way == 1 ? share : saturation.getValue() / 100, way == 2 ? share : brightness.getValue() / 100);
     }
 }

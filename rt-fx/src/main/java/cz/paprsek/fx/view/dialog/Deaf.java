@@ -8,6 +8,8 @@ import javafx.event.Event;
 import javafx.event.EventHandler;
 import javafx.scene.control.Dialog;
 import javafx.scene.input.InputEvent;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
 import javafx.stage.Modality;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
@@ -22,7 +24,7 @@ public final class Deaf {
     /** Shows a dialog, and lets nothing else be done until it is answered. */
     public static <T> Optional<T> ask(Dialog<T> dialog, Window owner) {
         over(dialog, owner);
-        return during(dialog::showAndWait);
+        return during(dialog::showAndWait, () -> dialog.getDialogPane().getScene().getWindow().requestFocus());
     }
 
     /** Has a dialog stand over a window, of which it is independent: some window managers put what is not modal into a corner. */
@@ -38,8 +40,18 @@ public final class Deaf {
 
     /** Asks while all windows that are open are deaf. */
     public static <T> T during(Supplier<T> question) {
+        return during(question, () -> {});
+    }
+
+    /** @param onPressed when a button or key has been pressed in one of these: the window manager has given it the keyboard, which is the question's */
+    static <T> T during(Supplier<T> question, Runnable onPressed) {
         List<Window> behind = List.copyOf(Window.getWindows());
-        EventHandler<Event> deaf = Event::consume;
+        EventHandler<Event> deaf = event -> {
+            event.consume();
+            if (event.getEventType() == MouseEvent.MOUSE_PRESSED || event.getEventType() == KeyEvent.KEY_PRESSED) {
+                onPressed.run();
+            }
+        };
         behind.forEach(window -> {
             window.addEventFilter(InputEvent.ANY, deaf);
             window.addEventFilter(WindowEvent.WINDOW_CLOSE_REQUEST, deaf);

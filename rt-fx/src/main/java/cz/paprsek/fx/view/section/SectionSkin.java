@@ -81,7 +81,8 @@ public final class SectionSkin {
     /** The line in which the plane is seen; empty if there is none, or it is not seen from the side. */
     public Optional<Line> line(Vec3 along) {
         look();
-        return place.isEmpty() ? Optional.empty() : knownPlane.map(CutPlane::axis).filter(axis -> axis.of(along) == 0).map(axis -> new Line(axis, place.getAsDouble()));
+        return place.isEmpty() ? Optional.empty()
+                : knownPlane.map(CutPlane::axis).filter(axis -> axis.of(along) == 0).map(axis -> new Line(axis, place.getAsDouble()));
     }
 
     /** Whether a hand holds the plane. */

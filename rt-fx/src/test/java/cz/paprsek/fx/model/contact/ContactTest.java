@@ -13,11 +13,13 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Placement;
-import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -71,7 +73,7 @@ class ContactTest {
         SceneObject cube = SceneObject.of(new Block(new Vec3(-0.5, -0.5, -0.5), new Vec3(0.5, 0.5, 0.5)));
         assertThat(along(Axis.Y, -5.1, 0.2, cube.at(1, 5, 0), roof(45))).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(-5, within(NEAR)));
         double tan = Math.tan(Math.toRadians(30));
-        assertThat(along(Axis.Y, -4.9, 1, upright(new Cylinder(0.5, 2)).at(0, 5, 0), roof(30))).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(0.5 * tan - 5, within(1e-5)));
+        assertThat(along(Axis.Y, -4.9, 1, SceneObject.of(new Cylinder(0.5, 2)).at(0, 5, 0), roof(30))).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(0.5 * tan - 5, within(1e-5)));
         // Stood on a corner, its lowest point is half a diagonal below its middle.
         SceneObject onCorner = cube.placed(Placement.at(0, 5, 0).withRotation(new Vec3(45, 0, Math.toDegrees(Math.atan(Math.sqrt(0.5))))));
         assertThat(along(Axis.Y, Math.sqrt(3) / 2 - 5.1, 0.2, onCorner, roof(0))).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(Math.sqrt(3) / 2 - 5, within(1e-5)));
@@ -92,7 +94,33 @@ class ContactTest {
         assertThat(Contact.with(state.withHidden(Set.of(ScenePath.body(1))), Set.of(ScenePath.body(0))).along(Axis.Y, -3, 0.2)).isEmpty();
     }
 
-    private static SceneObject upright(Shape shape) {
-        return SceneObject.of(shape);
+    /** No step of the hand may ask more than can be answered at once: {@link Work} and the search that it does not cut short. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 30, 180, 450})
+    void amongManyAStepStaysShort(int count) {
+        List<SceneObject> balls = IntStream.range(0, 900).mapToObj(i -> SceneObject.of(new Sphere(0.5)).at(i % 30 * 1.1, Math.floorDiv(i, 30) % 3 * 0.2, Math.floorDiv(i, 30) * 1.1)).toList();
+        EditorState state = EditorState.of(Scene.EMPTY.withObjects(balls).plus(SceneObject.of(new Plane())));
+        Contact contact = Contact.with(state, IntStream.range(0, count).mapToObj(i -> ScenePath.body(i * 7 % 900)).collect(Collectors.toSet()));
+        long all = 0;
+        long most = 0;
+        for (Axis axis : Axis.values()) {
+            for (int step = 0; step < 20; step++) {
+                contact.along(axis, step * 0.09, 0.3);
+                most = Math.max(most, contact.asked() - all);
+                all = contact.asked();
+            }
+        }
+        assertThat(most).isLessThan(count == 1 ? 5000 : 2 * Work.MOST);
+        contact.along(Axis.X, 1, 0);
+        assertThat(contact.asked()).as("nothing is nearer than what is there").isEqualTo(all);
+    }
+
+    /** A ball beside two rows of balls that move along with it. */
+    @Test
+    void ofManyTheForemostTouches() {
+        List<SceneObject> balls = IntStream.range(0, 300).mapToObj(i -> SceneObject.of(new Sphere(0.5)).at(i % 20, 0, Math.floorDiv(i, 20))).toList();
+        EditorState state = EditorState.of(Scene.EMPTY.withObjects(balls).plus(SceneObject.of(new Sphere(0.5)).at(22.3, 0.6, 7)));
+        Contact contact = Contact.with(state, IntStream.range(0, 300).mapToObj(ScenePath::body).collect(Collectors.toSet()));
+        assertThat(contact.along(Axis.X, 2.45, 0.1)).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(3.3 - 0.8, within(NEAR)));
     }
 }

@@ -7,8 +7,10 @@ import cz.paprsek.fx.Gui;
 import java.util.ArrayList;
 import java.util.List;
 import javafx.application.Platform;
+import javafx.scene.Scene;
 import javafx.scene.control.Button;
 import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
@@ -16,6 +18,7 @@ import org.junit.jupiter.api.Test;
 
 /** A window while a question is asked: nothing is done in it, and nothing is done to it. */
 class DeafTest {
+    private static final KeyEvent ENTER = new KeyEvent(KeyEvent.KEY_PRESSED, "", "", KeyCode.ENTER, false, false, false, false);
     private final List<String> done = new ArrayList<>();
     private final Button button = Gui.on(() -> {
         Button fresh = new Button("here");
@@ -54,11 +57,33 @@ class DeafTest {
         }
     }
 
-    /** Under Windows and macOS a dialog keeps the owner that it belongs to. */
+    /** A click or key behind a question takes the keyboard from it, which it must get back. */
     @Test
-    void onlyUnderGtkADialogHasNoOwner() {
-        assertThat(FileBox.fixesOwners("Linux")).isTrue();
-        assertThat(FileBox.fixesOwners("Windows 11")).isFalse();
-        assertThat(FileBox.fixesOwners("Mac OS X")).isFalse();
+    void whatIsPressedBehindAQuestionGivesItTheKeyboard() {
+        try (Gui gui = Gui.show(() -> new StackPane(button), 300, 200)) {
+            Stage question = Gui.on(() -> {
+                Stage fresh = new Stage();
+                fresh.setScene(new Scene(new StackPane(), 90, 60));
+                fresh.setX(400);
+                fresh.setY(300);
+                return fresh;
+            });
+            Object open = new Object();
+            Platform.runLater(() -> Deaf.<Object>during(() -> {
+                question.show();
+                return Platform.enterNestedEventLoop(open);
+            }, question::requestFocus));
+            gui.until("it is asked", question::isFocused);
+            for (Runnable press : List.<Runnable>of(() -> gui.click(button), () -> gui.act(() -> button.fireEvent(ENTER)))) {
+                gui.act(() -> gui.stage().requestFocus());
+                press.run();
+                gui.until("the question has the keyboard", question::isFocused);
+            }
+            assertThat(Gui.on(() -> List.copyOf(done))).isEmpty();
+            gui.act(() -> {
+                Platform.exitNestedEventLoop(open, "answered");
+                question.close();
+            });
+        }
     }
 }
