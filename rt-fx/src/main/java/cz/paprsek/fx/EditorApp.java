@@ -1,6 +1,7 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.file.Settings;
+import cz.paprsek.fx.view.texts.BuiltInWords;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,7 +23,7 @@ public final class EditorApp extends Application {
         times.tell("JavaFX");
         Path home = Path.of(System.getProperty("user.home", "."));
         Path folder = Settings.folder(System.getenv(), System.getProperty("os.name", ""), home);
-        Editor editor = new Editor(stage, folder, Locale.getDefault(), SystemDialogs::new);
+        Editor editor = new Editor(stage, folder, BuiltInWords.speakEnglish(), SystemDialogs::new);
         times.tell("window made");
         Thread.setDefaultUncaughtExceptionHandler((thread, fault) -> Platform.runLater(() -> editor.fault(fault)));
         List<String> arguments = getParameters().getRaw();

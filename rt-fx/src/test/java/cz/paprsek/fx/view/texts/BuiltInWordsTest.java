@@ -3,21 +3,18 @@ package cz.paprsek.fx.view.texts;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.view.dialog.ColorBox;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import javafx.scene.Node;
-import javafx.scene.control.ColorPicker;
 import javafx.scene.control.ContextMenu;
-import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.TextField;
-import javafx.scene.control.ToggleButton;
 import javafx.scene.input.ContextMenuEvent;
 import javafx.scene.layout.VBox;
-import javafx.stage.Stage;
 import javafx.stage.Window;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -26,7 +23,7 @@ import org.junit.jupiter.api.Test;
 class BuiltInWordsTest {
     private final AtomicReference<Texts> texts = new AtomicReference<>(Texts.in(Locale.forLanguageTag("cs")));
     private final BuiltInWords words = Gui.on(() -> new BuiltInWords(texts::get));
-    private final ColorPicker picker = Gui.on(ColorPicker::new);
+    private final ColorBox picker = Gui.on(() -> new ColorBox(Texts.in(Locale.forLanguageTag("cs"))));
     private final TextField field = Gui.on(TextField::new);
     private final Gui gui = Gui.show(() -> new VBox(picker, field), 500, 400);
 
@@ -38,16 +35,21 @@ class BuiltInWordsTest {
     }
 
     @Test
-    void aColourIsChosenInCzech() {
+    void aPaletteLeadsToAnyOtherColourInCzech() {
         gui.act(picker::show);
-        Hyperlink own = (Hyperlink) Gui.on(() -> everywhere().filter(Hyperlink.class::isInstance).findFirst().orElseThrow());
-        assertThat(own.getText()).isEqualTo("Jiná barva…");
-        gui.act(own::fire);
-        Stage dialog = Gui.on(() -> Window.getWindows().stream().filter(window -> window instanceof Stage && window != gui.stage()).map(Stage.class::cast).findFirst().orElseThrow());
-        assertThat(dialog.getTitle()).isEqualTo("Vlastní barvy");
-        assertThat(labels()).contains("Odstín:", "Sytost:", "Jas:", "Krytí:", "Dosavadní barva", "Nová barva", "Uložit", "Použít", "Zrušit");
-        gui.act(() -> everywhere().filter(ToggleButton.class::isInstance).map(ToggleButton.class::cast).filter(one -> one.getText().equals("RGB")).forEach(ToggleButton::fire));
-        assertThat(labels()).contains("Červená:", "Zelená:", "Modrá:").doesNotContain("Red:", "Hue:");
+        assertThat(labels()).contains("Jiná barva…").doesNotContain("Custom Color...");
+    }
+
+    @Test
+    void onASystemOfAnotherLanguageTheMenuIsThatOfTheWindow() {
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.GERMAN);
+            assertThat(BuiltInWords.speakEnglish()).isEqualTo(Locale.GERMAN);
+            assertThat(menu()).contains("Vyjmout", "Kopírovat").doesNotContain("Ausschneiden", "Kopieren", "Copy");
+        } finally {
+            Locale.setDefault(before);
+        }
     }
 
     @Test
