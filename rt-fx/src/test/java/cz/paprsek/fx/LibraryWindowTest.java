@@ -19,6 +19,7 @@ import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.ListView;
 import javafx.scene.control.TabPane;
+import javafx.scene.control.TableColumn;
 import javafx.scene.control.TableView;
 import javafx.scene.control.TextField;
 import javafx.scene.image.ImageView;
@@ -205,6 +206,17 @@ class LibraryWindowTest {
         assertThat(Files.readAllLines(folder.resolve("table.json"))).hasSize(rows).first().asString().startsWith("{\"scene\":");
     }
 
+    @Test
+    void withoutADatabaseTablesSayThatThereIsNone() {
+        try (EditorGui fresh = new EditorGui(folder.resolve("none"), Scene.EMPTY)) {
+            fresh.menu("file-library");
+            fresh.gui.until("the library is there", () -> fresh.editor.library().stage().isPresent());
+            javafx.scene.Parent root = Gui.on(() -> fresh.editor.library().stage().orElseThrow().getScene().getRoot());
+            fresh.gui.act(() -> ((TabPane) root.lookup("#library-tabs")).getSelectionModel().select(1));
+            fresh.gui.until("it is said", () -> root.lookup("#table") instanceof TableView<?> table && table.getPlaceholder() instanceof Labeled why && why.getText().startsWith("No database is open."));
+        }
+    }
+
     /** Words of filters and files are those of files; what is shown is the window's. */
     @Test
     void tablesSpeakTheLanguageOfTheWindow() {
@@ -214,6 +226,7 @@ class LibraryWindowTest {
         TableView<?> table = (TableView<?>) gui.node("#table");
         gui.until("the rows are there", () -> !table.getItems().isEmpty() && table.getItems().size() < 1000);
         List<String> shown = Gui.on(() -> Stream.of(".label", ".table-cell").flatMap(style -> table.lookupAll(style).stream()).filter(Labeled.class::isInstance).map(node -> ((Labeled) node).getText()).toList());
+        assertThat(Gui.on(() -> table.getColumns().stream().map(TableColumn::getText).toList())).as("read aloud").contains("Poloha", "Druh");
         assertThat(shown).contains("Poloha", "Druh", "koule", "-3,1 0,8 -0,4").doesNotContain("kind", "Position", "sphere", "-3.1 0.8 -0.4");
         assertThat(Gui.on(() -> ((ChoiceBox<?>) gui.node("#library-table")).lookup(".label"))).isInstanceOfSatisfying(Labeled.class, label -> assertThat(label.getText()).isEqualTo("Objekty a operandy"));
         type("#library-filter", "positio > 1");

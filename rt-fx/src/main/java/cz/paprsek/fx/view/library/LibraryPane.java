@@ -78,13 +78,16 @@ public final class LibraryPane extends BorderPane implements AutoCloseable {
         scenes.filterProperty().bind(search.textProperty());
         grid = new SceneGrid(thumbnails, selection, desk::open);
         details = new SceneDetails(library, selection, texts, messages, actions);
-        table = new TablePane(library, searcher, search.textProperty(), texts, problem, desk::open,
+        table = new TablePane(library, searcher, search.textProperty(), texts, problem, this::placeholder, desk::open,
                 rows -> count.setText(texts.of("library.rows", rows)));
         tabs = new TabPane(tab("library.scenes", scenesTab()), tab("library.tables", tablesTab()));
         tabs.setId("library-tabs");
         subscription = Subscription.combine(
                 scenes.rowsProperty().subscribe(this::show),
-                library.fileProperty().subscribe(file -> grid.setPlaceholder(placeholder())),
+                library.fileProperty().subscribe(file -> {
+                    grid.setPlaceholder(placeholder());
+                    table.sayWhy();
+                }),
                 tabs.getSelectionModel().selectedIndexProperty().subscribe(index -> showTab()));
         setId("library");
         getStylesheets().add(String.valueOf(LibraryPane.class.getResource("library.css")));

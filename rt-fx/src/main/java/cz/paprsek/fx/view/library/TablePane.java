@@ -43,6 +43,7 @@ final class TablePane extends BorderPane implements AutoCloseable {
     private final Texts texts;
     private final TableWords words;
     private final Label problem;
+    private final Supplier<Label> placeholder;
     private final Consumer<String> onOpen;
     private final Consumer<Integer> onCount;
     private @Nullable LibraryRows<?> current;
@@ -51,16 +52,18 @@ final class TablePane extends BorderPane implements AutoCloseable {
 
     /**
      * @param problem where it is said what is wrong with the filter
+     * @param placeholder says why there is no row
      * @param onOpen is told the scene of a row that is clicked twice
      * @param onCount is told how many rows there are
      */
-    TablePane(Library library, Executor searcher, StringProperty filter, Texts texts, Label problem, Consumer<String> onOpen, Consumer<Integer> onCount) {
+    TablePane(Library library, Executor searcher, StringProperty filter, Texts texts, Label problem, Supplier<Label> placeholder, Consumer<String> onOpen, Consumer<Integer> onCount) {
         this.library = library;
         this.searcher = searcher;
         this.filter = filter;
         this.texts = texts;
         this.words = new TableWords(texts);
         this.problem = problem;
+        this.placeholder = placeholder;
         this.onOpen = onOpen;
         this.onCount = onCount;
     }
@@ -78,7 +81,7 @@ final class TablePane extends BorderPane implements AutoCloseable {
         TableView<R> view = new TableView<>();
         view.setId("table");
         view.setFixedCellSize(24);
-        view.setPlaceholder(new Label(texts.of("library.no-match")));
+        view.setPlaceholder(placeholder.get());
         columns.forEach(column -> view.getColumns().add(column(column)));
         view.setRowFactory(made -> row(relation.table()));
         view.setSortPolicy(sorted -> {
@@ -89,12 +92,20 @@ final class TablePane extends BorderPane implements AutoCloseable {
         rows.rowsProperty().subscribe(found -> {
             // Another list would make the view forget what it is sorted by.
             view.getItems().setAll(found);
+            view.setPlaceholder(placeholder.get());
             onCount.accept(found.size());
         });
         problem.textProperty().bind(rows.problemProperty().map(texts::sentence));
         csv = () -> TableText.csv(columns, rows.rows());
         json = () -> TableText.json(columns, rows.rows());
         setCenter(view);
+    }
+
+    /** Says anew why there is no row. */
+    void sayWhy() {
+        if (getCenter() instanceof TableView<?> view) {
+            view.setPlaceholder(placeholder.get());
+        }
     }
 
     /** What is shown, all of it and in its order, for another program. */
@@ -129,6 +140,8 @@ final class TablePane extends BorderPane implements AutoCloseable {
         Label title = new Label(words.column(column.name()));
         title.setTooltip(new Tooltip(texts.of("library.in-filter", column.name())));
         made.setGraphic(title);
+        // For who reads the screen aloud; what is seen is the graphic, which has the hint.
+        made.setText(title.getText());
         boolean isNumber = column.type() == Column.Type.NUMBER;
         made.setPrefWidth(Math.max(width(column), new Text(title.getText()).getLayoutBounds().getWidth() * TITLE_SCALE + TITLE_ROOM));
         made.setCellValueFactory(row -> new ReadOnlyObjectWrapper<>(column.cell(row.getValue())));

@@ -52,7 +52,7 @@ final class TableWords {
         return switch (column.name()) {
             case "path" -> Arrays.stream(written.split("/", -1)).map(this::step).collect(Collectors.joining("/"));
             case "kind", "pattern", "projection", "integrator", "filter", "sampler", "tone", "fresnel", "sky" -> word(written);
-            case "hidden", "thin", "visible" -> text("library.word." + written).orElse(written);
+            case "hidden", "smooth", "thin", "visible" -> text("library.word." + written).orElse(written);
             default -> written;
         };
     }

@@ -4,6 +4,7 @@ import cz.paprsek.formula.Formula;
 import cz.paprsek.formula.Maker;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.property.TypedFormula;
+import cz.paprsek.fx.view.texts.Decimals;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -120,13 +121,13 @@ final class MakersPane extends VBox {
             text.pseudoClassStateChanged(MADE, now.indexOf('{') >= 0);
             if (!now.equals(latest) || text.getText().isEmpty()) {
                 latest = now;
-                text.setText(now);
+                text.setText(shown());
             }
         }
 
         private void enter() {
             String typed = text.getText().strip();
-            if (typed.equals(latest)) {
+            if (typed.equals(shown()) || typed.equals(latest)) {
                 edit.forgive();
                 return;
             }
@@ -136,6 +137,11 @@ final class MakersPane extends VBox {
             } catch (IllegalArgumentException refused) {
                 edit.refuse(refused);
             }
+        }
+
+        /** Numbers have the decimal sign of the language, formulas stand as in the file. */
+        private String shown() {
+            return TOKEN.matcher(latest).replaceAll(token -> Matcher.quoteReplacement(Decimals.shown(token.group(), texts)));
         }
 
         private String numbers(String typed) {
@@ -152,7 +158,7 @@ final class MakersPane extends VBox {
             if (typed.isEmpty()) {
                 return "";
             }
-            TypedFormula formula = TypedFormula.of(typed);
+            TypedFormula formula = TypedFormula.of(Decimals.written(typed));
             return formula.isKept() ? "{" + formula.text() + "}" : Numbers.text(Formula.value(formula.text()));
         }
     }

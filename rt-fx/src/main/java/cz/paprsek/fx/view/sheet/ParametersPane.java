@@ -5,6 +5,7 @@ import cz.paprsek.formula.FormulaException;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.model.property.TypedFormula;
+import cz.paprsek.fx.view.texts.Decimals;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.Scene.Recipe.Parameter;
@@ -14,7 +15,6 @@ import cz.paprsek.xml.SceneFiles;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Pattern;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TextField;
 import javafx.scene.control.TitledPane;
@@ -22,8 +22,6 @@ import javafx.scene.layout.VBox;
 
 /** The parameters that a scene is made of: each a field, and a slider if it is a number that has bounds. What depends on them follows at once. */
 final class ParametersPane extends TitledPane {
-    private static final Pattern NUMBER = Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
-
     private final EditorModel model;
     private final Texts texts;
     private final Clock clock;
@@ -163,13 +161,12 @@ final class ParametersPane extends TitledPane {
 
         /** A number has the decimal sign of the language; whatever else stands as in the file. */
         private String shown(String written) {
-            return NUMBER.matcher(written).matches() ? texts.number(written) : written;
+            return Decimals.shown(written, texts);
         }
 
         /** Where a text with a comma stood, one stays a text. */
         private String written(String typed) {
-            String points = typed.replace(',', '.');
-            return latest.indexOf(',') < 0 && NUMBER.matcher(points).matches() ? points : typed;
+            return latest.indexOf(',') < 0 ? Decimals.written(typed) : typed;
         }
 
         /** Who types names wants what they stand for; a colour's name is a name as well, and stays. */

@@ -16,10 +16,14 @@ import javafx.scene.control.TextField;
 /** The sheet of a scene in a window of its own, high enough for all of it. */
 record SheetInHand(EditorModel model, Clock clock, Gui gui) {
     static SheetInHand of(Scene scene) {
+        return of(scene, Locale.ENGLISH);
+    }
+
+    static SheetInHand of(Scene scene, Locale language) {
         EditorModel model = new EditorModel(scene);
         Clock clock = new Clock(model);
         return new SheetInHand(model, clock, Gui.show(
-                () -> new PropertySheet(model, Texts.in(Locale.ENGLISH), new SimpleBooleanProperty(true), (kind, owner) -> Optional.empty(), clock), 320, 900));
+                () -> new PropertySheet(model, Texts.in(language), new SimpleBooleanProperty(true), (kind, owner) -> Optional.empty(), clock), 320, 900));
     }
 
     /** A parameter w of 3, a camera, and what is given, as a scene file has it. */
