@@ -13,7 +13,8 @@ import java.util.function.Predicate;
 /**
  * How the work on a picture, or on the frames of a film, is dealt out, in parts of which each becomes a file. It depends on nothing but the picture and the
  * number of shares; that of a share takes as long as that of any other, about, as the tiles of each lie all over the picture, as far from each other as they can. Of many
- * frames everybody gets whole ones with all their passes, as each must be prepared by whoever renders something of it; of fewer frames with many passes, whole passes.
+ * frames everybody gets whole ones with all their passes, as each must be prepared by whoever renders something of it; of fewer frames with many passes, whole passes, to everybody as
+ * many; those that are left over by tiles.
  */
 final class Deal {
     /** How many parts a share has at least, if the picture is large enough: who is killed loses one of them. */
@@ -32,6 +33,8 @@ final class Deal {
     /** How many frames there are, each counted as often as it has passes. */
     private final long slices;
     private final int shards;
+    /** How many of the first of them are dealt out as a whole, each to one, as many to everybody. */
+    private final long whole;
 
     /**
      * A piece of work.
@@ -47,6 +50,7 @@ final class Deal {
         this.passes = passes;
         this.shards = shards;
         slices = (long) span.count() * Math.max(1, passes);
+        whole = passes > 0 && (slices >= (long) FRAMES * shards || slices % shards == 0) ? slices - slices % shards : 0;
         int side = side(region, slices, (long) PARTS * shards);
         tiles = Grid.tiles(region, side);
         places = new Lattice(shards, tiles.size()).places(tiles.stream().mapToInt(tile -> (tile.x() - region.x()) / side).toArray(), tiles.stream().mapToInt(tile -> (tile.y() - region.y()) / side).toArray());
@@ -119,18 +123,19 @@ final class Deal {
             return 1 + (int) (slice / passesOfFrame() % shards);
         }
         // Passes take as long as each other.
-        if (passes > 0 && (slices >= (long) FRAMES * shards || slices % shards == 0)) {
+        if (slice < whole) {
             return 1 + (int) (slice % shards);
         }
         // In each frame the row begins elsewhere, as what is long in one is long in the next.
         long place = (places[tile] + slice * (long) (tiles.size() * GOLDEN)) % tiles.size();
-        return 1 + (int) share(place * slices + slice);
+        return 1 + (int) share(place * (slices - whole) + slice - whole);
     }
 
     /** In which share a place is, if all places are cut into shares of which none has more than one place more than another. */
     private long share(long place) {
-        long least = parts() / shards;
-        long larger = parts() % shards;
+        long all = tiles.size() * (slices - whole);
+        long least = all / shards;
+        long larger = all % shards;
         return place < larger * (least + 1) ? place / (least + 1) : larger + (place - larger * (least + 1)) / least;
     }
 }

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.IntSummaryStatistics;
 import java.util.List;
+import java.util.Map;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
@@ -59,9 +60,10 @@ class DealTest {
         }
     }
 
-    /** Nobody has two parts more than another, of pictures and of few frames, whatever their passes. */
+    /** Nobody has two parts more than another, of pictures and of few frames, whatever their passes; of many frames, whole ones are dealt out. */
     @ParameterizedTest
-    @CsvSource({"1920,1080,0,0,0", "512,288,0,0,0", "333,777,0,0,0", "33,31,0,0,0", "100,2000,1,7,0", "640,361,1,3,0", "320,130,0,0,7"})
+    @CsvSource({"1920,1080,0,0,0", "512,288,0,0,0", "333,777,0,0,0", "33,31,0,0,0", "100,2000,1,7,0", "640,361,1,3,0", "320,130,0,0,7", "64,48,0,0,17", "320,130,0,0,64", "320,130,0,0,1000",
+            "320,130,1,3,50"})
     void nobodyHasTwoPartsMoreThanAnother(int width, int height, int first, int last, int passes) {
         for (int shards : new int[] {1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 16, 30, 64, 500}) {
             Deal deal = new Deal(new Tile(5, 7, width, height), new Span(first, last), passes, shards);
@@ -113,15 +115,29 @@ class DealTest {
         assertThat(own).hasSize((int) (deal.parts() / 10));
     }
 
-    /** Of one frame, and of a few: whole passes if there are enough of them, or as many for each. */
+    /** Of one frame, and of a few: whole passes if there are as many for each. */
     @ParameterizedTest
-    @CsvSource({"0,0,6,3", "0,0,40,5", "0,0,41,5", "1,4,16,8", "1,79,3,10"})
+    @CsvSource({"0,0,6,3", "0,0,40,5", "1,4,16,8", "1,70,3,10"})
     void ofFewFramesWithManyPassesEverybodyGetsWholePasses(int first, int last, int passes, int shards) {
         Deal deal = new Deal(new Tile(0, 0, 640, 360), new Span(first, last), passes, shards);
         long tiles = deal.parts() / ((last - first + 1L) * passes);
         for (int i = 1; i <= shards; i++) {
             assertThat(deal.of(new Shard(i, shards)).stream().collect(Collectors.groupingBy(piece -> List.of(piece.frame(), piece.pass()), Collectors.counting())).values())
                     .isNotEmpty().allMatch(count -> count == tiles);
+        }
+    }
+
+    /** Of a few passes beyond as many for each, everybody gets tiles. */
+    @ParameterizedTest
+    @CsvSource({"0,0,17,2", "0,0,64,7", "1,79,3,10"})
+    void passesThatAreLeftOverAreDealtOutByTiles(int first, int last, int passes, int shards) {
+        Deal deal = new Deal(new Tile(0, 0, 640, 360), new Span(first, last), passes, shards);
+        long slices = (last - first + 1L) * passes;
+        long tiles = deal.parts() / slices;
+        for (int i = 1; i <= shards; i++) {
+            Map<List<Integer>, Long> counts = deal.of(new Shard(i, shards)).stream().collect(Collectors.groupingBy(piece -> List.of(piece.frame(), piece.pass()), Collectors.counting()));
+            assertThat(counts.values().stream().filter(count -> count == tiles).count()).isEqualTo(slices / shards);
+            assertThat(counts.values().stream().filter(count -> count < tiles).mapToLong(count -> count).sum()).isBetween(slices % shards * tiles / shards, slices % shards * tiles / shards + 1);
         }
     }
 }

@@ -120,6 +120,28 @@ class MergeTest {
         assertThat(refused().err()).contains(part + " is made by Paprsek 0.0.1 beta");
     }
 
+    /** Whose share a part was does not matter: some were made when the work was dealt out to others, or by tiles. */
+    @Test
+    void partsThatWereDealtOtherwiseMakeTheSameBytes() throws IOException {
+        Object[] light = {"--integrator", "path", "--samples", 192, "--by", "passes"};
+        render(1, 5, light);
+        int made = files(parts).size();
+        render(2, 3, "--integrator", "path", "--samples", 192);
+        render(2, 2, light);
+        render(1, 2, light);
+        assertThat(made).isPositive().isLessThan(files(parts).size());
+        assertThat(merge().code()).isEqualTo(ExitCode.DONE);
+        Path plain = folder.resolve("plain.png");
+        assertThat(Run.cli("render", scene, "--size", SIZE, "--integrator", "path", "--samples", 192, "-o", plain).code()).isEqualTo(ExitCode.DONE);
+        assertThat(picture).hasSameBinaryContentAs(plain);
+    }
+
+    private static List<Path> files(Path parts) throws IOException {
+        try (Stream<Path> files = Files.walk(parts)) {
+            return files.filter(Files::isRegularFile).toList();
+        }
+    }
+
     @Test
     void damagedPartsAreNamedAndMadeAgainByTheSameLine() throws IOException {
         render(1, 1);
