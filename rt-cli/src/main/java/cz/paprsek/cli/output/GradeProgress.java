@@ -26,8 +26,8 @@ public final class GradeProgress implements Grader.Watcher, AutoCloseable {
     }
 
     @Override
-    public void tried(int together, int done, int all) {
-        show((together > 1 ? "pair " : "mistake ") + done + " of " + all);
+    public void tried(int samples, int together, int done, int all) {
+        show((together > 1 ? "pair " : "mistake ") + done + " of " + all + ", " + (samples > 1 ? samples * samples + " rays a pixel" : "1 ray a pixel"));
     }
 
     private synchronized void show(String what) {

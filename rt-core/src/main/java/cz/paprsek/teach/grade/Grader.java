@@ -57,24 +57,25 @@ public final class Grader {
     @FunctionalInterface
     public interface Watcher {
         /** Whoever does not wish to know. */
-        Watcher NONE = (together, done, all) -> {};
+        Watcher NONE = (samples, together, done, all) -> {};
 
         /**
-         * So many are tried.
+         * So many are tried, with as many rays; with one ray a pixel, all may be tried before they are with more.
          *
+         * @param samples how many rays along a pixel's side
          * @param together how many mistakes each of them has, 1 or 2
          */
-        void tried(int together, int done, int all);
+        void tried(int samples, int together, int done, int all);
     }
 
     /** Counts what is tried. */
-    private record Count(Watcher watcher, int together, int all, AtomicInteger done) {
-        Count(Watcher watcher, int together, int all) {
-            this(watcher, together, all, new AtomicInteger());
+    private record Count(Watcher watcher, int samples, int together, int all, AtomicInteger done) {
+        Count(Watcher watcher, int samples, int together, int all) {
+            this(watcher, samples, together, all, new AtomicInteger());
         }
 
         <T> T one(T tried) {
-            watcher.tried(together, done.incrementAndGet(), all);
+            watcher.tried(samples, together, done.incrementAndGet(), all);
             return tried;
         }
     }
@@ -199,7 +200,7 @@ public final class Grader {
                 return new Grade(Verdict.RIGHT, List.of(), 1, look.samples);
             }
             Sheet rightOnes = look.attempts.with(Mistakes.NONE, telling, isGrey);
-            Count count = new Count(watcher, 1, Mistake.values().length);
+            Count count = new Count(watcher, look.samples, 1, Mistake.values().length);
             List<Candidate> singles = Stream.of(Mistake.values()).parallel().map(Mistakes::of)
                     .filter(one -> count.one(look.attempts.with(one, telling, isGrey).distance(rightOnes)) > SHOWS).map(this::rough).sorted(Comparator.comparingDouble(Candidate::left)).toList();
             List<Candidate> best = best(singles);
@@ -230,7 +231,7 @@ public final class Grader {
             IntStream.range(0, singles.size()).forEach(i -> singles.subList(i + 1, singles.size()).stream().map(Candidate::made)
                     .filter(other -> i < LIKELY || isCheap(other) || isCheap(singles.get(i).made) || (isOfEye(other) && isOfEye(singles.get(i).made)))
                     .forEach(other -> pairs.add(singles.get(i).made.and(other.all().iterator().next()))));
-            Count count = new Count(watcher, 2, pairs.size());
+            Count count = new Count(watcher, look.samples, 2, pairs.size());
             List<Candidate> likely = pairs.stream().parallel().map(pair -> count.one(glanced(pair))).sorted(Comparator.comparingDouble(Candidate::left)).limit(GLANCED).toList();
             return likely.stream().parallel().map(one -> rough(one.made)).sorted(Comparator.comparingDouble(Candidate::left)).toList();
         }

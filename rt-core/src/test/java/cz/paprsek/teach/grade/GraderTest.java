@@ -60,14 +60,14 @@ class GraderTest {
         Scene scene = SceneFiles.read(SCENES.resolve("csg.xml"));
         RenderSettings settings = scene.settings().withSize(480, 270).withSamples(2);
         Mistakes two = Mistakes.of(Mistake.FLIP_Y).and(Mistake.NO_HIGHLIGHT);
-        Set<Integer> finished = ConcurrentHashMap.newKeySet();
-        Grader.Watcher watcher = (together, done, all) -> {
+        Set<String> finished = ConcurrentHashMap.newKeySet();
+        Grader.Watcher watcher = (samples, together, done, all) -> {
             if (done == all) {
-                finished.add(together);
+                finished.add(samples + ": " + together);
             }
         };
         assertThat(new Grader(scene, settings, false, () -> false).grade(picture(scene, settings, two), watcher).explanations()).contains(two);
-        assertThat(finished).as("all mistakes alone, and pairs of them, are told").containsExactlyInAnyOrder(1, 2);
+        assertThat(finished).as("all mistakes alone, and pairs of them, are told, for either number of rays").containsExactlyInAnyOrder("1: 1", "1: 2", "2: 1", "2: 2");
     }
 
     /** Takes minutes: to be had by {@code -Dpaprsek.proof}. Prints what was found of what was made, scene by scene. */
