@@ -231,7 +231,7 @@ final class MeshSearch extends Search<Ray> {
     }
 
     /**
-     * Notes where the line crosses triangles, by their places in the tree, up to the first if one will do. Most are passed by, which the signs of three products tell
+     * Notes where the line crosses triangles, by their places in the tree. Most are passed by, which the signs of three products tell
      * at once: a branch for each of them would often be taken against expectation, and costs more than the products do.
      */
     private void cross(int first, int last) {
