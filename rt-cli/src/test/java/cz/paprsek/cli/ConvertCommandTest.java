@@ -2,6 +2,9 @@ package cz.paprsek.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.image.ImageFiles;
+import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.Layers;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
@@ -116,6 +119,8 @@ class ConvertCommandTest {
         Run.cli("render", scene, "-o", lights, "--aov", "light", "-q");
         Run.cli("render", scene, "-o", plain, "-q");
         Path target = folder.resolve("a.png");
+        Path named = Files.copy(lights, folder.resolve("lights.png"));
+        Path redOnly = planes("red.exr", "R", "G", "B", "light.R", "light.sun.R");
         record Wrong(Path picture, String mix, String sentence) {}
 
         for (Wrong wrong : List.of(
@@ -123,14 +128,30 @@ class ConvertCommandTest {
                 new Wrong(lights, "key=-1", "--mix key: expected a share from 0 such as 0.5, or three such as 1,0.8,0.5 for red, green and blue, but found '-1'"),
                 new Wrong(lights, "key=1,2", "but found '1,2'"), new Wrong(lights, "key=bright", "but found 'bright'"), new Wrong(lights, "key=NaN", "but found 'NaN'"),
                 new Wrong(lights, "key=", "but found ''"), new Wrong(lights, "key", "--mix"),
+                new Wrong(named, "kay=1", named + " has no layer of a light 'kay', but of fill lamp, key, rest"),
+                new Wrong(redOnly, "sun=2", redOnly + " has no layers of lights that could be mixed"),
                 new Wrong(plain, "key=1", plain + " has no layers of lights that could be mixed; paprsek render --aov light -o FILE.exr makes them"),
                 new Wrong(scene, "key=1", "a scene becomes a picture where it is rendered"))) {
             Run run = Run.cli("convert", wrong.picture(), target, "--mix", wrong.mix());
             assertThat(run.code()).as(run.err()).isEqualTo(2);
             assertThat(run.err()).contains(wrong.sentence());
         }
+        Path noGreen = planes("no-green.exr", "R", "light.sun.R", "light.sun.G", "light.sun.B");
+        assertThat(Run.cli("convert", noGreen, target, "--mix", "sun=2")).matches(run -> run.code() == Run.cli("convert", noGreen, target).code()).extracting(Run::err).asString()
+                .isEqualToIgnoringNewLines(noGreen + ": there is no plane named G among R, light.sun.B, light.sun.G, light.sun.R");
+        assertThat(Run.cli("convert", lights, target, "--mix", "key=0", "--mix", "rest=1", "--mix", "key=2").err()).startsWith("paprsek: --mix key is given twice, and it is not told which is meant\n");
         assertThat(Run.cli("convert", scene, folder.resolve("a.xml"), "--mix", "key=1").err()).contains("--tone and --mix are for pictures, which");
         assertThat(target).doesNotExist();
+    }
+
+    private Path planes(String name, String... planes) throws IOException {
+        Layers layers = Layers.ofSize(2, 2);
+        for (String plane : planes) {
+            layers = layers.with(plane, new float[4]);
+        }
+        Path file = folder.resolve(name);
+        ImageFiles.write(layers, file, ImageOptions.DEFAULT);
+        return file;
     }
 
     @Test

@@ -150,6 +150,16 @@ public final class ImageFiles {
         return read(file, Exr::readLayers);
     }
 
+    /**
+     * All planes of a picture if it is an OpenEXR file, which is told as in {@link #readStored(Path)}, whatever its name; empty if it is another picture.
+     *
+     * @throws IOException naming the file and what is wrong with it
+     */
+    public static Optional<Layers> findLayers(Path file) throws IOException {
+        boolean isText = ImageFormat.ofFile(file.toString()).filter(ending -> ending == ImageFormat.TXT || ending == ImageFormat.RAW).isPresent();
+        return isText ? Optional.empty() : read(file, input -> ExrReader.canRead(input.peek(16)) ? Optional.of(Exr.readLayers(input)) : Optional.empty());
+    }
+
     private interface Reading<T> {
         T read(BinaryInput input) throws IOException;
     }

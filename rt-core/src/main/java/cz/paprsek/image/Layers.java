@@ -124,7 +124,7 @@ public final class Layers {
         return image;
     }
 
-    /** Which lights there are layers of, by the words that layers have for them: {@code lamp} of {@code light.lamp.R}; last {@code rest}, for all that comes from none. */
+    /** Which lights there are layers of, in red, green and blue, by the words that layers have for them: {@code lamp} of {@code light.lamp.R}; last {@code rest}, for all that comes from none. */
     public List<String> lights() {
         return LightMix.lights(this);
     }

@@ -16,7 +16,8 @@ final class LightMix {
     private LightMix() {}
 
     static List<String> lights(Layers layers) {
-        return layers.names().stream().filter(name -> name.startsWith(PREFIX) && name.endsWith(CHANNELS.get(0))).map(name -> name.substring(PREFIX.length(), name.length() - 2)).toList();
+        return layers.names().stream().filter(name -> name.length() > PREFIX.length() + 2 && name.startsWith(PREFIX) && name.endsWith(CHANNELS.get(0))).map(name -> name.substring(PREFIX.length(), name.length() - 2))
+                .filter(word -> CHANNELS.stream().allMatch(channel -> layers.names().contains(PREFIX + word + channel))).toList();
     }
 
     static Image of(Image picture, Layers layers, Map<String, Vec3> shares) {

@@ -3,13 +3,13 @@ package cz.paprsek.cli.input;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
-import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.Layers;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.text.Numbers;
 import cz.paprsek.text.Similar;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,26 +23,27 @@ public final class MixWishes {
 
     @Option(names = "--mix", paramLabel = "LIGHT=SHARE", description =
             "How much of a light there is to be, in an exr that 'render --aov light' has written: 0 for none, 1 for as it is, 2 for a stop more, "
-                    + "or three numbers such as 1,0.8,0.5 for red, green and blue; 'rest' is sky, background and what glows. Nothing is rendered again. May be given several times.")
-    private Map<String, String> shares = new LinkedHashMap<>();
+                    + "or three numbers such as 1,0.8,0.5 for red, green and blue; 'rest' is sky, background and what glows. Nothing is rendered again. May be given several times, once for each light.")
+    private List<String> wishes = new ArrayList<>();
 
     /** Whether something is wished for. */
     public boolean areSaid() {
-        return !shares.isEmpty();
+        return !wishes.isEmpty();
     }
 
     /**
      * A picture with its lights as they are wished for.
      *
-     * @throws WrongUsage if it has no layers of lights, or not of those that are named, or what is wished for is no share
+     * @throws WrongUsage if it has no layers of lights, or not of those that are named, or what is wished for is no share, or is wished for twice
+     * @throws IOException if it cannot be read
      */
     public Image read(Path picture) throws IOException {
         Map<String, Vec3> wanted = new LinkedHashMap<>();
-        shares.forEach((light, text) -> wanted.put(light, share(light, text)));
+        wishes.forEach(wish -> note(wish, wanted));
         if (wanted.isEmpty()) {
             return ImageFiles.read(picture);
         }
-        Layers layers = ImageFormat.ofFile(picture.toString()).filter(format -> format == ImageFormat.EXR).isPresent() ? ImageFiles.readLayers(picture) : Layers.ofSize(1, 1);
+        Layers layers = ImageFiles.findLayers(picture).orElseGet(() -> Layers.ofSize(1, 1));
         List<String> lights = layers.lights();
         if (lights.isEmpty() || !layers.names().contains("R")) {
             throw new WrongUsage(picture + " has no layers of lights that could be mixed; paprsek render --aov light -o FILE.exr makes them");
@@ -52,7 +53,26 @@ public final class MixWishes {
                 throw new WrongUsage(picture + " has no layer of a light '" + light + "', but of " + String.join(", ", lights) + Similar.suggestion(light, lights));
             }
         }
-        return layers.mixed(layers.image(""), wanted);
+        return layers.mixed(whole(picture, layers), wanted);
+    }
+
+    private static Image whole(Path picture, Layers layers) throws IOException {
+        try {
+            return layers.image("");
+        } catch (IllegalArgumentException incomplete) {
+            throw new IOException(picture + ": " + incomplete.getMessage(), incomplete);
+        }
+    }
+
+    private static void note(String wish, Map<String, Vec3> wanted) {
+        int end = wish.indexOf('=');
+        if (end < 0) {
+            throw new WrongUsage("--mix: expected LIGHT=SHARE such as sun=0.5, but found '" + wish + "'");
+        }
+        String light = wish.substring(0, end);
+        if (wanted.put(light, share(light, wish.substring(end + 1))) != null) {
+            throw new WrongUsage("--mix " + light + " is given twice, and it is not told which is meant");
+        }
     }
 
     private static Vec3 share(String light, String text) {
