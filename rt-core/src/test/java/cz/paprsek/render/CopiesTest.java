@@ -11,6 +11,7 @@ import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.render.surface.World;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
@@ -28,9 +29,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.function.Function;
+import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A body that stands in many places is placed once, and the pictures are those of a scene in which each has its own. */
 class CopiesTest {
@@ -126,6 +130,66 @@ class CopiesTest {
 
     private static Optional<ScenePath> surface(RenderScene scene, int x, int y) {
         return scene.explain(x, y).rays().get(0).encounter().map(met -> met.place().surface().part().object());
+    }
+
+    /** What the inside takes of light is what the first part does that light gets through, not what the material around would. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 255})
+    void theInsideOfACopyIsThatOfItsFirstPart(int lastOfBlue) {
+        assertAlikeCopied(apart -> inRows(balls(i -> i <= lastOfBlue ? tinted(40, 40, 255) : Inherited.INHERITED), apart, tinted(255, 40, 40)));
+    }
+
+    /** What is flush with a body of glass is met in its own order, whatever the unused material around. */
+    @Test
+    void aCopyOfOpaquePartsIsOpaqueInAnObjectOfGlass() {
+        Scene flush = assertAlikeCopied(apart -> inRows(blocks(), apart, tinted(255, 40, 40))
+                .plus(SceneObject.of(new Block(new Vec3(-6, 0.05, -9), new Vec3(6, 0.3, 2))).madeOf(tinted(40, 40, 255))));
+        World world = RenderScene.of(flush).world();
+        assertThat(world.isMedium(0)).isFalse();
+        assertThat(world.isMedium(PLACES)).isTrue();
+    }
+
+    private static Material tinted(int red, int green, int blue) {
+        return Material.color(255, 255, 255).withDiffusion(0.05).withTransparency(0.95, 1.2).withAttenuation(new Rgb(red, green, blue), 0.05);
+    }
+
+    private static Csg balls(IntFunction<MaterialSource> materials) {
+        List<Operand> all = new ArrayList<>();
+        for (int i = 0; i < 256; i++) {
+            all.add(Operand.of(new Sphere(0.9)).at(i % 16 - 8, i % 3 * 0.5, i / 16 - 8).madeOf(materials.apply(i)));
+        }
+        return Csg.union(all.toArray(Operand[]::new));
+    }
+
+    private static Csg blocks() {
+        List<Operand> all = new ArrayList<>();
+        for (int i = 0; i < 256; i++) {
+            all.add(Operand.of(new Block(new Vec3(0, 0, 0), new Vec3(1, 1, 1))).at(i % 16 - 8, 0, i / 16 - 8).madeOf(Scenes.matte(0.7, 0.6)));
+        }
+        return Csg.union(all.toArray(Operand[]::new));
+    }
+
+    private static Scene inRows(Csg body, boolean apart, Material material) {
+        List<SceneObject> objects = new ArrayList<>();
+        for (int i = 0; i < PLACES; i++) {
+            List<Operand> own = new ArrayList<>(body.operands());
+            own.set(0, own.get(0).named(apart ? "only " + i : ""));
+            objects.add(SceneObject.of(new Csg(body.operation(), own)).scaled(0.05, 0.05, 0.05).at((i % 16 - 8) * 0.8, 0, -(i / 16) * 0.8).madeOf(material));
+        }
+        return Scenes.empty().withSettings(new RenderSettings(33, 25, 6, 1)).withCamera(Camera.lookingAt(new Vec3(0, 1, 6), new Vec3(0, 0, -5))).withObjects(objects)
+                .withBackground(new Rgb(60, 90, 140)).withAmbient(Rgb.grey(40)).plus(Light.at(5, 6, 6).withIntensity(0.6));
+    }
+
+    /** @param scene makes one whose bodies differ by name if that is asked for, else not */
+    private static Scene assertAlikeCopied(Function<Boolean, Scene> scene) {
+        Scene shared = scene.apply(false);
+        Scene apart = scene.apply(true);
+        RenderScene ready = RenderScene.of(shared);
+        RenderScene readyApart = RenderScene.of(apart);
+        assertThat(ready.world().surface(0)).isInstanceOf(Copy.class);
+        assertThat(readyApart.world().surface(0)).isNotInstanceOf(Copy.class);
+        assertAlike(picture(ready, RenderOptions.of(shared)), picture(readyApart, RenderOptions.of(apart)));
+        return shared;
     }
 
     @Test

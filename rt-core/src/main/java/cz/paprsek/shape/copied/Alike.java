@@ -1,7 +1,9 @@
 package cz.paprsek.shape.copied;
 
+import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Placement;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -75,6 +77,11 @@ public final class Alike {
         return of(csg).csg;
     }
 
+    /** How many hashes there are among the operations that differ: for tests. */
+    int hashes() {
+        return (int) all.keySet().stream().mapToInt(Key::hashCode).distinct().count();
+    }
+
     One of(Csg csg) {
         One one = known(csg);
         if (one == null) {
@@ -111,11 +118,27 @@ public final class Alike {
         Key(Csg csg, List<One> within) {
             this.csg = csg;
             this.within = within;
-            int sum = 31 * csg.operation().hashCode() + within.hashCode();
+            long sum = mixed(csg.operation().hashCode(), within.hashCode());
             for (Operand operand : csg.operands()) {
-                sum = 31 * sum + 31 * operand.placement().hashCode() + (operand.solid() instanceof Csg ? 1 : operand.solid().hashCode());
+                sum = mixed(sum, operand.solid() instanceof Csg ? 1 : operand.solid().hashCode());
+                sum = mixed(sum, operand.name().hashCode());
+                sum = mixed(sum, operand.hidden() ? 1 : 0);
+                sum = mixed(sum, operand.material().hashCode());
+                sum = mixed(sum, operand.pivot().hashCode());
+                Placement placement = operand.placement();
+                sum = mixed(mixed(mixed(sum, placement.position()), placement.rotation()), placement.scale());
             }
-            hash = sum;
+            hash = (int) (sum ^ sum >>> 32);
+        }
+
+        private static long mixed(long sum, Vec3 v) {
+            return mixed(mixed(mixed(sum, Double.doubleToLongBits(v.x())), Double.doubleToLongBits(v.y())), Double.doubleToLongBits(v.z()));
+        }
+
+        /** All bits count: those of whole numbers differ only in the highest. */
+        private static long mixed(long sum, long more) {
+            long product = (sum ^ more) * 0x9E3779B97F4A7C15L;
+            return product ^ product >>> 29;
         }
 
         @Override

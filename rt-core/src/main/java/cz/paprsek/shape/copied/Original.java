@@ -24,13 +24,15 @@ public final class Original {
 
     private final Originals others;
     private final Volume whole;
-    /** By slot: the parts, and their scopes. */
+    /** By slot: the parts, and their scopes, in the end as places among those that are used. */
     private Part[] parts = new Part[16];
     private int[] partScopes = new int[16];
     private int slots;
     private int count;
     private final Runs runs = new Runs();
     private final List<Given> scopes = new ArrayList<>();
+    /** The scopes that parts have, in the order of the first of these. */
+    private final int[] used;
 
     Original(Parts.Placer alone, Originals others) {
         this.others = others;
@@ -38,7 +40,12 @@ public final class Original {
         scopes.add(new Given(0, Inherited.INHERITED, Affine.IDENTITY, false, false));
         whole = alone.place(Affine.IDENTITY, around);
         parts = Arrays.copyOf(parts, slots);
-        partScopes = Arrays.copyOf(partScopes, slots);
+        used = Arrays.stream(partScopes, 0, slots).distinct().toArray();
+        int[] places = new int[scopes.size()];
+        for (int i = 0; i < used.length; i++) {
+            places[used[i]] = i;
+        }
+        partScopes = Arrays.stream(partScopes, 0, slots).map(scope -> places[scope]).toArray();
     }
 
     /**
@@ -63,10 +70,10 @@ public final class Original {
 
     /** How many scopes its parts have. */
     public int scopes() {
-        return scopes.size();
+        return used.length;
     }
 
-    /** The scope of a part, by its place. */
+    /** The scope of a part, by its place: a place among those that {@link #scopesIn} tells. */
     int scope(int place) {
         return partScopes[runs.slot(place)];
     }
@@ -93,14 +100,14 @@ public final class Original {
         return new Copy(this, toWorld, first);
     }
 
-    /** What the scopes of a copy mean, in their order. */
+    /** What the scopes of a copy's parts mean, in the order of the first part of each. */
     public List<Parts> scopesIn(Parts around, Affine toWorld) {
         List<Parts> meant = new ArrayList<>(scopes.size());
         meant.add(around);
         for (Given scope : scopes.subList(1, scopes.size())) {
             meant.add(scope.in(meant.get(scope.around), toWorld));
         }
-        return meant;
+        return Arrays.stream(used).mapToObj(meant::get).toList();
     }
 
     private void keep(int scope) {

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.material.Inherited;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.MaterialName;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.ray.Hit;
 import cz.paprsek.shape.Block;
@@ -21,6 +23,7 @@ import cz.paprsek.shape.placed.Spans;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -201,6 +204,28 @@ class CopyTest {
         assertThat(nested.has(pair)).isTrue();
         assertThat(nested.has(ten)).as("stands twice in what is placed once").isFalse();
         assertThat(Repeated.in(List.of(new Csg(Csg.Operation.UNION, List.of(Operand.of(ten).madeOf(Inherited.INHERITED).placed(Placement.at(0, 1, 0)))), ten, ten), 30).has(ten)).isTrue();
+    }
+
+    /** Else each would have to be compared with all others. */
+    @Test
+    void operationsThatDifferHaveHashesThatDo() {
+        List<UnaryOperator<Operand>> ways = new ArrayList<>();
+        for (int i = 0; i < 500; i++) {
+            int k = i;
+            int more = i / 256;
+            ways.add(operand -> operand.named("ball " + k));
+            ways.add(operand -> operand.madeOf(Material.color(k % 256, more, 7)));
+            ways.add(operand -> operand.madeOf(new MaterialName("paint " + k)));
+            ways.add(operand -> new Operand("", operand.solid(), operand.placement(), new Placement.Point(new Vec3(k, 0, 0)), false, Inherited.INHERITED));
+            ways.add(operand -> operand.at(k % 32, more, 1 + k));
+        }
+        ways.add(operand -> new Operand("", operand.solid(), operand.placement(), Placement.MIDDLE, true, Inherited.INHERITED));
+        Alike alike = Alike.forgetting();
+        for (UnaryOperator<Operand> way : ways) {
+            alike.only(Csg.union(way.apply(Operand.of(new Sphere(0.5))), Operand.of(new Sphere(1))));
+            alike.only(Csg.union(way.apply(Operand.of(Csg.union(new Sphere(0.5), new Sphere(2)))), Operand.of(new Sphere(1))));
+        }
+        assertThat(alike.hashes()).isGreaterThan(2 * ways.size() - 3);
     }
 
     @Test
