@@ -20,16 +20,24 @@ public enum ForeignFormat {
     OPENSCAD("OpenSCAD", "OpenSCAD CSG", "csg");
 
     /** How many bytes of a file tell what it is. */
-    public static final int HEAD = 1024;
+    public static final int HEAD = 8192;
+
+    private static final String REMARKS = "(?:\\s++|#[^\r\n]*+(?:[\r\n]|\\z))*+";
+
+    /** What is first in an OFF file, after remarks: two numbers come next, or so much of remarks that one cannot know. */
+    private static final Pattern OFF_COUNTS = Pattern.compile(
+            REMARKS + "(?:ST)?C?N?C?(?:ST)?OFF(?:[ \t]++BINARY\\s|" + REMARKS + "(?:\\z|\\d++(?:\\z|(?=[\\s#])" + REMARKS + "(?:\\z|\\d))))");
 
     /** What is first in an OBJ file, after remarks. */
-    private static final Pattern OBJ_STATEMENT = Pattern.compile("(?:\\s|#[^\n]*\n)*+(?:mtllib|usemtl|o|g|s|v|vn|vt)[ \t]+[^\\s]");
+    private static final Pattern OBJ_STATEMENT = Pattern.compile(REMARKS + "(?:mtllib|usemtl|o|g|s|v|vn|vt)[ \t]+[^\\s]");
 
-    /** What is first in an NFF file, after remarks: from where one looks, perhaps after the background. */
-    private static final Pattern NFF_VIEW = Pattern.compile("(?:\\s|#[^\n]*\n)*+(?:b[ \t][^\n]*\n\\s*+)?v[ \t]*\r?\n\\s*+from[ \t]");
-    /** What is first in what OpenSCAD writes: a body, or what bodies are in. */
-    private static final Pattern CSG_NODE = Pattern.compile(
-            "\\s*+(?:group|union|difference|intersection|multmatrix|color|render|hull|minkowski|linear_extrude|rotate_extrude|cube|sphere|cylinder|polyhedron)[ \t]*\\([^\n]*\\)[ \t]*[{;]");
+    /** What is first in an NFF file, after remarks: from where one looks, perhaps after the background and lights. */
+    private static final Pattern NFF_VIEW = Pattern.compile(REMARKS + "(?:[bl][ \t]++[-+.\\d][^\r\n]*+" + REMARKS + ")*+v\\s++from\\s++[-+.\\d]");
+    private static final String CSG_GROUP = "(?:group|union|difference|intersection|hull|minkowski)";
+    private static final String CSG_OTHER = "(?:multmatrix|color|render|linear_extrude|rotate_extrude|offset|projection|resize|cube|sphere|cylinder|polyhedron|square|circle|polygon|text|surface)";
+    /** What is first in what OpenSCAD writes: a body with named values or a list, or what bodies are in. */
+    private static final Pattern CSG_NODE = Pattern.compile("\\s*+[#%!*]?(?:" + CSG_GROUP + "\\s*+\\(\\s*+\\)\\s*+(?:;|\\{\\s*+(?:\\z|\\}|[#%!*]?(?:import|" + CSG_GROUP + '|' + CSG_OTHER + ")\\s*+\\())|"
+            + CSG_OTHER + "\\s*+\\(\\s*+(?:\\[|\\$?\\w++\\s*+=[^=])|import\\s*+\\(\\s*+file\\s*+=)");
 
     private final String word;
     private final String label;
@@ -87,7 +95,7 @@ public enum ForeignFormat {
         if (text.matches("(?s)ply[\r\n].*")) {
             return Optional.of(PLY);
         }
-        if (text.matches("(?s)C?N?C?OFF[\\s\\d].*")) {
+        if (OFF_COUNTS.matcher(text).lookingAt()) {
             return Optional.of(OFF);
         }
         Optional<ForeignFormat> named = ofName(fileName);
@@ -98,8 +106,8 @@ public enum ForeignFormat {
         if (text.regionMatches(true, 0, "solid", 0, 5)) {
             return Optional.of(STL);
         }
-        return text.indexOf('\0') >= 0 ? named : OBJ_STATEMENT.matcher(text).lookingAt() ? Optional.of(OBJ)
-                : NFF_VIEW.matcher(text).lookingAt() ? Optional.of(NFF) : CSG_NODE.matcher(text).lookingAt() && !isProgram(fileName) ? Optional.of(OPENSCAD) : named;
+        return text.indexOf('\0') >= 0 ? named : NFF_VIEW.matcher(text).lookingAt() ? Optional.of(NFF)
+                : OBJ_STATEMENT.matcher(text).lookingAt() ? Optional.of(OBJ) : CSG_NODE.matcher(text).lookingAt() && !isProgram(fileName) ? Optional.of(OPENSCAD) : named;
     }
 
     /** OpenSCAD's own programs may begin as what it makes of them. */
