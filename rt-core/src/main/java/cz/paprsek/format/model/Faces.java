@@ -46,10 +46,20 @@ public final class Faces {
 
     /** Of the face that came last, in sRGB, 0–255; others are white. */
     public void faceColor(double red, double green, double blue) {
-        while (faceColors.size() < sizes.size() - 1) {
+        faceColor(count() - 1, red, green, blue);
+    }
+
+    /** Of a face by its number, after all those of faces before it. */
+    public void faceColor(int face, double red, double green, double blue) {
+        while (faceColors.size() < face) {
             faceColors.add(WHITE);
         }
         faceColors.add((int) Math.rint(within(red)) << 16 | (int) Math.rint(within(green)) << 8 | (int) Math.rint(within(blue)));
+    }
+
+    /** How many faces were begun. */
+    public int count() {
+        return sizes.size();
     }
 
     private static double within(double channel) {
@@ -66,8 +76,13 @@ public final class Faces {
         corners.add(vertex);
     }
 
-    /** @throws FormatFault if there is no face, or one has a corner that is no vertex */
-    public Triangles build() throws FormatFault {
+    /**
+     * The mesh of them.
+     *
+     * @param notes takes what was not done as it should
+     * @throws FormatFault if there is no face, or one has a corner that is no vertex
+     */
+    public Triangles build(Notes notes) throws FormatFault {
         int vertexCount = places.size() / 3;
         if (sizes.size() == 0) {
             throw FormatFault.in("the end", "there is no face in this file" + (vertexCount > 0 ? ", only " + vertexCount + " vertices" : ""));
@@ -81,6 +96,7 @@ public final class Faces {
             }
         }
         Polygon polygon = new Polygon();
+        boolean isHurried = false;
         Pairs colored = new Pairs();
         int at = 0;
         for (int f = 0; f < sizes.size(); f++) {
@@ -97,6 +113,10 @@ public final class Faces {
                     builder.triangle(a, b, c);
                 }
             });
+            if (polygon.isHurried() && !isHurried) {
+                isHurried = true;
+                notes.add("face " + f, Polygon.HURRIED);
+            }
         }
         if (builder.triangleCount() == 0) {
             throw FormatFault.in("the end", "no face of this file has three corners");

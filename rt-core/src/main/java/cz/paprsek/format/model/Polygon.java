@@ -9,10 +9,14 @@ import java.util.Arrays;
  * @source Meisters, Polygons Have Ears, American Mathematical Monthly 82(6), 1975
  */
 public final class Polygon {
+    /** What to note if {@link #isHurried}. */
+    public static final String HURRIED = "faces have so many corners, and bend so often, that these and later ones are cut into triangles somehow";
+
     /** How many corners may be looked at in search of ears, in all faces together. */
-    private static final long MOST_LOOKS = 10_000_000_000L;
+    private static final long MOST_LOOKS = 400_000_000L;
 
     private long looks = MOST_LOOKS;
+    private boolean isHurried;
     private double[] places = new double[3 * 16];
     private int[] vertices = new int[16];
     private int count;
@@ -48,6 +52,11 @@ public final class Polygon {
         places[3 * count] = x;
         places[3 * count + 1] = y;
         places[3 * count++ + 2] = z;
+    }
+
+    /** Whether a face was cut somehow, as it would have taken too long. */
+    public boolean isHurried() {
+        return isHurried;
     }
 
     /** Two triangles less than there are corners, turned as the face is. */
@@ -135,9 +144,13 @@ public final class Polygon {
         int a = before[at];
         int c = after[at];
         double area = turn(a, at, c);
-        if (area <= 0 || looks <= 0) {
+        if (looks <= 0) {
+            isHurried = true;
+            return true;
+        }
+        if (area <= 0) {
             // A corner in the middle of an edge can go as soon as its neighbours do not fold back.
-            return looks <= 0 || (area == 0 && isBetween(a, at, c));
+            return area == 0 && isBetween(a, at, c);
         }
         looks -= left;
         for (int i = after[c]; i != a; i = after[i]) {

@@ -248,6 +248,9 @@ public final class NffReader {
             polygon.add(vertex, corner.x(), corner.y(), corner.z());
         }
         polygon.cut(builder::triangle);
+        if (polygon.isHurried()) {
+            notes.line(lines.line(), Polygon.HURRIED);
+        }
     }
 
     private void finishMesh() {

@@ -66,6 +66,9 @@ public final class ObjReader {
         if (corners.isEmpty()) {
             throw FormatFault.in("the end", "there is no face in this file" + (places.size() > 0 ? ", only " + places.size() / 3 + " vertices" : ""));
         }
+        if (polygon.isHurried()) {
+            notes.add("", Polygon.HURRIED);
+        }
         return new Model(corners.build(), parts.materials(), materials, Map.of(), List.of(), List.of(),
                 CONVENTION, notes.toList());
     }

@@ -1,8 +1,10 @@
 package cz.paprsek.format.off;
 
 import cz.paprsek.format.model.Convention;
+import cz.paprsek.format.model.Doubles;
 import cz.paprsek.format.model.Faces;
 import cz.paprsek.format.model.FormatFault;
+import cz.paprsek.format.model.Ints;
 import cz.paprsek.format.model.Model;
 import cz.paprsek.format.model.Notes;
 import cz.paprsek.format.model.TextLines;
@@ -13,13 +15,14 @@ import java.util.regex.Pattern;
 
 /**
  * Reads OFF: how many vertices and faces there are, and a line for each. Letters before the first word, from its end on, say what a vertex has after its place: {@code N} a normal, {@code C} a
- * colour; Geomview writes {@code CNOFF}, MeshLab {@code NCOFF}. Colours are sRGB, with a point in one of their numbers from 0 to 1, else from 0 to 255.
+ * colour; Geomview writes {@code CNOFF}, MeshLab {@code NCOFF}; {@code ST} is a place in a picture, after both. Colours are sRGB. Those of all vertices are from 0 to 1 if one of them has a point or
+ * an exponent, or none is above 1; else from 0 to 255. A face's are so by itself; what has only zeros and ones is as the other faces are.
  *
  * @source Phillips, Levy and Munzner, Geomview Manual, version 1.9.4, 2007, OFF Files
  */
 public final class OffReader {
     private static final Convention CONVENTION = new Convention("", false);
-    private static final Pattern FIRST = Pattern.compile("(C|N|CN|NC|)OFF(\\d{0,10})");
+    private static final Pattern FIRST = Pattern.compile("(?:ST)?(C|N|CN|NC|)(?:ST)?OFF(\\d{0,10})");
     private static final int MOST_CORNERS = 1_000_000;
     /** How many bytes the line of a vertex has at least, and that of a face. */
     private static final int VERTEX = 6;
@@ -29,9 +32,18 @@ public final class OffReader {
     private final long size;
     private final Notes notes = new Notes();
     private final Faces faces = new Faces();
-    /** What stands at the end of a line, and whether it has a point. */
-    private final double[] row = new double[7];
-    private final boolean[] hasPoint = new boolean[row.length];
+    /** Of the vertices, as they are in the file, until all are known. */
+    private final Doubles vertexColors = new Doubles();
+    private final Scale vertexScale = new Scale();
+    /** Which faces have colours; which, as they are in the file; and what they are multiplied with, 0 if only the other faces tell. */
+    private final Ints coloredFaces = new Ints();
+    private final Doubles faceColors = new Doubles();
+    private final Scale faceScale = new Scale();
+    /** What stands at the end of a line, and whether it has a point or an exponent. */
+    private final double[] row = new double[9];
+    private final boolean[] isReal = new boolean[row.length];
+    /** Whether the first word of a line was looked at and is still to be read. */
+    private boolean isBegun;
 
     private OffReader(TextLines lines, long size) {
         this.lines = lines;
@@ -46,24 +58,27 @@ public final class OffReader {
     private Model read() throws IOException {
         Matcher first = FIRST.matcher(next() ? lines.text() : "");
         if (!first.matches() || lines.rest().startsWith("BINARY")) {
-            throw lines.fault("an OFF file that is text, and of three dimensions, begins with \"OFF\", or with \"C\" and \"N\" before it");
+            throw lines.fault("an OFF file that is text, and of three dimensions, begins with \"OFF\", or with \"C\", \"N\" and \"ST\" before it, but here is "
+                    + FormatFault.quoted(lines.rest().startsWith("BINARY") ? lines.text() + " BINARY" : lines.text()));
         }
+        boolean isMapped = first.group().contains("ST");
         boolean isNormalFirst = first.group(1).endsWith("N");
         boolean hasNormals = first.group(1).contains("N");
         boolean isColored = first.group(1).contains("C");
         // Some programs write no blank before the first number.
         long vertices = first.group(2).isEmpty() ? count("vertices", VERTEX) : bounded(Long.parseLong(first.group(2)), "vertices", VERTEX);
         long count = count("faces", FACE);
-        lines.next();
+        edges();
         for (long i = 0; i < vertices; i++) {
             line(i, vertices, "vertices");
-            vertex(hasNormals, isColored, isNormalFirst);
+            vertex(hasNormals, isColored, isNormalFirst, isMapped);
         }
         for (long i = 0; i < count; i++) {
             line(i, count, "faces");
             face(vertices);
         }
-        return Model.of(faces.build(), CONVENTION, notes);
+        colors();
+        return Model.of(faces.build(notes), CONVENTION, notes);
     }
 
     /** Goes to the next word, past remarks; false if there is none. */
@@ -77,6 +92,18 @@ public final class OffReader {
             }
         }
         return false;
+    }
+
+    /** Goes past the number of edges, of which nothing depends: after those of vertices and faces, or alone in the next line, or nowhere. */
+    private void edges() throws IOException {
+        boolean isHere = isMore();
+        lines.next();
+        if (!isHere && next()) {
+            isBegun = !lines.rest().isEmpty() && !lines.rest().startsWith("#");
+            if (!isBegun) {
+                lines.next();
+            }
+        }
     }
 
     private long count(String what, int least) throws IOException {
@@ -95,19 +122,21 @@ public final class OffReader {
 
     /** Goes to the first word of the next line that has any. */
     private void line(long done, long of, String what) throws IOException {
-        if (!next()) {
-            throw FormatFault.in("the end", "here are " + done + " of " + of + " " + what);
+        if (!isBegun && !next()) {
+            throw FormatFault.in("the end", "here are " + done + " of " + of + " " + what + "; each must be a line");
         }
+        isBegun = false;
     }
 
-    private void vertex(boolean hasNormal, boolean isColored, boolean isNormalFirst) throws IOException {
+    private void vertex(boolean hasNormal, boolean isColored, boolean isNormalFirst, boolean isMapped) throws IOException {
         faces.places().add(within(lines.number("x of a vertex"), "x"));
-        faces.places().add(within(lines.nextNumber("y of a vertex"), "y"));
-        faces.places().add(within(lines.nextNumber("z of a vertex"), "z"));
+        faces.places().add(coordinate("y"));
+        faces.places().add(coordinate("z"));
         int more = rest("what follows the place of a vertex");
-        int channels = more - (hasNormal ? 3 : 0);
+        int others = (hasNormal ? 3 : 0) + (isMapped ? 2 : 0);
+        int channels = more - others;
         if (channels < 0 || (isColored && channels != 3 && channels != 4)) {
-            throw lines.fault("a vertex must have " + (!isColored ? "3" : hasNormal ? "6 or 7" : "3 or 4") + " numbers after its place, but has " + more);
+            throw lines.fault("a vertex must have " + (isColored ? others + 3 + " or " + (others + 4) : others) + " numbers after its place, but has " + more);
         }
         if (hasNormal) {
             int at = isNormalFirst ? 0 : channels;
@@ -117,14 +146,30 @@ public final class OffReader {
         }
         if (isColored) {
             int at = isNormalFirst ? 3 : 0;
-            double white = white(at, channels);
-            for (int k = 0; k < 3; k++) {
-                faces.vertexColor(white * row[at + k]);
-            }
+            keep(vertexColors, at);
+            vertexScale.see(row, isReal, at, channels);
         } else if (channels > 0) {
             notes.line(lines.line(), "numbers after a vertex of which the first line does not tell are not read");
         }
+        if (isMapped) {
+            int at = (hasNormal ? 3 : 0) + (isColored ? channels : 0);
+            faces.map().add(row[at]);
+            faces.map().add(row[at + 1]);
+        }
         lines.next();
+    }
+
+    private void keep(Doubles colors, int at) {
+        for (int k = 0; k < 3; k++) {
+            colors.add(row[at + k]);
+        }
+    }
+
+    private double coordinate(String axis) throws IOException {
+        if (!isMore()) {
+            throw lines.fault(axis + " of a vertex is missing; each must be a line");
+        }
+        return within(lines.nextNumber(axis + " of a vertex"), axis);
     }
 
     private double within(double value, String axis) throws IOException {
@@ -157,8 +202,12 @@ public final class OffReader {
         }
         int channels = rest("the colour of a face");
         if (channels == 3 || channels == 4) {
-            double white = white(0, channels);
-            faces.faceColor(white * row[0], white * row[1], white * row[2]);
+            Scale own = new Scale();
+            own.see(row, isReal, 0, channels);
+            faceScale.see(row, isReal, 0, channels);
+            coloredFaces.add(faces.count() - 1);
+            keep(faceColors, 0);
+            faceColors.add(own.isTold() ? own.white() : 0);
         } else if (channels > 0) {
             notes.line(lines.line(), "colours of faces by their number in a table are not read");
         }
@@ -168,24 +217,31 @@ public final class OffReader {
     /** Reads what is left of the line, up to a remark: how many numbers. */
     private int rest(String what) throws IOException {
         int count = 0;
-        while (count < row.length && lines.beginWord() && lines.ahead(0) != '#') {
+        while (count < row.length && isMore()) {
             row[count] = lines.nextNumber(what);
-            hasPoint[count] = false;
+            isReal[count] = false;
             for (int i = 0; i < lines.length(); i++) {
-                hasPoint[count] |= lines.letter(i) == '.';
+                isReal[count] |= lines.letter(i) == '.' || lines.letter(i) >= 'A';
             }
             count++;
         }
         return count;
     }
 
-    /** What a channel is multiplied with, so that white is 255; the fourth is opacity. */
-    private double white(int from, int channels) {
-        for (int i = from; i < from + channels; i++) {
-            if (hasPoint[i]) {
-                return 255;
-            }
+    /** Whether there is another word in the line, before a remark. */
+    private boolean isMore() {
+        return lines.beginWord() && lines.ahead(0) != '#';
+    }
+
+    /** Gives the faces their colours, now that it is known what white is. */
+    private void colors() {
+        for (int i = 0; i < vertexColors.size(); i++) {
+            faces.vertexColor(vertexScale.white() * vertexColors.get(i));
         }
-        return 1;
+        for (int i = 0; i < coloredFaces.size(); i++) {
+            double own = faceColors.get(4 * i + 3);
+            double white = own > 0 ? own : faceScale.white();
+            faces.faceColor(coloredFaces.get(i), white * faceColors.get(4 * i), white * faceColors.get(4 * i + 1), white * faceColors.get(4 * i + 2));
+        }
     }
 }

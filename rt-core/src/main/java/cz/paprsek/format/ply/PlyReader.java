@@ -61,7 +61,7 @@ public final class PlyReader {
                 throw values.ended("the file ends before all of its " + element.count() + " times " + FormatFault.quoted(element.name()));
             }
         }
-        return Model.of(faces.build(), CONVENTION, notes);
+        return Model.of(faces.build(notes), CONVENTION, notes);
     }
 
     private void passOver(Element element) throws IOException {
