@@ -13,8 +13,6 @@ import java.util.Arrays;
 public final class PartTable {
     private static final int BITS = Original.BITS;
     private static final int APART = 1 << BITS;
-    /** How many there may be; behind them come the lights that are seen. */
-    static final int MOST = (1 << (31 - BITS)) - 1024;
 
     private final Part[] parts;
     private final Finish[] finishes;
@@ -154,9 +152,11 @@ public final class PartTable {
     /** The last part of an object of those that were placed first. */
     int lastOf(int object) {
         int place = firsts[object] >> BITS;
-        while (number(place + 1) < end && objects[runs.slot(place + 1)] == object) {
-            place++;
+        int last = place;
+        while (number(place) < end && objects[runs.slot(place)] == object) {
+            place = runs.after(place);
+            last = place - 1;
         }
-        return number(place);
+        return number(last);
     }
 }

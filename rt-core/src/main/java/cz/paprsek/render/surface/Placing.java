@@ -13,6 +13,7 @@ import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.copied.Copy;
+import cz.paprsek.shape.copied.Original;
 import cz.paprsek.shape.copied.Originals;
 import cz.paprsek.shape.copied.Repeated;
 import cz.paprsek.shape.copied.Runs;
@@ -86,10 +87,7 @@ final class Placing {
     }
 
     private void takePlaces(int count) {
-        places += count;
-        if (places > PartTable.MOST || places < 0) {
-            throw new IllegalArgumentException("the scene has more than " + PartTable.MOST + " primitives in all places together");
-        }
+        places = Original.sum(places, count);
     }
 
     /**

@@ -48,7 +48,7 @@ public final class Alike {
         private One(Csg csg, List<One> within) {
             this.csg = csg;
             this.within = within;
-            size = within.stream().mapToLong(one -> one.size).sum() + csg.operands().size() - within.size();
+            size = Math.min(Integer.MAX_VALUE, within.stream().mapToLong(one -> one.size).sum() + csg.operands().size() - within.size());
             height = 1 + within.stream().mapToInt(one -> one.height).max().orElse(0);
         }
 
@@ -61,7 +61,7 @@ public final class Alike {
             return within;
         }
 
-        /** How many primitives it has. */
+        /** How many primitives it has, or the greatest int if these are more. */
         long size() {
             return size;
         }
@@ -72,9 +72,9 @@ public final class Alike {
         }
     }
 
-    /** Of equal operations always the same one. */
+    /** Of equal operations always the same one, but for small ones, which may stay as they are: finding out would take longer than it saves. */
     public Csg only(Csg csg) {
-        return of(csg).csg;
+        return Repeated.isLarge(csg) ? of(csg).csg : csg;
     }
 
     /** How many hashes there are among the operations that differ: for tests. */

@@ -21,6 +21,8 @@ import java.util.function.IntFunction;
 public final class Original {
     /** Numbers of neighbouring parts differ by 2 to this power. */
     public static final int BITS = 4;
+    /** How many parts there may be; behind them come the lights that are seen. */
+    static final int MOST = (1 << (31 - BITS)) - 1024;
 
     private final Originals others;
     private final Volume whole;
@@ -57,6 +59,18 @@ public final class Original {
         Parts in(Parts here, Affine toWorld) {
             return onlyIfNone ? here.unlessGiven((Material) material, toWorld.after(at), isTinted) : here.within(material, toWorld.after(at));
         }
+    }
+
+    /**
+     * How many parts there are with some more.
+     *
+     * @throws IllegalArgumentException if that is more than {@value #MOST}
+     */
+    public static int sum(int parts, long more) {
+        if (more > MOST - parts) {
+            throw new IllegalArgumentException("the scene has more than " + MOST + " primitives in all places together");
+        }
+        return (int) (parts + more);
     }
 
     Volume whole() {
@@ -131,7 +145,8 @@ public final class Original {
 
         @Override
         public <P extends Part> P add(IntFunction<P> maker) {
-            P part = maker.apply(count++ << BITS);
+            P part = maker.apply(count << BITS);
+            count = sum(count, 1);
             keep(number);
             parts[slots - 1] = part;
             return part;
@@ -162,7 +177,7 @@ public final class Original {
                 Copy copy = original.copy(toWorld, count << BITS);
                 runs.add(count, slots, copy);
                 original.scopesIn(this, toWorld).forEach(scope -> keep(((Scope) scope).number));
-                count += original.count();
+                count = sum(count, original.count());
                 return copy;
             }).orElseGet(() -> alone.place(toWorld, this));
         }

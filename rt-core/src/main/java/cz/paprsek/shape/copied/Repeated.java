@@ -10,6 +10,7 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.Supplier;
 
@@ -24,19 +25,27 @@ public final class Repeated {
     /** As operands so many spheres take about 60 MB. */
     static final int MANY = 1 << 16;
 
-    private final Alike alike;
-    private final Set<One> once;
-    private final long total;
     private final int many;
+    private final Set<One> once;
+    /** Knows those, if there are any. */
+    private final Alike alike;
+    /** If there are none: so many primitives operations would have to be added for one of them to be placed once. */
+    private final long left;
 
     private Repeated(Collection<? extends Shape> shapes, int many, Alike alike) {
         this.many = many;
-        this.alike = alike;
-        this.total = new Sizes().of(shapes);
-        this.once = total >= many ? once(shapes) : Set.of();
+        long most = primitives(shapes, many);
+        IdentityHashMap<One, Long> places = most < many ? new IdentityHashMap<>() : places(shapes, alike);
+        this.once = places.isEmpty() ? Set.of() : once(places);
+        this.left = once.isEmpty() ? left(places, most < many ? many - most : many) : 0;
+        this.alike = once.isEmpty() ? Alike.forgetting() : alike;
     }
 
-    /** Looks through the shapes of a scene. */
+    /**
+     * Looks through the shapes of a scene.
+     *
+     * @throws IllegalArgumentException if they have more than {@value Original#MOST} primitives
+     */
     public static Repeated in(Collection<? extends Shape> shapes) {
         return in(shapes, MANY);
     }
@@ -47,18 +56,52 @@ public final class Repeated {
     }
 
     /**
-     * Whether the same operations are placed once if some of the scene's shapes are taken out and others put in, of which none has such an operation. If too
-     * little is known of them to tell, they are not.
+     * Whether the same operations are placed once if some of the scene's shapes are taken out and others put in, of which none has such an operation.
      *
-     * @param all that there are then; asked only if there are many
+     * @param all that there are then; asked only if what is put in is much
      */
     public boolean stays(Collection<? extends Shape> removed, Collection<? extends Shape> added, Supplier<Collection<? extends Shape>> all) {
-        if (total < many) {
-            return total - new Sizes().of(removed) + new Sizes().of(added) < many;
+        if (once.isEmpty()) {
+            return primitives(fresh(removed, added), many) < left || in(all.get(), many).once.isEmpty();
         }
         Repeated then = new Repeated(all.get(), many, alike.more());
         return then.once.equals(once)
                 && reached(added.stream().filter(Csg.class::isInstance).map(csg -> then.alike.of((Csg) csg)).toList()).stream().noneMatch(once::contains);
+    }
+
+    /** Those added that are not the same as one removed, as those of what has only been moved are. */
+    private static List<Shape> fresh(Collection<? extends Shape> removed, Collection<? extends Shape> added) {
+        IdentityHashMap<Shape, Integer> gone = new IdentityHashMap<>();
+        removed.forEach(shape -> gone.merge(shape, 1, Integer::sum));
+        return added.stream().<Shape>map(shape -> shape).filter(shape -> gone.merge(shape, -1, Integer::sum) < 0).toList();
+    }
+
+    /** How many primitives operations have that are not too small, or some number that is not below {@code most}: so it soon is told of whatever nest. */
+    private static long primitives(Collection<? extends Shape> shapes, long most) {
+        long sum = 0;
+        for (Shape shape : shapes) {
+            if (shape instanceof Csg csg && sum < most) {
+                long own = primitives(csg, Math.max(SMALLEST, most - sum));
+                sum += own < SMALLEST ? 0 : own;
+            }
+        }
+        return sum;
+    }
+
+    private static long primitives(Csg csg, long most) {
+        long sum = 0;
+        for (Operand operand : csg.operands()) {
+            if (sum >= most) {
+                break;
+            }
+            sum += operand.solid() instanceof Csg inner ? primitives(inner, most - sum) : 1;
+        }
+        return sum;
+    }
+
+    /** Whether an operation has enough primitives to be placed once. */
+    static boolean isLarge(Csg csg) {
+        return primitives(csg, SMALLEST) >= SMALLEST;
     }
 
     /** Whether a solid is to be placed once. */
@@ -68,16 +111,25 @@ public final class Repeated {
 
     /** Of equal solids always the same one. */
     Csg only(Csg csg) {
-        return alike.only(csg);
+        return alike.of(csg).csg();
     }
 
-    private Set<One> once(Collection<? extends Shape> shapes) {
+    /** How often each operation stands in a scene by itself. */
+    private static IdentityHashMap<One, Long> places(Collection<? extends Shape> shapes, Alike alike) {
         IdentityHashMap<One, Long> places = new IdentityHashMap<>();
+        int total = 0;
         for (Shape shape : shapes) {
             if (shape instanceof Csg csg) {
-                places.merge(alike.of(csg), 1L, Long::sum);
+                One one = alike.of(csg);
+                places.merge(one, 1L, Long::sum);
+                total = Original.sum(total, one.size());
             }
         }
+        return places;
+    }
+
+    /** @param places to which those within others are added */
+    private Set<One> once(IdentityHashMap<One, Long> places) {
         // What has others inside comes before these.
         List<One> order = reached(places.keySet());
         order.sort(Comparator.comparingInt((One one) -> one.height()).reversed());
@@ -93,6 +145,18 @@ public final class Repeated {
         return found;
     }
 
+    /** @param most what it is at most */
+    private long left(IdentityHashMap<One, Long> places, long most) {
+        long least = most;
+        for (Map.Entry<One, Long> entry : places.entrySet()) {
+            long size = entry.getKey().size();
+            if (size >= SMALLEST) {
+                least = Math.min(least, Math.max(size, many - entry.getValue() * size));
+            }
+        }
+        return least;
+    }
+
     /** These, and all that lie within them. */
     private static List<One> reached(Collection<One> from) {
         List<One> order = new ArrayList<>(from);
@@ -102,31 +166,5 @@ public final class Repeated {
             order.get(i).within().stream().filter(known::add).forEach(order::add);
         }
         return order;
-    }
-
-    /** Counts primitives. */
-    private static final class Sizes {
-        private final IdentityHashMap<Csg, Long> known = new IdentityHashMap<>();
-
-        long of(Collection<? extends Shape> shapes) {
-            long sum = 0;
-            for (Shape shape : shapes) {
-                sum += shape instanceof Csg csg ? of(csg) : 0;
-            }
-            return sum;
-        }
-
-        private long of(Csg csg) {
-            Long before = known.get(csg);
-            if (before == null) {
-                long sum = 0;
-                for (Operand operand : csg.operands()) {
-                    sum += operand.solid() instanceof Csg inner ? of(inner) : 1;
-                }
-                before = sum;
-                known.put(csg, before);
-            }
-            return before;
-        }
     }
 }

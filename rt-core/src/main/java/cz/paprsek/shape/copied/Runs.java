@@ -57,6 +57,12 @@ public final class Runs {
         return within < copies[run].original().count() ? scratch.become(copies[run], within) : alone[slot(place)];
     }
 
+    /** The place behind that of a part, or behind all places of the copy that it is one of. */
+    public int after(int place) {
+        int run = size == 0 ? -1 : find(place);
+        return run < 0 ? place + 1 : Math.max(place + 1, starts[run] + copies[run].original().count());
+    }
+
     /** The last copy that begins at a place or before it; −1 if there is none. */
     private int find(int place) {
         int at = Arrays.binarySearch(starts, 0, size, place);

@@ -1,6 +1,7 @@
 package cz.paprsek.shape.copied;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.material.Inherited;
@@ -15,14 +16,17 @@ import cz.paprsek.shape.Cylinder;
 import cz.paprsek.shape.Isosurface;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
+import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.Torus;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -222,8 +226,8 @@ class CopyTest {
         ways.add(operand -> new Operand("", operand.solid(), operand.placement(), Placement.MIDDLE, true, Inherited.INHERITED));
         Alike alike = Alike.forgetting();
         for (UnaryOperator<Operand> way : ways) {
-            alike.only(Csg.union(way.apply(Operand.of(new Sphere(0.5))), Operand.of(new Sphere(1))));
-            alike.only(Csg.union(way.apply(Operand.of(Csg.union(new Sphere(0.5), new Sphere(2)))), Operand.of(new Sphere(1))));
+            assertThat(alike.of(Csg.union(way.apply(Operand.of(new Sphere(0.5))), Operand.of(new Sphere(1)))).size()).isEqualTo(2);
+            assertThat(alike.of(Csg.union(way.apply(Operand.of(Csg.union(new Sphere(0.5), new Sphere(2)))), Operand.of(new Sphere(1)))).size()).isEqualTo(3);
         }
         assertThat(alike.hashes()).isGreaterThan(2 * ways.size() - 3);
     }
@@ -240,5 +244,42 @@ class CopyTest {
         assertThat(of.stays(List.of(), List.of(other, other), () -> List.of(ten, ten, ten, ten, other, other, other))).as("now many").isFalse();
         assertThat(Repeated.in(List.of(ten), 30).stays(List.of(), List.of(ten), () -> List.of(ten, ten))).isTrue();
         assertThat(Repeated.in(List.of(ten), 30).stays(List.of(), List.of(ten, ten), () -> List.of(ten, ten, ten))).isFalse();
+    }
+
+    /** So a change costs what it is, not what the scene is. */
+    @Test
+    void whereNothingIsPlacedOnceASmallChangeIsToldWithoutLookingAtAll() {
+        Csg ten = row(new Sphere(0.4), 10, 1);
+        Supplier<Collection<? extends Shape>> never = () -> {
+            throw new AssertionError("looks at all");
+        };
+        List<Csg> different = IntStream.range(0, 10).mapToObj(i -> row(new Sphere(0.1 + i), 10, 1)).toList();
+        Repeated little = Repeated.in(List.of(ten, row(new Sphere(0.3), 7, 1), row(new Sphere(0.3), 7, 1), row(new Sphere(0.3), 7, 1)), 30);
+        assertThat(little.stays(List.of(), List.of(row(new Sphere(0.2), 19, 1)), never)).as("29 primitives, small operations apart").isTrue();
+        Repeated much = Repeated.in(different, 30);
+        assertThat(much.has(different.get(0))).isFalse();
+        assertThat(much.stays(List.of(different.get(1)), List.of(different.get(1)), never)).as("moved").isTrue();
+        assertThat(much.stays(List.of(different.get(1)), List.of(row(new Sphere(7), 9, 1)), never)).as("less than the smallest").isTrue();
+        assertThat(much.stays(List.of(), List.of(ten), () -> Stream.concat(different.stream(), Stream.of(ten)).toList())).as("looked at").isTrue();
+        List<Csg> two = List.of(different.get(3), different.get(3));
+        assertThat(much.stays(List.of(), two, () -> Stream.concat(different.stream(), two.stream()).toList())).isFalse();
+    }
+
+    /** Eight balls doubled so often that their number would not go into an int or a long. */
+    @ParameterizedTest
+    @ValueSource(ints = {24, 28, 29, 60, 61})
+    void tooManyPartsAreRefusedBeforeTheyAreWalked(int times) {
+        Csg all = row(new Sphere(0.4), 8, 1);
+        for (int i = 0; i < times; i++) {
+            all = row(all, 2, 1 + i);
+        }
+        Csg nest = all;
+        String expected = "the scene has more than 134216704 primitives in all places together";
+        assertThatThrownBy(() -> Repeated.in(List.of(nest))).isInstanceOf(IllegalArgumentException.class).hasMessage(expected);
+        Repeated small = Repeated.in(List.of(new Sphere(1)));
+        assertThatThrownBy(() -> small.stays(List.of(), List.of(nest), () -> List.of(nest))).hasMessage(expected);
+        assertThat(Original.sum(Original.MOST - 16, 16)).isEqualTo(Original.MOST);
+        assertThatThrownBy(() -> Original.sum(Original.MOST - 15, 16)).hasMessage(expected);
+        assertThatThrownBy(() -> Original.sum(Original.MOST, Integer.MAX_VALUE)).hasMessage(expected);
     }
 }
