@@ -17,6 +17,7 @@ import cz.paprsek.lesson.Lesson;
 import cz.paprsek.lesson.LessonException;
 import cz.paprsek.lesson.Lessons;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.xml.DatabaseConflictException;
 import cz.paprsek.xml.DatabaseFile;
 import cz.paprsek.xml.SceneFileException;
 import cz.paprsek.xml.SceneFiles;
@@ -25,6 +26,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -280,8 +282,14 @@ final class FileActions {
             document.save(source);
             autosave.discard(before);
         } catch (IOException | SceneFileException | IllegalArgumentException e) {
-            notices.ask(texts.get().of("file.not-saved", source.title(), Failures.sentence(e)),
-                    List.of(new MessageBar.Choice("save-elsewhere", texts.get().of("file.save-elsewhere"), this::saveAs)));
+            List<MessageBar.Choice> choices = new ArrayList<>();
+            choices.add(new MessageBar.Choice("save-elsewhere", texts.get().of("file.save-elsewhere"), this::saveAs));
+            if (e instanceof DatabaseConflictException && before.equals(Optional.of(source))) {
+                choices.add(new MessageBar.Choice("disk-reload", texts.get().of("file.reload"), this::reload));
+                choices.add(new MessageBar.Choice("disk-keep", texts.get().of("file.keep"), () -> Background.run("paprsek-reload", source::read,
+                        document::noticeDisk, fault -> failed(source.file(), fault))));
+            }
+            notices.ask(texts.get().of("file.not-saved", source.title(), Failures.sentence(e)), choices);
             return false;
         }
         settings.addRecent(source.file());

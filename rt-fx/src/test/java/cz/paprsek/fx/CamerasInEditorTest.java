@@ -11,6 +11,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.SphereLight;
 import java.nio.file.Path;
+import java.util.Locale;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
@@ -78,7 +79,7 @@ class CamerasInEditorTest {
         assertThat(scene.lights()).as("soft shadows").allMatch(SphereLight.class::isInstance);
         assertThat(((Lens.Perspective) scene.camera().lens()).aperture()).as("a blurred background").isPositive();
         editor.gui.click("#render-menu-render-button");
-        assertThat(Gui.on(() -> Window.getWindows().stream().anyMatch(window -> window instanceof Stage stage && stage.getTitle().contains("pictures")))).isTrue();
+        assertThat(Gui.on(() -> Window.getWindows().stream().anyMatch(window -> window instanceof Stage stage && stage.getTitle().toLowerCase(Locale.ROOT).contains("pictures")))).isTrue();
     }
 
     @Test

@@ -135,7 +135,8 @@ final class Gap {
         }
         double most = isAbove ? here.most() - axis.least(there) : axis.most(there) - here.least();
         double far = most - (isAbove ? -by : by);
-        return far < -reach ? Double.POSITIVE_INFINITY : there.isFinite() ? Math.abs(far) : 0;
+        // Of what has no end the box says nothing.
+        return far < -reach ? Double.POSITIVE_INFINITY : there.isFinite() && Double.isFinite(far) ? Math.abs(far) : 0;
     }
 
     private Moved near() {

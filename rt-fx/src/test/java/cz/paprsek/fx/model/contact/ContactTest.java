@@ -52,6 +52,14 @@ class ContactTest {
         });
     }
 
+    /** A plane that is moved along has no end, and hides nothing. */
+    @Test
+    void aBallTouchesThoughAPlaneIsMovedWithIt() {
+        List<SceneObject> objects = List.of(SceneObject.of(new Sphere(0.5)).at(0, 5, 0), SceneObject.of(new Plane()).at(0, -100, 0), roof(0));
+        Contact contact = Contact.with(EditorState.of(Scene.EMPTY.withObjects(objects)), Set.of(ScenePath.body(0), ScenePath.body(1)));
+        assertThat(contact.along(Axis.Y, -4.45, 0.2)).hasValueSatisfying(line -> assertThat(line.by()).isCloseTo(-4.5, within(NEAR)));
+    }
+
     @Test
     void itIsNotTouchedOutOfReach() {
         assertThat(along(Axis.Y, -3.9, 0.2, SceneObject.of(new Sphere(0.5)).at(0, 5, 0), roof(45))).isEmpty();
