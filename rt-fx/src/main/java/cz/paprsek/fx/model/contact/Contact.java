@@ -51,7 +51,11 @@ public final class Contact {
         Set<Integer> objects = bodies.stream().map(at -> at.object().index()).collect(Collectors.toSet());
         List<Surface> others = state.scene().objects().size() > MOST ? List.of() : IntStream.range(0, state.scene().objects().size())
                 .filter(i -> !objects.contains(i) && !state.isHidden(ScenePath.body(i))).mapToObj(i -> ScenePath.body(i).placed(state.scene())).toList();
-        return new Contact(Alignment.around(state, moving), bodies.stream().map(at -> at.placed(state.scene())).toList(), others);
+        List<Surface> own = bodies.stream().map(at -> at.placed(state.scene())).toList();
+        // Beside what has an end, what has none is not asked: it would be looked at all over the others, and too coarsely.
+        List<Surface> ending = own.stream().filter(surface -> surface.bounds().isFinite()).toList();
+        return ending.isEmpty() || ending.size() == own.size() ? new Contact(Alignment.around(state, moving), own, others)
+                : new Contact(ending.stream().map(Surface::bounds).reduce(Bounds::union).orElse(Bounds.EMPTY), ending, others);
     }
 
     /**
