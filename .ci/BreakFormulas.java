@@ -25,7 +25,7 @@ public class BreakFormulas {
                     "hit.unitNormal(2 * (hit.px - x), 2 * (hit.py - y), 2 * (hit.pz - z));"),
             new Break("normals not turned to the viewer", "render/integrate/Shading.java", "if (level.leaving) {\n            hit.turn();", "if (level.leaving) {"),
             new Break("hits without offset", "render/integrate/Lighting.java", "ray.part,\n                level.leaving != ray.face < 0);", "-1, false);"),
-            new Break("sign of the rectangle's t", "shape/placed/Flat.java", "double t = -toLocal.pointZ", "double t = toLocal.pointZ"),
+            new Break("sign of the rectangle's t", "shape/placed/Flat.java", "double t = -z / dz;", "double t = z / dz;"),
             new Break("rectangle seen from one side only", "shape/placed/Flat.java", "if (dz == 0 ||", "if (dz >= 0 ||"),
             new Break("checkerboard without clamp", "render/surface/TwoColors.java", "Math.min((int) (hit.u * columns), columns - 1)", "(int) (hit.u * columns)"),
             new Break("squares of a checkerboard swapped", "render/surface/TwoColors.java", "(column + row) % 2 != 0", "(column + row) % 2 == 0"),
