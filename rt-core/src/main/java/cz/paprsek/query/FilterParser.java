@@ -3,7 +3,6 @@ package cz.paprsek.query;
 import cz.paprsek.query.Token.Kind;
 import cz.paprsek.text.Similar;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -180,9 +179,7 @@ final class FilterParser<R> {
             return new FilterException(token.position(), whole.name() + " is " + whole.type().words() + " and has no part \"" + name.substring(dot + 1)
                     + "\"" + (whole.type().parts().isEmpty() ? "" : "; it has " + String.join(", ", whole.type().parts())));
         }
-        Collection<String> known = table.names();
-        return new FilterException(token.position(), "there is no column \"" + name + "\" in " + table.name() + Similar.suggestion(name, known)
-                + (Similar.nearest(name, known).isEmpty() ? ";" : "") + " there are " + String.join(", ", known));
+        return new FilterException(token.position(), "there is no column \"" + name + "\" in " + table.name() + Similar.choice(name, table.names()));
     }
 
     private Related<R> related() throws FilterException {
@@ -211,8 +208,7 @@ final class FilterParser<R> {
     private FilterException noTable(Token word, Token name) {
         List<String> known = table.related().stream().map(relation -> relation.table().name()).toList();
         return new FilterException(name.position(), word.text() + " wants the name of a table, but found " + name.shown()
-                + Similar.suggestion(name.text(), known) + (Similar.nearest(name.text(), known).isEmpty() ? ";" : "")
-                + " there are " + String.join(", ", known));
+                + Similar.choice(name.text(), known));
     }
 
     /** Related rows that are asked for. */

@@ -44,8 +44,7 @@ public final class SceneTables {
     public static Relation<Scene, ?> named(String name) {
         List<String> known = all().stream().map(relation -> relation.table().name()).toList();
         return all().stream().filter(relation -> relation.table().name().equals(name)).findFirst().orElseThrow(() -> new IllegalArgumentException(
-                "there is no table \"" + name + "\"" + Similar.suggestion(name, known) + (Similar.nearest(name, known).isEmpty() ? ";" : "")
-                        + " there are " + String.join(", ", known)));
+                "there is no table \"" + name + "\"" + Similar.choice(name, known)));
     }
 
     private static Table<Scene> scene() {

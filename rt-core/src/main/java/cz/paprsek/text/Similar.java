@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** Finds the known name that a misspelt one was probably meant to be. */
 public final class Similar {
@@ -13,6 +14,9 @@ public final class Similar {
     /** Longer names, and longer lists of them, are not searched: it would take longer than anybody waits for advice. */
     private static final int LONGEST = 60;
     private static final int MOST_KNOWN = 1000;
+    /** So many names are told at most, which fill two lines; of more, so many. */
+    private static final int MOST_TOLD = 32;
+    private static final int FIRST_TOLD = 12;
 
     /** The known name nearest to {@code name}, if one is near enough to be a slip of the fingers, or is {@code name} with a word more. */
     public static Optional<String> nearest(String name, Collection<String> known) {
@@ -29,6 +33,20 @@ public final class Similar {
     /** {@code ; did you mean "…"?}, or nothing. */
     public static String suggestion(String name, Collection<String> known) {
         return nearest(name, known).map(found -> "; did you mean \"" + found + "\"?").orElse("");
+    }
+
+    /**
+     * What to say behind the complaint that a name is not one of those known: {@code ; did you mean "…"?} if one is near, else {@code ; there are a, b, c},
+     * of many the first ones only: {@code ; there are a, b, c and 50 more}.
+     *
+     * @param known in the order in which they are told, at least one
+     */
+    public static String choice(String name, Collection<String> known) {
+        return nearest(name, known).map(found -> "; did you mean \"" + found + "\"?").orElseGet(() -> {
+            boolean isLong = known.size() > MOST_TOLD;
+            return "; there are " + known.stream().limit(isLong ? FIRST_TOLD : MOST_TOLD).collect(Collectors.joining(", "))
+                    + (isLong ? " and " + (known.size() - FIRST_TOLD) + " more" : "");
+        });
     }
 
     /** Insertions, deletions, replacements and swaps of neighbours that turn one word into the other, letter case ignored. */

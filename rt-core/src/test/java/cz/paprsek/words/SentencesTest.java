@@ -101,7 +101,7 @@ class SentencesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"radiuss > 1", "kind = sphere", "radius like \"a\"", "position = 3", "position < \"1 2 3\"", "radius = \"a\"", "radius ! 3", "(radius = 1", "radius", "name = \"a", "name = 3", "radius.x = 1",
+    @ValueSource(strings = {"radiuss > 1", "quux > 1", "kind = sphere", "radius like \"a\"", "position = 3", "position < \"1 2 3\"", "radius = \"a\"", "radius ! 3", "(radius = 1", "radius", "name = \"a", "name = 3", "radius.x = 1",
         "position.w = 1", "exists(sphere)", "position = \"1 2\"", "radius in 3", "radius in (3 4)", "= 3", "radius = 1 radius", "1x = radius", "radius & 3"})
     void whatIsWrongWithAFilterIsSaidInCzech(String filter) {
         FilterException wrong = catchThrowableOfType(FilterException.class, () -> Filter.parse(filter, SceneTables.named("object").table()));

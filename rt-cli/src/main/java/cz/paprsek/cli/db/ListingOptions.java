@@ -59,7 +59,7 @@ final class ListingOptions {
     private static <R> Column<R> column(Table<R> table, String name) {
         List<String> known = table.columns().stream().map(Column::name).toList();
         return table.ownColumn(name).orElseThrow(() -> new WrongUsage("there is no column \"" + name + "\" in " + table.name()
-                + Similar.suggestion(name, known) + (Similar.nearest(name, known).isEmpty() ? ";" : "") + " there are " + String.join(", ", known)));
+                + Similar.choice(name, known)));
     }
 
     private static <R> List<R> reversed(List<R> rows) {
