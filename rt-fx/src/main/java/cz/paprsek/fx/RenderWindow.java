@@ -12,6 +12,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import javafx.application.Platform;
@@ -52,12 +53,14 @@ final class RenderWindow {
 
     /** Shows the window and renders the scene as was said last, else as it asks to be. */
     void render() {
-        show().render();
+        made().render();
+        show();
     }
 
     /** Shows the window and asks how to render. */
     void ask() {
-        show().ask();
+        made().ask();
+        show();
     }
 
     /** Shows the window with the pictures there are. */
@@ -79,7 +82,8 @@ final class RenderWindow {
     private void goOn(Path left) {
         passed.add(left);
         Background.run("paprsek-pictures", () -> unfinished.take(left), resumed -> {
-            show().goOn(resumed);
+            made().goOn(resumed);
+            show();
             offerLeft();
         }, fault -> {
             tell(fault);
@@ -115,6 +119,7 @@ final class RenderWindow {
             pane = fresh;
             stage.setTitle(editor.texts().of("window.renders"));
             stage.getScene().setRoot(fresh);
+            editor.theme().get().applyTo(stage.getScene());
         }
     }
 
@@ -126,26 +131,36 @@ final class RenderWindow {
         return content;
     }
 
-    private RenderPane show() {
-        Stage open = stage;
-        RenderPane content = pane;
-        if (open == null || content == null) {
-            content = content();
-            open = new Stage();
-            open.initOwner(editor.stage());
-            open.setTitle(editor.texts().of("window.renders"));
-            Stage window = open;
-            Scene scene = new Scene(content, 1000, 700);
-            scene.getStylesheets().setAll(editor.stage().getScene().getStylesheets());
-            scene.getAccelerators().put(KeyCombination.valueOf("Shortcut+W"), window::hide);
-            open.setScene(scene);
-            WindowPlace.keep(window, editor.settings(), "window.renders", () -> Sizes.opened(window, 1000, 740, Optional.empty()));
-            pane = content;
-            stage = open;
+    /** What the window holds, made now if it has not been. */
+    private RenderPane made() {
+        if (pane != null) {
+            return pane;
+        }
+        RenderPane content = content();
+        Stage made = new Stage();
+        made.initOwner(editor.stage());
+        made.setTitle(editor.texts().of("window.renders"));
+        Scene scene = new Scene(content, 1000, 700);
+        scene.getStylesheets().setAll(editor.stage().getScene().getStylesheets());
+        scene.getAccelerators().put(KeyCombination.valueOf("Shortcut+W"), made::hide);
+        made.setScene(scene);
+        editor.theme().get().applyTo(scene);
+        WindowPlace.keep(made, editor.settings(), "window.renders", () -> Sizes.opened(made, 1000, 740, Optional.empty()));
+        pane = content;
+        stage = made;
+        return content;
+    }
+
+    /** Shows the window. All that is in it has been done before, for else its first picture would be an empty one for as long as that takes. */
+    private void show() {
+        RenderPane content = made();
+        Stage open = Objects.requireNonNull(stage);
+        if (!open.isShowing()) {
+            content.applyCss();
+            content.layout();
         }
         open.show();
         open.toFront();
-        return content;
     }
 
     /** Cancels what runs and closes the window. */

@@ -18,12 +18,14 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import javafx.geometry.Insets;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.DialogPane;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.TextArea;
+import javafx.scene.layout.StackPane;
 import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
 import javafx.stage.Window;
@@ -33,6 +35,8 @@ final class SystemDialogs implements Dialogs {
     private static final String SCENE = "*.xml";
     /** Wide enough for three buttons with whole words, one of which gets them when the dialog has its size. */
     private static final double FAULT_WIDTH = 500;
+    /** Around the details, which stand as far from the edges as the text above them. */
+    private static final Insets DETAILS = new Insets(12, 14, 0, 14);
 
     private final Window owner;
     private final Supplier<Texts> texts;
@@ -169,7 +173,10 @@ final class SystemDialogs implements Dialogs {
         alert.getDialogPane().setMinWidth(FAULT_WIDTH);
         TextArea details = new TextArea(trace.toString());
         details.setEditable(false);
-        alert.getDialogPane().setExpandableContent(details);
+        // The pane itself leaves no room between its text and what can be shown below.
+        StackPane room = new StackPane(details);
+        room.setPadding(DETAILS);
+        alert.getDialogPane().setExpandableContent(room);
         alert.resultProperty().addListener((property, old, answer) -> {
             if (save.equals(answer)) {
                 saveCopy.run();

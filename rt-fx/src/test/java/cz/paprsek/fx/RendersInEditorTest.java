@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
@@ -36,6 +37,7 @@ class RendersInEditorTest {
             editor.gui.letGo(KeyCode.ALT);
             editor.gui.letGo(KeyCode.CONTROL);
             editor.gui.until("it is asked", () -> pictures().lookup("#render-dialog").isVisible());
+            assertThat(Gui.on(() -> pictures().getScene().getFill())).as("what is seen before the first paint").isEqualTo(Theme.LIGHT.palette().background());
             editor.gui.act(() -> ((TextField) pictures().lookup("#render-width")).setText("32"));
             editor.gui.keys(KeyCode.ENTER);
             editor.gui.until("it is rendered", () -> status(editor).startsWith("Done in"));

@@ -19,6 +19,9 @@ final class OutlineCell extends TreeCell<Outline> {
     OutlineCell(Words words, Predicate<Outline> isShown) {
         this.words = words;
         this.isShown = isShown;
+        // As wide as the tree, in as many lines as it needs.
+        setPrefWidth(0);
+        setWrapText(true);
     }
 
     @Override

@@ -64,6 +64,9 @@ final class SampleList extends VBox {
 
         SampleCell(Explained pixel) {
             this.pixel = pixel;
+            // As wide as the list, in as many lines as it needs.
+            setPrefWidth(0);
+            setWrapText(true);
         }
 
         @Override

@@ -16,6 +16,8 @@ public final class Columns {
     /** What palette and tree need for six buttons in a row and names that can be read. */
     private static final double TREE_PIXELS = 218;
     private static final double SHEET_PIXELS = 294;
+    private static final double TREE_EXPLAINED = 0.14;
+    private static final double TREE_EXPLAINED_PIXELS = 170;
     /** Narrower ones, as one that has no width yet, are divided by shares alone. */
     private static final double LEAST_WIDTH = 900;
     private static final double TREE = 0.17;
@@ -117,6 +119,12 @@ public final class Columns {
         return new double[] {Math.max(TREE, TREE_PIXELS / width), Math.min(VIEWS, 1 - SHEET_PIXELS / width)};
     }
 
+    /** As {@link #besideSheet}, beside an explanation: the names in the tree can still be told apart. */
+    private double[] besideExplanation() {
+        double width = root.getWidth();
+        return new double[] {width < LEAST_WIDTH ? TREE_EXPLAINED : Math.max(TREE_EXPLAINED, TREE_EXPLAINED_PIXELS / width), 0.6};
+    }
+
     private void arrange() {
         List<Node> items = new ArrayList<>();
         lesson.ifPresent(items::add);
@@ -134,7 +142,7 @@ public final class Columns {
         }
         boolean isExplained = explanation.isPresent();
         if (lesson.isEmpty()) {
-            root.setDividerPositions(isExplained ? new double[] {0.14, 0.6} : besideSheet());
+            root.setDividerPositions(isExplained ? besideExplanation() : besideSheet());
         } else if (isNarrow) {
             root.setDividerPositions(isExplained ? new double[] {0.3, 0.62} : new double[] {0.34, 0.71});
         } else {

@@ -19,6 +19,7 @@ import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
+import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -31,10 +32,16 @@ final class RowCell extends ListCell<TreeRow> {
     private static final PseudoClass DIMMED = PseudoClass.getPseudoClass("dimmed");
     private static final PseudoClass ON = PseudoClass.getPseudoClass("on");
     private static final double INDENT = 16;
+    /** Of lock and eye, pixels. */
+    private static final double MARKS = 44;
 
     private final EditorModel model;
     private final TreeState tree;
     private final HBox box = new HBox();
+    /** Over the end of the name, which makes room for it as long as it is seen. */
+    private final HBox marks = new HBox();
+    private final StackPane line = new StackPane(box, marks);
+    private final Tooltip whole = new Tooltip();
     private final FontIcon arrowIcon = new FontIcon("mdi2c-chevron-right");
     private final StackPane arrow = part(arrowIcon, "row-arrow");
     private final FontIcon icon = new FontIcon();
@@ -57,7 +64,15 @@ final class RowCell extends ListCell<TreeRow> {
         lock.setAccessibleText(texts.of("tree.lock"));
         eye.setAccessibleText(texts.of("tree.hide"));
         box.setAlignment(Pos.CENTER_LEFT);
-        box.getChildren().addAll(arrow, part(icon, "row-icon"), name, gap, lock, eye);
+        box.getChildren().addAll(arrow, part(icon, "row-icon"), name, gap);
+        marks.getChildren().addAll(lock, eye);
+        marks.setAlignment(Pos.CENTER);
+        marks.setMaxWidth(Region.USE_PREF_SIZE);
+        StackPane.setAlignment(marks, Pos.CENTER_RIGHT);
+        // As wide as the list: what can be clicked at its end never lies beyond the edge.
+        setPrefWidth(0);
+        hoverProperty().addListener(property -> makeRoom());
+        name.widthProperty().addListener(property -> hint());
         WeakInvalidationListener weak = new WeakInvalidationListener(onChange);
         model.stateProperty().addListener(weak);
         tree.dropProperty().addListener(weak);
@@ -68,7 +83,7 @@ final class RowCell extends ListCell<TreeRow> {
     protected void updateItem(TreeRow row, boolean empty) {
         super.updateItem(row, empty);
         setText(null);
-        setGraphic(empty || row == null ? null : box);
+        setGraphic(empty || row == null ? null : line);
         if (!empty && row != null) {
             arrow.setVisible(row.operation());
             arrowIcon.setIconLiteral(row.expanded() ? "mdi2c-chevron-down" : "mdi2c-chevron-right");
@@ -78,9 +93,21 @@ final class RowCell extends ListCell<TreeRow> {
             if (!row.named()) {
                 name.getStyleClass().add("unnamed");
             }
-            box.setPadding(new Insets(0, 0, 0, row.depth() * INDENT));
+            hint();
         }
         restyle();
+    }
+
+    /** A name that has no room is told whole by a hint. */
+    private void hint() {
+        whole.setText(name.getText());
+        name.setTooltip(name.getWidth() < name.prefWidth(-1) ? whole : null);
+    }
+
+    private void makeRoom() {
+        TreeRow row = getItem();
+        boolean isMarked = isHover() || (row != null && (model.state().isHidden(row.item()) || model.state().isLocked(row.item())));
+        box.setPadding(new Insets(0, isMarked ? MARKS : 0, 0, row == null ? 0 : row.depth() * INDENT));
     }
 
     private void restyle() {
@@ -100,6 +127,7 @@ final class RowCell extends ListCell<TreeRow> {
         }
         toggled(eye, eyeIcon, hidden, "mdi2e-eye-off-outline", "mdi2e-eye-outline");
         toggled(lock, lockIcon, locked, "mdi2l-lock-outline", "mdi2l-lock-open-variant-outline");
+        makeRoom();
         for (Drop.Where where : Drop.Where.values()) {
             pseudoClassStateChanged(where.pseudoClass(), shown && tree.dropProperty().get()
                     .filter(drop -> drop.row().item().equals(row.item()) && drop.where() == where).isPresent());

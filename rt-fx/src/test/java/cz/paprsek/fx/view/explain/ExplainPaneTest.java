@@ -15,16 +15,21 @@ import cz.paprsek.render.explain.text.Step;
 import cz.paprsek.scene.RenderSettings.Integrator;
 import cz.paprsek.xml.SceneFiles;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.value.ObservableValue;
+import javafx.geometry.Orientation;
+import javafx.scene.Node;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.ListView;
+import javafx.scene.control.ScrollBar;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TableView;
 import javafx.scene.control.TreeView;
 import javafx.scene.input.KeyCode;
+import javafx.scene.text.Text;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -104,6 +109,30 @@ class ExplainPaneTest {
         assertThat(Screenshots.save(gui, "explain-samples")).isNotEmptyFile();
         gui.act(() -> pane.show(point));
         assertThat(gui.stage().getScene().lookup("#explain-samples")).as("one ray needs no list").isNull();
+    }
+
+    /** Lines are broken where a pane is narrow; nothing has to be scrolled sideways. */
+    @Test
+    void allOfALineIsSeenInANarrowPane() {
+        PicturePoint paths = new PicturePoint(point.scene(), point.settings().withIntegrator(Integrator.PATH).withSamples(4), point.x(), point.y());
+        gui.act(() -> gui.stage().setWidth(300));
+        gui.act(() -> pane.show(paths));
+        gui.until("it is explained", () -> pane.told().isPresent());
+        gui.pulse();
+        assertThat(Screenshots.save(gui, "explain-narrow")).isNotEmptyFile();
+        for (String list : List.of("#explain-samples", "#explain-tree")) {
+            Node shown = gui.node(list);
+            assertThat(Gui.on(() -> shown.lookupAll(".scroll-bar").stream().map(ScrollBar.class::cast).filter(bar -> bar.getOrientation() == Orientation.HORIZONTAL && bar.isVisible()).toList())).as(list).isEmpty();
+            assertThat(Gui.on(() -> shown.lookupAll(".cell").stream().map(Labeled.class::cast).filter(cell -> isSeen(cell, shown) && isCut(cell)).map(Labeled::getText).toList())).as(list).isEmpty();
+        }
+    }
+
+    private static boolean isSeen(Labeled cell, Node list) {
+        return !cell.getText().isEmpty() && list.localToScene(list.getLayoutBounds()).contains(cell.localToScene(cell.getLayoutBounds()));
+    }
+
+    private static boolean isCut(Labeled cell) {
+        return cell.lookupAll(".text").stream().map(Text.class::cast).noneMatch(text -> text.getText().replaceAll("\\s", "").equals(cell.getText().replaceAll("\\s", "")));
     }
 
     @Test

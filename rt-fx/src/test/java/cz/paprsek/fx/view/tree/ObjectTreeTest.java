@@ -157,6 +157,21 @@ class ObjectTreeTest {
         assertThat(model.selection()).isEmpty();
     }
 
+    /** What can be clicked at the end of a line is in sight however long the name is; a hint has all of that. */
+    @Test
+    void aLongNameLeavesRoomForEyeAndLock() {
+        String name = "a ball of which there is very much to be said in its name";
+        gui.act(() -> model.open(Scene.EMPTY.plus(SceneObject.of(new Sphere(1)).named(name))));
+        gui.until("it is shown", () -> cells().stream().anyMatch(cell -> cell.getItem().text().equals(name)));
+        gui.moveTo(cell(name), 20, 10);
+        gui.pulse();
+        Node eye = part(name, ".row-eye");
+        assertThat(Gui.on(() -> eye.localToScene(eye.getLayoutBounds()).getMaxX())).isLessThanOrEqualTo(Gui.on(() -> list().getWidth()));
+        Label label = (Label) part(name, ".label");
+        assertThat(Gui.on(() -> label.getTooltip().getText())).isEqualTo(name);
+        assertThat(Gui.on(() -> label.localToScene(label.getLayoutBounds()).getMaxX())).isLessThanOrEqualTo(Gui.on(() -> eye.localToScene(eye.getLayoutBounds()).getMinX()));
+    }
+
     @Test
     void draggedLinesAreReordered() {
         dragTo("ball", "moon", 0.9);
