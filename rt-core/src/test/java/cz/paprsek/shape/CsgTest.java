@@ -1,18 +1,25 @@
 package cz.paprsek.shape;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import cz.paprsek.material.MaterialSource;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg.Operation;
+import cz.paprsek.shape.mesh.Meshes;
+import cz.paprsek.shape.placed.Part;
+import cz.paprsek.shape.placed.Parts;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Volume;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.CancellationException;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -75,6 +82,42 @@ class CsgTest {
     @Test
     void anOperationOnNothingIsRefused() {
         assertThatIllegalArgumentException().isThrownBy(() -> new Csg(Operation.UNION, List.of()));
+    }
+
+    @Test
+    void anOperationIsCalledAsInFilesAndRefusesAMeshWithAHole() {
+        assertThat(Stream.of(Csg.union(UNIT, UNIT), Csg.difference(UNIT, UNIT), Csg.intersection(UNIT, UNIT)).map(Csg::kind)).containsExactly("union", "difference", "intersection");
+        Csg holed = Csg.intersection(UNIT, Mesh.of(Meshes.without(Meshes.cube(0.5), 3)));
+        assertThatIllegalArgumentException().isThrownBy(() -> holed.place(Affine.IDENTITY, new TestParts()))
+                .withMessage("the mesh made in code has no inside, so <intersection> cannot use it: 3 of its edges are open");
+        assertThat(Csg.intersection(UNIT, Mesh.of(Meshes.cube(0.5))).place(Affine.IDENTITY, new TestParts()).contains(new Vec3(0.4, 0.4, 0.4))).isTrue();
+    }
+
+    @Test
+    void whatHasMoreOperandsIsMoreWorkAndPlacingItCanBeStopped() {
+        Parts parts = new TestParts();
+        double one = UNIT.place(Affine.IDENTITY, parts).cost();
+        double two = Csg.union(UNIT, UNIT).place(Affine.IDENTITY, parts).cost();
+        double three = Csg.union(UNIT, UNIT, UNIT).place(Affine.IDENTITY, parts).cost();
+        assertThat(two).isGreaterThan(2 * one);
+        assertThat(three).isCloseTo(1.5 * two, within(1e-12));
+        Parts stopped = new Parts() {
+            @Override
+            public <P extends Part> P add(IntFunction<P> maker) {
+                return parts.add(maker);
+            }
+
+            @Override
+            public Parts within(MaterialSource material, Affine toWorld) {
+                return this;
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return true;
+            }
+        };
+        assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> Csg.union(UNIT, UNIT).place(Affine.IDENTITY, stopped));
     }
 
     @Test
