@@ -1,5 +1,6 @@
 package cz.paprsek.scene;
 
+import cz.paprsek.list.Pieces;
 import cz.paprsek.material.Material;
 import java.util.AbstractList;
 import java.util.AbstractMap;
@@ -9,11 +10,31 @@ import java.util.List;
 import java.util.Map;
 import java.util.RandomAccess;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** Parts of a scene that {@link SceneRules} has looked at, and need not look at again. */
 final class Checked {
     private Checked() {}
+
+    /** The list as it is kept. What another scene has been made of is not checked again. */
+    static <T> Pieces<T> of(List<T> list, Object with, Consumer<List<T>> check) {
+        Pieces<T> all = Pieces.of(list);
+        if (!all.isCheckedWith(with)) {
+            check.accept(all);
+        }
+        return all.checkedWith(with);
+    }
+
+    /** As {@link #of(List, Object, Consumer)}, of animations in a scene in which nothing moves. */
+    static List<Animation> of(List<Animation> animations, Scene still) {
+        if (animations instanceof Animations known && known.areOf(still)) {
+            return known;
+        }
+        Animations copy = new Animations(animations, still);
+        SceneRules.checkAnimations(still, copy, SceneRules.REFUSE);
+        return copy;
+    }
 
     /** The named materials of a scene, in the order of the file; checked by {@link SceneRules} when it was made. Immutable. */
     static final class Materials extends AbstractMap<String, Material> {

@@ -20,7 +20,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SortedSet;
 import java.util.function.BiFunction;
-import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
@@ -77,13 +76,13 @@ public record Scene(
         Require.that(sky.equals(Sky.NONE) || background.equals(Rgb.BLACK), EITHER_SKY);
         tags = List.copyOf(tags);
         Require.that(!cameras.isEmpty(), "a scene needs a camera");
-        cameras = checked(cameras, Camera.class, all -> SceneRules.checkCameras(all, SceneRules.REFUSE));
-        lights = checked(lights, Light.class, all -> SceneRules.checkLights(all, SceneRules.REFUSE));
+        cameras = Checked.of(cameras, Camera.class, all -> SceneRules.checkCameras(all, SceneRules.REFUSE));
+        lights = Checked.of(lights, Light.class, all -> SceneRules.checkLights(all, SceneRules.REFUSE));
         Checked.Materials palette = materials instanceof Checked.Materials known ? known : new Checked.Materials(materials);
         materials = palette;
-        objects = checked(objects, palette, all -> SceneRules.checkObjects(all, palette, SceneRules.REFUSE));
+        objects = Checked.of(objects, palette, all -> SceneRules.checkObjects(all, palette, SceneRules.REFUSE));
         Objects.requireNonNull(recipe, "recipe");
-        animations = animations.isEmpty() ? List.of() : checked(animations, new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects));
+        animations = animations.isEmpty() ? List.of() : Checked.of(animations, new Scene(name, description, tags, settings, background, sky, ambient, cameras, lights, materials, objects));
     }
 
     /** A scene that is only written down, and in which nothing moves. */
@@ -116,24 +115,6 @@ public record Scene(
     /** As {@link #at}, for many times: what moves is looked up once. */
     public DoubleFunction<Scene> moments() {
         return Animations.of(this);
-    }
-
-    /** The list as it is kept. What another scene has been made of is not checked again. */
-    private static <T> Pieces<T> checked(List<T> list, Object with, Consumer<List<T>> check) {
-        Pieces<T> all = Pieces.of(list);
-        if (!all.isCheckedWith(with)) {
-            check.accept(all);
-        }
-        return all.checkedWith(with);
-    }
-
-    private static List<Animation> checked(List<Animation> animations, Scene still) {
-        if (animations instanceof Checked.Animations known && known.areOf(still)) {
-            return known;
-        }
-        Checked.Animations copy = new Checked.Animations(animations, still);
-        SceneRules.checkAnimations(still, copy, SceneRules.REFUSE);
-        return copy;
     }
 
     public Scene withName(String value) {
@@ -301,7 +282,9 @@ public record Scene(
     /** With one more light. */
     public Scene plus(Light light) {
         Objects.requireNonNull(light, "light");
-        return withLights(appended(lights, light));
+        List<Light> all = new ArrayList<>(lights);
+        all.add(light);
+        return withLights(all);
     }
 
     /** With these objects added; for many, pass them in one call. */
@@ -316,12 +299,6 @@ public record Scene(
         Map<String, Material> all = new LinkedHashMap<>(materials);
         all.put(materialName, material);
         return withMaterials(all);
-    }
-
-    private static <T> List<T> appended(List<T> list, T item) {
-        List<T> all = new ArrayList<>(list);
-        all.add(item);
-        return all;
     }
 
     /** What a ray sees that hits nothing, by its direction; whoever has none has a background. */

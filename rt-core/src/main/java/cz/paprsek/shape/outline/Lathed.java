@@ -55,7 +55,7 @@ public final class Lathed extends Volume implements Part {
             double[] cuts = Outline.parameters(piece, tolerance(curved));
             for (int k = 0; k + 1 < cuts.length; k++) {
                 boolean isLast = k + 2 == cuts.length;
-                all.add(new Piece.Straight(k == 0 ? piece.x0 : piece.x(cuts[k]), k == 0 ? piece.y0 : piece.y(cuts[k]),
+                all.add(new Straight(k == 0 ? piece.x0 : piece.x(cuts[k]), k == 0 ? piece.y0 : piece.y(cuts[k]),
                         isLast ? piece.x1 : piece.x(cuts[k + 1]), isLast ? piece.y1 : piece.y(cuts[k + 1])));
                 ends.add(new double[] {normalX(piece, cuts[k]), normalY(piece, cuts[k]), normalX(piece, cuts[k + 1]), normalY(piece, cuts[k + 1]),
                         curved.around(i, cuts[k]), curved.around(i, cuts[k + 1])});

@@ -223,7 +223,7 @@ public final class Outline {
 
     /** Whether there are only lines. */
     public boolean isStraight() {
-        return Arrays.stream(pieces).allMatch(Piece.Straight.class::isInstance);
+        return Arrays.stream(pieces).allMatch(Straight.class::isInstance);
     }
 
     /** All contours as cubic Bézier curves, four points each, those of one contour after the other; arcs in several, which are off by less than 1e-7 of their radius. */
@@ -240,7 +240,7 @@ public final class Outline {
 
     /** Where a piece is cut to be straight within a tolerance, from 0 to 1. */
     static double[] parameters(Piece piece, double tolerance) {
-        if (piece instanceof Piece.Straight) {
+        if (piece instanceof Straight) {
             return new double[] {0, 1};
         }
         int steps = 2;

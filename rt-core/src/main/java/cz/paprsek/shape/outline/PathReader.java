@@ -133,7 +133,7 @@ final class PathReader {
 
     private void straight(double toX, double toY) {
         if (toX != x || toY != y) {
-            current.add(new Piece.Straight(x, y, toX, toY));
+            current.add(new Straight(x, y, toX, toY));
         }
         x = toX;
         y = toY;
@@ -142,7 +142,7 @@ final class PathReader {
 
     private void curve(double ax, double ay, double bx, double by, double toX, double toY) {
         if (ax != x || ay != y || bx != x || by != y || toX != x || toY != y) {
-            current.add(new Piece.Bezier(x, y, ax, ay, bx, by, toX, toY));
+            current.add(new Bezier(x, y, ax, ay, bx, by, toX, toY));
         }
         x = toX;
         y = toY;
@@ -192,7 +192,7 @@ final class PathReader {
             double nextX = i == parts ? toX : mx + axes[0] * StrictMath.cos(high) + axes[2] * StrictMath.sin(high);
             double nextY = i == parts ? toY : my + axes[1] * StrictMath.cos(high) + axes[3] * StrictMath.sin(high);
             double[] ends = turn > 0 ? new double[] {x, y, nextX, nextY} : new double[] {nextX, nextY, x, y};
-            current.add(new Piece.Arc(ends, mx, my, axes[0], axes[1], axes[2], axes[3], Math.min(low, high), Math.max(low, high), turn < 0));
+            current.add(new Arc(ends, mx, my, axes[0], axes[1], axes[2], axes[3], Math.min(low, high), Math.max(low, high), turn < 0));
             x = nextX;
             y = nextY;
         }
