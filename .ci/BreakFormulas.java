@@ -44,7 +44,7 @@ public class BreakFormulas {
             new Break("Snell upside down", "render/integrate/Whitted.java", "double t = 1 + e * e * (c * c - 1);", "double t = 1 + (c * c - 1) / (e * e);"),
             new Break("no total internal reflection", "render/integrate/Whitted.java", "reflection += finish.transparency;", "reflection += 0;"),
             new Break("shadows from beyond the light", "render/integrate/Lighting.java", "arrival.distance - Ray.TOUCH * hit.size, ray.part,\n                level.leaving != ", "Double.POSITIVE_INFINITY, ray.part,\n                level.leaving != "),
-            new Break("glass casts full shadows", "render/integrate/Lighting.java", "double share = veils.transparency(shadow, spans, i);", "double share = 0;"),
+            new Break("glass casts full shadows", "render/integrate/Veils.java", "double share = transparency(ray, spans, i);", "double share = 0;"),
             new Break("white light only", "render/light/Lamp.java", "green = color.linearGreen()", "green = color.linearRed()"),
             new Break("no rotation", "shape/Placement.java", ".after(Affine.rotation(rotation))", ""),
             new Break("turns in another order", "math/Affine.java", "cz * sy * sx - sz * cx", "cz * sy * sx + sz * cx"),

@@ -143,7 +143,7 @@ abstract class BlockTracer extends Shading {
             }
         }
         primary += rays;
-        lighting.prepare(first, rays);
+        lighting.starts.prepare(first, rays);
         boolean isRandom = lighting.isRandom();
         for (i = 0; i < rays; i++) {
             if (isRandom) {
@@ -199,7 +199,7 @@ abstract class BlockTracer extends Shading {
     /** Traces the ray of {@link #alone}, as if it were that of the first sample of the first pixel. */
     public final void traceAlone() {
         primary++;
-        lighting.prepareNothing();
+        lighting.starts.prepareNothing();
         trace(0);
     }
 

@@ -20,7 +20,6 @@ import cz.paprsek.render.surface.World;
 import cz.paprsek.shape.placed.Ray;
 import cz.paprsek.shape.placed.Spans;
 import cz.paprsek.shape.placed.Surface;
-import cz.paprsek.tree.Bundle;
 import cz.paprsek.tree.Entries;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -33,8 +32,6 @@ import org.jspecify.annotations.Nullable;
  * points, and brings the mean.
  */
 final class Lighting {
-    /** Into how many subtrees the search of a block's shadow rays is split at most: as measured. */
-    private static final int MOST_ENTRIES = 8;
     /** How many shadow rays of lights with a size are sent between two questions whether to stop: one ray may need those of many lights. */
     private static final int BATCH = 4096;
     /** For a light that is looked for at one point. */
@@ -66,15 +63,9 @@ final class Lighting {
     private final Arrival arrival = new Arrival();
     /** What last stood between a point and each light, by level of recursion and light: likely to stand there again. */
     private final @Nullable Surface[] lastOccluder;
-    private final Bundle hits = new Bundle();
-    /** The least {@link Hit#size} of those hits. */
-    private double smallest;
-    private final Bundle bundle = new Bundle();
-    private final Entries[] towardsLamp;
-    /** Where shadow rays of the block look for what stands in their way, by light. */
-    private final Entries[] between;
+    /** Where shadow rays on level 0 look for what stands in their way. */
+    final ShadowStarts starts;
     private final Entries anywhere;
-    private double[] shares = new double[16];
     /** Whether substances weaken light on its way, and by how much along the last shadow ray. */
     private final boolean dims;
     private final Dimming dimming;
@@ -86,8 +77,6 @@ final class Lighting {
     private final Lobe lobe;
     /** Of a path, how it goes on. */
     final Choice choice;
-    /** How many surfaces the last shadow ray goes through. */
-    private int crossed;
     private final boolean[] isSeen;
     private boolean isStrewing;
     /** What the light that was last looked for brings along its shadow ray. */
@@ -121,8 +110,7 @@ final class Lighting {
         this.veils = new Veils(parts, spans);
         this.shadow = new Ray(spans);
         this.lastOccluder = new Surface[maxDepth * lamps.length];
-        this.towardsLamp = Stream.generate(() -> new Entries(MOST_ENTRIES)).limit(lamps.length).toArray(Entries[]::new);
-        this.between = new Entries[lamps.length];
+        this.starts = new ShadowStarts(bodies, lamps);
         this.anywhere = bodies.whole();
         this.dims = scene.absorbs();
         this.dimming = new Dimming(scene);
@@ -137,42 +125,6 @@ final class Lighting {
     /** Whether something is random at a hit, points of a light or what becomes of a ray: then the sampler is to be started before each hit is lit. */
     boolean isRandom() {
         return isRandom;
-    }
-
-    /** Finds out what can stand between each light and the hits of a block, once for all: to be called before these are lit, on level 0. */
-    void prepare(Level[] block, int count) {
-        gather(block, count);
-        for (int light = 0; light < lamps.length; light++) {
-            if (lamps[light].bundle(hits, bundle)) {
-                // Not the last bit before a hit, which keeps the surfaces that were hit out: a shadow ray begins at TOUCH · size, and a tenth
-                // less leaves room for rounding.
-                bundle.end(1 - 0.9 * Ray.TOUCH * smallest / bundle.longest());
-                bodies.enter(bundle, towardsLamp[light]);
-                between[light] = towardsLamp[light];
-            } else {
-                between[light] = anywhere;
-            }
-        }
-    }
-
-    /** Before a hit of a ray that is traced by itself is lit, on level 0. */
-    void prepareNothing() {
-        for (int light = 0; light < lamps.length; light++) {
-            between[light] = anywhere;
-        }
-    }
-
-    /** Bundles the lines from the origin to all hits. */
-    private void gather(Level[] first, int count) {
-        hits.start(0, 0, 0);
-        smallest = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < count; i++) {
-            if (first[i].ray.part >= 0) {
-                Hit hit = first[i].hit;
-                hits.add(hit.px, hit.py, hit.pz);
-                smallest = hit.size < smallest ? hit.size : smallest;
-            }
-        }
     }
 
     /**
@@ -319,7 +271,7 @@ final class Lighting {
 
     /** Looks what stands in the way of the arrival, which becomes what gets through the substances there; the share of it that surfaces let through. */
     private double reach(int depth, int light, Level level, Finish finish, double facing) {
-        crossed = 0;
+        veils.crossed = 0;
         double visibility = facing > 0 ? visibility(depth, light, level) : visibilityBeyond(depth, light, level);
         if (isPath && isSeen[light]) {
             visibility = weighed(light, level, finish, visibility);
@@ -337,7 +289,7 @@ final class Lighting {
 
     /** What is left for the shadow ray of a light that the path may meet when it goes on: nothing behind glass, where only paths find it. */
     private double weighed(int light, Level level, Finish finish, double visibility) {
-        if (crossed > 0 || visibility == 0) {
+        if (veils.crossed > 0 || visibility == 0) {
             return 0;
         }
         Hit hit = level.hit;
@@ -361,7 +313,7 @@ final class Lighting {
 
     private double visibility(int depth, int light, Level level) {
         rays++;
-        Entries among = depth == 0 ? between[light] : anywhere;
+        Entries among = depth == 0 ? starts.of(light) : anywhere;
         if (bodies.isClear(among) && glows.areNone() && !dims) {
             return 1;
         }
@@ -390,7 +342,7 @@ final class Lighting {
         }
         int mark = spans.size();
         Surface occluder = bodies.occluder(shadow, among, finder, spans);
-        double product = occluder == null ? product(mark) : 0;
+        double product = occluder == null ? veils.product(shadow, spans, mark, isMet) : 0;
         if (dims && product > 0) {
             dimming.along(spans, mark, isMet, around, arrival.distance, Dimming.UNTOLD);
         }
@@ -404,31 +356,5 @@ final class Lighting {
     /** Whether the shadow ray meets a boundary that was found, which may lie in one place with its start. */
     private boolean isMet(int boundary) {
         return spans.t(boundary) > shadow.contact || contacts.counts(shadow, around, true, isBeyond, boundary);
-    }
-
-    /** The smallest share first, so that the product does not depend on the order in which the surfaces were found. */
-    private double product(int mark) {
-        int most = spans.size() - mark;
-        if (most > shares.length) {
-            shares = new double[2 * most];
-        }
-        int count = 0;
-        for (int i = mark; i < mark + most; i++) {
-            if (!isMet(i)) {
-                continue;
-            }
-            double share = veils.transparency(shadow, spans, i);
-            int at = count++;
-            for (; at > 0 && shares[at - 1] > share; at--) {
-                shares[at] = shares[at - 1];
-            }
-            shares[at] = share;
-        }
-        crossed = count;
-        double product = 1;
-        for (int i = 0; i < count; i++) {
-            product *= shares[i];
-        }
-        return product;
     }
 }
