@@ -6,6 +6,10 @@ set "java=java"
 if defined JAVA_HOME set "java=%JAVA_HOME%\bin\java"
 set "cache=%LOCALAPPDATA%\paprsek"
 if not exist "%cache%" mkdir "%cache%" 2> nul
+rem One archive for each place of the jar, or two installations would make it anew at every start in turn.
+set "place=%~dp0"
+set "place=%place:\=-%"
+set "archive=%cache%\rt-cli-%place::=%.jsa"
 rem Vectors of eight floats pay for large files; Java says a line of that.
 set "vectors="
 if "%~1"=="bench" set "vectors=--add-modules jdk.incubator.vector"
@@ -13,4 +17,4 @@ for %%f in (%*) do if exist "%%~f" if %%~zf gtr 1000000 set "vectors=--add-modul
 if not defined vectors goto start
 "%java%" --list-modules 2> nul | findstr /b "jdk.incubator.vector" > nul || set "vectors="
 :start
-"%java%" -XX:+IgnoreUnrecognizedVMOptions -XX:MaxGCPauseMillis=50 -Xshare:auto -XX:+AutoCreateSharedArchive "-XX:SharedArchiveFile=%cache%\paprsek.jsa" -Xlog:disable -Xlog:all=error:stderr %vectors% %PAPRSEK_JAVA_OPTIONS% -jar "%~dp0rt-cli.jar" %*
+"%java%" -XX:+IgnoreUnrecognizedVMOptions -XX:MaxGCPauseMillis=50 -Xshare:auto -XX:+AutoCreateSharedArchive "-XX:SharedArchiveFile=%archive%" -Xlog:disable -Xlog:all=error:stderr %vectors% %PAPRSEK_JAVA_OPTIONS% -jar "%~dp0rt-cli.jar" %*

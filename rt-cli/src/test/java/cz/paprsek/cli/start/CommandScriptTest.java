@@ -1,89 +1,75 @@
-package cz.paprsek.cli;
+package cz.paprsek.cli.start;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import cz.paprsek.cli.Main;
+import cz.paprsek.cli.Scenes;
 import java.io.File;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.TimeUnit;
 import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import java.util.jar.Manifest;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.condition.DisabledOnOs;
-import org.junit.jupiter.api.condition.OS;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The script that starts the program, with a Java that only writes down what it was asked for. */
-@DisabledOnOs(OS.WINDOWS)
-@Timeout(60)
-class LauncherTest {
+/** The command line's: the archive is made in the background, by a second call of Java. */
+class CommandScriptTest extends StartScript {
     private static final String JAVA = """
             #!/bin/sh
             for word; do
-                case $word in -XX:ArchiveClassesAtExit=*) echo "training begins" >> "$LOG"; : > "${word#*=}"; touch "${4}.png"; exit 0 ;; esac
+                case $word in -XX:ArchiveClassesAtExit=*) echo "training begins $word" >> "$LOG"; : > "${word#*=}"; touch "$7.png"; exit 0 ;; esac
             done
             echo "call $*" >> "$LOG"
-            sleep 1
+            case " $* " in *" render "*) sleep 1 ;; esac
             echo "call ends" >> "$LOG"
             exit 7
             """;
 
-    @TempDir
-    Path folder;
-    private Path cache;
-    private Path log;
-
-    @BeforeEach
-    void install() throws IOException {
-        Path home = Files.createDirectories(folder.resolve("jdk"));
-        Files.createDirectory(home.resolve("bin"));
-        Files.writeString(home.resolve("release"), "JAVA_VERSION=\"17.0.9\"\n");
-        executable(home.resolve("bin/java"), JAVA);
-        executable(folder.resolve("paprsek"), Files.readString(Path.of("src/main/launcher/paprsek")));
-        Files.createFile(folder.resolve("rt-cli.jar"));
-        cache = folder.resolve("cache/paprsek");
-        log = folder.resolve("log");
+    CommandScriptTest() {
+        super(Path.of("src/main/launcher/paprsek"), "rt-cli.jar", JAVA);
     }
 
-    private static void executable(Path file, String text) throws IOException {
-        Files.writeString(file, text);
-        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
+    @Override
+    String run(Path installation) throws Exception {
+        Files.deleteIfExists(log);
+        assertThat(call(installation, Map.of())).isEqualTo(new Answer(7, ""));
+        String calls = Files.readString(log);
+        return calls.contains("-XX:SharedArchiveFile=") || !Files.isDirectory(cache) ? calls : calls + trained();
+    }
+
+    /** What is written down when the archive has been made. */
+    private String trained() throws Exception {
+        while (!Files.readString(log).contains("training") || Files.exists(cache.resolve("lock"))) {
+            Thread.sleep(20);
+        }
+        return Files.readString(log);
     }
 
     private int call(String... words) throws Exception {
-        return call(folder.resolve("jdk"), words);
+        return call(home, words);
     }
 
-    private int call(Path home, String... words) throws Exception {
-        ProcessBuilder builder = new ProcessBuilder(folder.resolve("paprsek").toString()).redirectErrorStream(true);
-        builder.command().addAll(List.of(words));
-        builder.environment().put("JAVA_HOME", home.toString());
-        builder.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
-        builder.environment().put("LOG", log.toString());
-        Process process = builder.start();
-        assertThat(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8)).isEmpty();
-        assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
-        return process.exitValue();
+    private int call(Path java, String... words) throws Exception {
+        Answer answer = call(folder, Map.of("JAVA_HOME", java.toString()), words);
+        assertThat(answer.said()).isEmpty();
+        return answer.code();
     }
 
     /** The program in a jar, which archives want, and not folders; the libraries are where they are. */
-    private static void jar(Path jar) throws IOException {
+    private static void pack(Path jar) throws IOException {
         Manifest manifest = new Manifest();
         manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
         manifest.getMainAttributes().put(Attributes.Name.MAIN_CLASS, Main.class.getName());
@@ -108,20 +94,20 @@ class LauncherTest {
     @Test
     @Timeout(180)
     void thisJavaCanArchiveTheProgram() throws Exception {
-        jar(folder.resolve("rt-cli.jar"));
+        pack(jar);
         assertThat(call(Path.of(System.getProperty("java.home")), "render", Scenes.ball(folder.resolve("s.xml")).toString(), "-q", "-o", folder.resolve("p.png").toString()))
                 .isZero();
-        while (!Files.isDirectory(cache) || Files.exists(cache.resolve("lock")) || cache.toFile().list().length == 0) {
+        while (!Files.isDirectory(cache) || archives().isEmpty()) {
             Thread.sleep(100);
         }
-        assertThat(cache.toFile().list()).hasSize(1).allMatch(name -> name.endsWith(".archive"));
+        assertThat(archives()).hasSize(1).allMatch(file -> file.toString().endsWith(".archive"));
         assertThat(call(Path.of(System.getProperty("java.home")), "schema", "-o", folder.resolve("x").toString())).isZero();
     }
 
     @Test
     @Timeout(180)
     void largeScenesAreRenderedWithVectorsAndNobodyHearsOfIt() throws Exception {
-        jar(folder.resolve("rt-cli.jar"));
+        pack(jar);
         Path home = Path.of(System.getProperty("java.home"));
         assumeTrue(Files.readString(home.resolve("release")).contains("jdk.incubator.vector"));
         Path large = Files.writeString(folder.resolve("large.xml"), "<scene xmlns='urn:paprsek:scene:1'>" + " ".repeat(1_100_000) + "<cube/></scene>");
@@ -132,31 +118,26 @@ class LauncherTest {
 
     /** What is said by this Java, without an archive. */
     private String said(int code, String... words) throws Exception {
-        ProcessBuilder builder = new ProcessBuilder(folder.resolve("paprsek").toString()).redirectErrorStream(true);
-        builder.command().addAll(List.of(words));
-        builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
-        builder.environment().put("XDG_CACHE_HOME", "/nonexistent");
-        Process process = builder.start();
-        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertThat(process.waitFor()).isEqualTo(code);
-        return said;
+        Answer answer = call(folder, Map.of("JAVA_HOME", System.getProperty("java.home"), "XDG_CACHE_HOME", "/nonexistent"), words);
+        assertThat(answer.code()).isEqualTo(code);
+        return answer.said();
     }
 
-    private void waitForTraining() throws InterruptedException {
-        while (!Files.exists(cache.resolve("java-17.0.9.archive")) || Files.exists(cache.resolve("lock"))) {
-            Thread.sleep(50);
-        }
+    private Path onlyArchive() throws Exception {
+        assertThat(archives()).hasSize(1);
+        assertThat(archives().get(0).getFileName().toString()).matches("rt-cli-17\\.0\\.9-\\d+-\\d+\\.archive");
+        return archives().get(0);
     }
 
     @Test
     void theArchiveIsMadeWhenTheFirstCallIsOverAndNothingElseStaysBehind() throws Exception {
         assertThat(call("render", "a b.xml")).isEqualTo(7);
-        waitForTraining();
-        assertThat(Files.readAllLines(log)).containsExactly(
-                "call -XX:MaxGCPauseMillis=50 -jar " + folder.resolve("rt-cli.jar") + " render a b.xml", "call ends", "training begins");
-        assertThat(cache.toFile().list()).containsExactly("java-17.0.9.archive");
+        trained();
+        assertThat(Files.readAllLines(log)).containsExactly("call -XX:MaxGCPauseMillis=50 -jar " + jar + " render a b.xml", "call ends",
+                "training begins -XX:ArchiveClassesAtExit=" + cache.resolve("lock/new"));
+        Path archive = onlyArchive();
         call("info");
-        assertThat(Files.readString(log)).contains("call -XX:SharedArchiveFile=" + cache.resolve("java-17.0.9.archive")).containsOnlyOnce("training");
+        assertThat(Files.readString(log)).contains("call -XX:SharedArchiveFile=" + archive).containsOnlyOnce("training");
     }
 
     @ParameterizedTest
@@ -168,8 +149,8 @@ class LauncherTest {
             Files.writeString(lock.resolve("owner"), owner + "\n");
         }
         call("info");
-        waitForTraining();
-        assertThat(cache.toFile().list()).containsExactly("java-17.0.9.archive");
+        trained();
+        onlyArchive();
     }
 
     @Test
