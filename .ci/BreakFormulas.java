@@ -150,7 +150,9 @@ public class BreakFormulas {
     private static String run(Path folder, String... command) throws IOException, InterruptedException {
         Path output = Files.createTempFile("breaks", ".log");
         Process process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output.toFile()).start();
-        if (!process.waitFor(10, TimeUnit.MINUTES)) {
+        // Far longer than it takes, also on a machine that has much else to do.
+        if (!process.waitFor(40, TimeUnit.MINUTES)) {
+            process.descendants().forEach(ProcessHandle::destroyForcibly);
             process.destroyForcibly();
         }
         String text = Files.readString(output);
