@@ -22,6 +22,7 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -51,20 +52,7 @@ public final class MeshFiles {
      */
     public static Scene read(Scene scene, Assets assets, BiConsumer<BodyAt, IOException> problems) {
         Objects.requireNonNull(assets, "assets");
-        Objects.requireNonNull(problems, "problems");
-        List<SceneObject> objects = null;
-        for (int i = 0; i < scene.objects().size(); i++) {
-            SceneObject object = scene.objects().get(i);
-            Shape shape = object.shape();
-            if (shape instanceof Mesh || shape instanceof Text || shape instanceof HeightField || shape instanceof Csg) {
-                Shape read = read(shape, ScenePath.body(i), assets, problems);
-                if (read != shape) {
-                    objects = objects == null ? new ArrayList<>(scene.objects()) : objects;
-                    objects.set(i, object.withShape(read));
-                }
-            }
-        }
-        return objects == null ? scene : scene.withObjects(objects);
+        return new Reading(assets, Objects.requireNonNull(problems, "problems")).read(scene);
     }
 
     /**
@@ -79,81 +67,6 @@ public final class MeshFiles {
             throw found.get(0);
         }
         return read;
-    }
-
-    private static Shape read(Shape shape, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
-        if (shape instanceof Mesh mesh) {
-            return read(mesh, at, assets, problems);
-        }
-        if (shape instanceof Text text) {
-            return read(text, at, assets, problems);
-        }
-        if (shape instanceof HeightField field) {
-            return read(field, at, assets, problems);
-        }
-        return shape instanceof Csg csg ? read(csg, at, assets, problems) : shape;
-    }
-
-    private static Mesh read(Mesh mesh, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
-        try {
-            Mesh read = mesh.isRead() ? mesh : mesh.read(whole(mesh.file(), assets));
-            read.triangles();
-            for (Map.Entry<String, byte[]> inner : read.within().entrySet()) {
-                assets.supply(inner.getKey(), inner.getValue());
-            }
-            return read;
-        } catch (IllegalArgumentException refused) {
-            problems.accept(at, new IOException(refused.getMessage(), refused));
-        } catch (IOException e) {
-            problems.accept(at, e);
-        }
-        return mesh;
-    }
-
-    private static Text read(Text text, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
-        if (text.isRead()) {
-            return text;
-        }
-        String file = text.font();
-        try {
-            return text.read(assets.decoded(file, FONT_BYTES));
-        } catch (IllegalArgumentException refused) {
-            problems.accept(at, new IOException('"' + PlainText.of(file, 100) + "\": " + refused.getMessage(), refused));
-        } catch (IOException e) {
-            problems.accept(at, file.contains(".") ? e : new IOException(e.getMessage() + "; the fonts that are shipped are " + String.join(", ", Fonts.NAMES), e));
-        }
-        return text;
-    }
-
-    private static HeightField read(HeightField field, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
-        if (field.isRead()) {
-            return field;
-        }
-        try {
-            return field.read(heights(field.file(), assets));
-        } catch (IllegalArgumentException refused) {
-            problems.accept(at, new IOException('"' + PlainText.of(field.file(), 100) + "\": " + refused.getMessage(), refused));
-        } catch (IOException e) {
-            problems.accept(at, e);
-        }
-        return field;
-    }
-
-    private static Csg read(Csg csg, BodyAt at, Assets assets, BiConsumer<BodyAt, IOException> problems) {
-        List<Operand> operands = new ArrayList<>();
-        boolean same = true;
-        for (int i = 0; i < csg.operands().size(); i++) {
-            Operand operand = csg.operands().get(i);
-            Solid read = (Solid) read(operand.solid(), at.child(i), assets, problems);
-            try {
-                csg.refuseOpen(read);
-            } catch (IllegalArgumentException open) {
-                problems.accept(at.child(i), new IOException(open.getMessage(), open));
-            }
-            same &= read == operand.solid();
-            operands.add(operand.withSolid(read));
-        }
-        return same ? csg : new Csg(csg.operation(), operands);
     }
 
     /**
@@ -231,6 +144,138 @@ public final class MeshFiles {
                 return content;
             });
             return new Read(model, asked, new ConcurrentHashMap<>());
+        }
+    }
+
+    /** Reads what one scene needs. */
+    private static final class Reading {
+        private static final int FEW = 8;
+
+        private final Assets assets;
+        private final BiConsumer<BodyAt, IOException> problems;
+        /** How many problems have been told. */
+        private int told;
+        /** What operations have become of which there was nothing to tell: wherever else they stand, there is not either. */
+        private final IdentityHashMap<Csg, Csg> done = new IdentityHashMap<>();
+
+        Reading(Assets assets, BiConsumer<BodyAt, IOException> problems) {
+            this.assets = assets;
+            this.problems = problems;
+        }
+
+        Scene read(Scene scene) {
+            List<SceneObject> objects = null;
+            for (int i = 0; i < scene.objects().size(); i++) {
+                SceneObject object = scene.objects().get(i);
+                Shape shape = object.shape();
+                if (mayRead(shape)) {
+                    Shape read = read(shape, ScenePath.body(i));
+                    if (read != shape) {
+                        objects = objects == null ? new ArrayList<>(scene.objects()) : objects;
+                        objects.set(i, object.withShape(read));
+                    }
+                }
+            }
+            return objects == null ? scene : scene.withObjects(objects);
+        }
+
+        private static boolean mayRead(Shape shape) {
+            return shape instanceof Mesh || shape instanceof Text || shape instanceof HeightField || shape instanceof Csg;
+        }
+
+        private Shape read(Shape shape, BodyAt at) {
+            if (shape instanceof Mesh mesh) {
+                return read(mesh, at);
+            }
+            if (shape instanceof Text text) {
+                return read(text, at);
+            }
+            if (shape instanceof HeightField field) {
+                return read(field, at);
+            }
+            return shape instanceof Csg csg ? read(csg, at) : shape;
+        }
+
+        private Mesh read(Mesh mesh, BodyAt at) {
+            try {
+                Mesh read = mesh.isRead() ? mesh : mesh.read(whole(mesh.file(), assets));
+                read.triangles();
+                for (Map.Entry<String, byte[]> inner : read.within().entrySet()) {
+                    assets.supply(inner.getKey(), inner.getValue());
+                }
+                return read;
+            } catch (IllegalArgumentException refused) {
+                tell(at, new IOException(refused.getMessage(), refused));
+            } catch (IOException e) {
+                tell(at, e);
+            }
+            return mesh;
+        }
+
+        private Text read(Text text, BodyAt at) {
+            if (text.isRead()) {
+                return text;
+            }
+            String file = text.font();
+            try {
+                return text.read(assets.decoded(file, FONT_BYTES));
+            } catch (IllegalArgumentException refused) {
+                tell(at, new IOException('"' + PlainText.of(file, 100) + "\": " + refused.getMessage(), refused));
+            } catch (IOException e) {
+                tell(at, file.contains(".") ? e : new IOException(e.getMessage() + "; the fonts that are shipped are " + String.join(", ", Fonts.NAMES), e));
+            }
+            return text;
+        }
+
+        private HeightField read(HeightField field, BodyAt at) {
+            if (field.isRead()) {
+                return field;
+            }
+            try {
+                return field.read(heights(field.file(), assets));
+            } catch (IllegalArgumentException refused) {
+                tell(at, new IOException('"' + PlainText.of(field.file(), 100) + "\": " + refused.getMessage(), refused));
+            } catch (IOException e) {
+                tell(at, e);
+            }
+            return field;
+        }
+
+        private Csg read(Csg csg, BodyAt at) {
+            Csg known = done.get(csg);
+            if (known != null) {
+                return known;
+            }
+            int before = told;
+            boolean isWorthKnowing = csg.operands().size() > FEW;
+            List<Operand> operands = null;
+            for (int i = 0; i < csg.operands().size(); i++) {
+                Operand operand = csg.operands().get(i);
+                if (!mayRead(operand.solid())) {
+                    continue;
+                }
+                isWorthKnowing = true;
+                Solid read = (Solid) read(operand.solid(), at.child(i));
+                try {
+                    csg.refuseOpen(read);
+                } catch (IllegalArgumentException open) {
+                    tell(at.child(i), new IOException(open.getMessage(), open));
+                }
+                if (read != operand.solid()) {
+                    operands = operands == null ? new ArrayList<>(csg.operands()) : operands;
+                    operands.set(i, operand.withSolid(read));
+                }
+            }
+            Csg read = operands == null ? csg : new Csg(csg.operation(), operands);
+            if (isWorthKnowing && told == before) {
+                done.put(csg, read);
+            }
+            return read;
+        }
+
+        private void tell(BodyAt at, IOException problem) {
+            told++;
+            problems.accept(at, problem);
         }
     }
 }

@@ -6,6 +6,7 @@ import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.film.Film.Layer;
 import cz.paprsek.render.mode.RenderMode;
+import cz.paprsek.scene.Body;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
@@ -21,7 +22,7 @@ import java.util.stream.Collectors;
 
 /** What the files of pictures tell of where they come from, whoever rendered them. */
 public final class Origins {
-    /** To write down more of them would take longer than to render them. */
+    /** To write down more bodies would take longer than to render them. */
     private static final int MOST_DIGESTED = 100_000;
 
     private Origins() {}
@@ -51,8 +52,12 @@ public final class Origins {
 
     /** Of the scene as {@code convert} writes it: that it was written differently changes no picture. */
     private static String digest(Scene scene) {
-        if (scene.objects().size() > MOST_DIGESTED) {
-            return "";
+        long bodies = 0;
+        for (int i = 0; i < scene.objects().size(); i++) {
+            bodies += Body.of(scene.objects().get(i)).primitives(MOST_DIGESTED);
+            if (bodies > MOST_DIGESTED) {
+                return "";
+            }
         }
         try {
             byte[] text = SceneFiles.format(scene).getBytes(StandardCharsets.UTF_8);

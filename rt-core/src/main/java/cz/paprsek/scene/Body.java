@@ -8,6 +8,7 @@ import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Placement.Pivot;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
+import cz.paprsek.shape.copied.Repeated;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
@@ -49,6 +50,11 @@ public record Body(String name, Shape shape, Placement placement, Pivot pivot, b
     /** The operands; none if this is not an operation. */
     public List<Operand> operands() {
         return shape instanceof Csg csg ? csg.operands() : List.of();
+    }
+
+    /** How many primitives it is made of, or some number that is not below {@code most}: so it is soon told of whatever nest. */
+    public long primitives(long most) {
+        return shape instanceof Csg csg ? Repeated.primitives(csg, most) : 1;
     }
 
     public Body named(String value) {

@@ -8,13 +8,17 @@ import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.math.Affine;
 import cz.paprsek.math.Require;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Disc;
 import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.copied.Original;
 import cz.paprsek.text.Similar;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -82,9 +86,10 @@ public final class SceneRules {
 
     static void checkObjects(List<SceneObject> objects, Map<String, Material> materials, Report report) {
         Set<String> names = new HashSet<>();
+        Operations operations = new Operations(materials, report);
         for (SceneObject object : objects) {
             checkName("object", object.name(), object, names, report);
-            checkMade(object, materials, report);
+            operations.checkMade(object);
         }
     }
 
@@ -95,10 +100,11 @@ public final class SceneRules {
             free.add(before.get(i).name());
         }
         boolean isRenamed = false;
+        Operations operations = new Operations(materials, report);
         for (int i : difference.added()) {
             SceneObject object = objects.get(i);
             checkText("object name", object.name(), object, report);
-            checkMade(object, materials, report);
+            operations.checkMade(object);
             isRenamed |= !object.name().isEmpty() && !free.remove(object.name());
         }
         Set<String> names = new HashSet<>();
@@ -111,13 +117,6 @@ public final class SceneRules {
     static boolean allow(Map<String, Material> before, Map<String, Material> materials) {
         return materials.keySet().containsAll(before.keySet()) && materials.entrySet().stream().noneMatch(material ->
                 hasBoard(material.getValue()) && !material.getValue().equals(before.get(material.getKey())));
-    }
-
-    private static void checkMade(SceneObject object, Map<String, Material> materials, Report report) {
-        checkMaterial(object.material(), object.shape(), object, materials, report);
-        if (object.shape() instanceof Csg) {
-            checkOperands(object.shape(), object.placement().toParent(), materials, report);
-        }
     }
 
     /**
@@ -151,24 +150,6 @@ public final class SceneRules {
             }
         } catch (IllegalArgumentException refused) {
             report.broken(owner, "name", String.valueOf(refused.getMessage()));
-        }
-    }
-
-    /** @param toWorld the map from the space of the shape to the world */
-    private static void checkOperands(Shape shape, Affine toWorld, Map<String, Material> materials, Report report) {
-        if (shape instanceof Csg csg) {
-            Set<String> names = new HashSet<>();
-            for (Operand operand : csg.operands()) {
-                checkName("operand", operand.name(), operand, names, report);
-                checkMaterial(operand.material(), operand.solid(), operand, materials, report);
-                Affine inner = toWorld.after(operand.placement().toParent());
-                if (inner.isSane()) {
-                    checkOperands(operand.solid(), inner, materials, report);
-                } else {
-                    report.broken(operand, "", "the placements of this operand and of what it is in must not make it flat, larger than "
-                            + Require.LARGEST + " times its size or smaller than " + Require.SMALLEST + " times, all together");
-                }
-            }
         }
     }
 
@@ -206,6 +187,97 @@ public final class SceneRules {
                 : source == Inherited.INHERITED ? Material.DEFAULT : (Material) source;
         if (hasBoard(material) && !(shape instanceof Rectangle || shape instanceof Disc)) {
             report.broken(owner, source instanceof MaterialName ? "material" : "", "a checkerboard lies on a rectangle or a disc only; give this shape a checker");
+        }
+    }
+
+    /** What is made of others. Each operation is looked at once, however often it stands in others. */
+    private static final class Operations {
+        private final Map<String, Material> materials;
+        private final Report report;
+        /** Those that have operations within. */
+        private final IdentityHashMap<Csg, Reach> known = new IdentityHashMap<>();
+
+        Operations(Map<String, Material> materials, Report report) {
+            this.materials = materials;
+            this.report = report;
+        }
+
+        void checkMade(SceneObject object) {
+            checkMaterial(object.material(), object.shape(), object, materials, report);
+            if (object.shape() instanceof Csg csg) {
+                Reach all = Reach.NONE.with(object.placement(), check(csg));
+                if (all.primitives > Original.MOST) {
+                    report.broken(object, "", Original.TOO_MANY);
+                } else if (!all.isSane()) {
+                    checkPlacements(csg, object.placement().toParent());
+                }
+            }
+        }
+
+        private Reach check(Csg csg) {
+            Reach all = known.get(csg);
+            if (all == null) {
+                all = Reach.NONE;
+                Set<String> names = new HashSet<>();
+                boolean hasOperations = false;
+                for (Operand operand : csg.operands()) {
+                    checkName("operand", operand.name(), operand, names, report);
+                    checkMaterial(operand.material(), operand.solid(), operand, materials, report);
+                    hasOperations |= operand.solid() instanceof Csg;
+                    all = all.with(operand.placement(), operand.solid() instanceof Csg inner ? check(inner) : Reach.ONE);
+                }
+                if (hasOperations) {
+                    known.put(csg, all);
+                }
+            }
+            return all;
+        }
+
+        /** @param toWorld the map from the space of the operation to the world */
+        private void checkPlacements(Csg csg, Affine toWorld) {
+            for (Operand operand : csg.operands()) {
+                Affine inner = toWorld.after(operand.placement().toParent());
+                if (!inner.isSane()) {
+                    report.broken(operand, "", "the placements of this operand and of what it is in must not make it flat, larger than "
+                            + Require.LARGEST + " times its size or smaller than " + Require.SMALLEST + " times, all together");
+                } else if (operand.solid() instanceof Csg within) {
+                    checkPlacements(within, inner);
+                }
+            }
+        }
+    }
+
+    /**
+     * How far placements within one another may go together: bounds, so that those that need no closer look are known at once.
+     *
+     * @param primitives how many primitives there are, or more than {@link Original#MOST}
+     * @param least how small anything is made, at most 1
+     * @param most how large, at least 1
+     * @param bent how much larger one direction than another, at least 1
+     * @param away how far anything is moved
+     */
+    private record Reach(long primitives, double least, double most, double bent, double away) {
+        static final Reach NONE = new Reach(0, 1, 1, 1, 0);
+        static final Reach ONE = new Reach(1, 1, 1, 1, 0);
+        private static final double EASY = 1e40;
+        /** The volume of a block with edges of length 1 is at least 1 over the square. */
+        private static final double EASILY_BENT = 1e5;
+
+        /** With something that is placed besides. */
+        Reach with(Placement placement, Reach inner) {
+            Vec3 scale = placement.scale();
+            double x = Math.abs(scale.x());
+            double y = Math.abs(scale.y());
+            double z = Math.abs(scale.z());
+            double small = Math.min(x, Math.min(y, z));
+            double large = Math.max(x, Math.max(y, z));
+            return new Reach(Math.min(Integer.MAX_VALUE, primitives + inner.primitives), Math.min(least, small * inner.least), Math.max(most, large * inner.most),
+                    Math.max(bent, large / small * inner.bent), Math.max(away, placement.position().length() + large * inner.away));
+        }
+
+        /** Whether each of them is, for sure. */
+        boolean isSane() {
+            return least >= 1 / EASY && most <= EASY && bent <= EASILY_BENT && away <= EASY;
         }
     }
 }

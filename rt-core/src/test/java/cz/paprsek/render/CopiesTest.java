@@ -21,6 +21,7 @@ import cz.paprsek.scene.ScenePath;
 import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
+import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Sphere;
 import cz.paprsek.shape.copied.Copy;
@@ -31,6 +32,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.Function;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -50,7 +52,7 @@ class CopiesTest {
         List<SceneObject> objects = new ArrayList<>();
         objects.add(SceneObject.of(new Plane()).at(0, -4, 0).madeOf(Scenes.matte(0.5, 0.8)));
         for (int i = 0; i < PLACES; i++) {
-            Csg cluster = cluster(apart ? "only " + i : "");
+            Csg cluster = cluster(apart ? i + 1 : 0);
             SceneObject object = SceneObject.of(i % 5 == 0 ? Csg.difference(Operand.of(cluster).at(0, 0.1, 0), Operand.of(new Block(new Vec3(-2, 0.3, -2), new Vec3(2, 2, 2)))) : cluster);
             objects.add(object.at(random.nextDouble() * 10 - 5, random.nextDouble() * 6 - 3, random.nextDouble() * 10 - 10)
                     .rotated(random.nextInt(360), random.nextInt(360), random.nextInt(360))
@@ -63,14 +65,21 @@ class CopiesTest {
     }
 
     /** 256 balls, some of which have a material of their own. */
-    private static Csg cluster(String name) {
+    private static Csg cluster(int apart) {
         Random random = new Random(3);
         List<Operand> balls = new ArrayList<>();
         for (int i = 0; i < 256; i++) {
-            balls.add(Operand.of(new Sphere(0.03 + 0.15 * random.nextDouble())).at(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5)
-                    .named(i == 0 ? name : "").madeOf(material(i)));
+            Operand ball = Operand.of(new Sphere(0.03 + 0.15 * random.nextDouble())).at(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5)
+                    .madeOf(material(i));
+            balls.add(i == 0 ? aside(ball, apart) : ball);
         }
         return Csg.union(balls.toArray(Operand[]::new));
+    }
+
+    /** Moved by less than can be seen, but not equal to others any more. */
+    private static Operand aside(Operand operand, int by) {
+        Placement placement = operand.placement();
+        return operand.placed(placement.withPosition(placement.position().plus(new Vec3(0, 1e-13 * by, 0))));
     }
 
     private static MaterialSource material(int i) {
@@ -78,6 +87,7 @@ class CopiesTest {
             case 0 -> new MaterialName("red");
             case 1 -> Scenes.matte(0.7, 0.6).withPattern(new Pattern.Checker(0.1, Vec3.ZERO, Rgb.WHITE, Rgb.grey(30)));
             case 2 -> Scenes.matte(0.2, 0.9);
+            case 3 -> Scenes.matte(0.4, 0.5).withEmission(new Rgb(255, 180, 60), 1.5);
             default -> Inherited.INHERITED;
         };
     }
@@ -173,14 +183,14 @@ class CopiesTest {
         List<SceneObject> objects = new ArrayList<>();
         for (int i = 0; i < PLACES; i++) {
             List<Operand> own = new ArrayList<>(body.operands());
-            own.set(0, own.get(0).named(apart ? "only " + i : ""));
+            own.set(0, aside(own.get(0), apart ? i + 1 : 0));
             objects.add(SceneObject.of(new Csg(body.operation(), own)).scaled(0.05, 0.05, 0.05).at((i % 16 - 8) * 0.8, 0, -(i / 16) * 0.8).madeOf(material));
         }
         return Scenes.empty().withSettings(new RenderSettings(33, 25, 6, 1)).withCamera(Camera.lookingAt(new Vec3(0, 1, 6), new Vec3(0, 0, -5))).withObjects(objects)
                 .withBackground(new Rgb(60, 90, 140)).withAmbient(Rgb.grey(40)).plus(Light.at(5, 6, 6).withIntensity(0.6));
     }
 
-    /** @param scene makes one whose bodies differ by name if that is asked for, else not */
+    /** @param scene makes one whose bodies differ if that is asked for, else not */
     private static Scene assertAlikeCopied(Function<Boolean, Scene> scene) {
         Scene shared = scene.apply(false);
         Scene apart = scene.apply(true);
@@ -199,11 +209,53 @@ class CopiesTest {
         for (ScenePath.BodyAt at : List.of(ScenePath.body(0), ScenePath.body(9), ScenePath.body(16))) {
             scene = scene.with(at, body -> body.placed(body.placement().withPosition(new Vec3(0.25, -3.5, 0))));
             ready = ready.changedTo(scene, RenderMonitor.NONE);
-            assertThat(Scenes.difference(picture(ready, RenderOptions.of(scene)), picture(RenderScene.of(scene), RenderOptions.of(scene)), 0)).isZero();
+            RenderScene fresh = RenderScene.of(scene);
+            for (RenderMode mode : List.of(RenderMode.SHADED, RenderMode.OBJECTS, RenderMode.UV)) {
+                RenderOptions options = RenderOptions.of(scene).withMode(mode);
+                assertThat(Scenes.difference(picture(ready, options), picture(fresh, options), 0)).as(mode.name()).isZero();
+            }
+            for (int x = 0; x < 33; x += 4) {
+                assertThat(ready.explain(x, 14)).isEqualTo(fresh.explain(x, 14));
+                assertThat(RenderScene.Pick.at(ready, scene.settings(), x, 14)).isEqualTo(RenderScene.Pick.at(fresh, scene.settings(), x, 14));
+            }
         }
+        World world = ready.world();
+        assertThat(world.later()).hasSize(3);
+        assertThat(((Copy) world.surface(PLACES + 2)).original()).as("a copy that moves stays one").isSameAs(((Copy) READY.world().surface(2)).original());
         scene = scene.withObjects(scene.objects().subList(0, PLACES - 3));
         ready = ready.changedTo(scene, RenderMonitor.NONE);
         assertThat(ready.world().surface(2)).as("too few are left").isNotInstanceOf(Copy.class);
         assertThat(Scenes.difference(picture(ready, RenderOptions.of(scene)), picture(RenderScene.of(scene), RenderOptions.of(scene)), 0)).isZero();
+    }
+
+    @Test
+    void copiesThatMoveAreBlurredAlike() {
+        assertAlike(blurred(READY), blurred(READY_APART));
+    }
+
+    private static Image blurred(RenderScene ready) {
+        Scene scene = ready.scene();
+        RenderScene exposed = ready.exposed(t -> scene.with(ScenePath.body(3), body -> body.placed(body.placement().withPosition(new Vec3(2 * t - 1, 0, 2))))
+                .with(ScenePath.body(5), body -> body.placed(body.placement().withRotation(new Vec3(0, 90 * t, 0)))), RenderMonitor.NONE);
+        return picture(exposed, RenderOptions.of(scene).withSettings(scene.settings().withSamples(3)));
+    }
+
+    /** What nobody sees may differ. */
+    @Test
+    void namesAndPivotsMakeNoDifference() {
+        Scene named = SHARED.withObjects(IntStream.range(0, PLACES + 1).mapToObj(i -> {
+            SceneObject object = SHARED.objects().get(i);
+            return object.shape() instanceof Csg csg && csg.operation() == Csg.Operation.UNION ? object.withShape(named(csg, i)) : object;
+        }).toList());
+        RenderScene ready = RenderScene.of(named);
+        assertThat(((Copy) ready.world().surface(2)).original()).isSameAs(((Copy) ready.world().surface(3)).original());
+        assertThat(Scenes.difference(picture(ready, RenderOptions.of(named)), picture(READY, RenderOptions.of(SHARED)), 0)).isZero();
+    }
+
+    private static Csg named(Csg csg, int i) {
+        List<Operand> operands = new ArrayList<>(csg.operands());
+        Operand first = operands.get(0);
+        operands.set(0, new Operand("ball " + i, first.solid(), first.placement(), new Placement.Point(new Vec3(i, 0, 0)), false, first.material()));
+        return new Csg(csg.operation(), operands);
     }
 }

@@ -9,12 +9,14 @@ import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.MaterialSource;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Affine;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.Solid;
 import cz.paprsek.shape.Sphere;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -25,6 +27,9 @@ import java.util.Random;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Only what is new in a scene is checked; that must refuse what checking all would. */
 class ScenesAreCheckedTest {
@@ -149,5 +154,75 @@ class ScenesAreCheckedTest {
         assertThatThrownBy(() -> scene.materials().put("x", BOARD)).isInstanceOf(UnsupportedOperationException.class);
         assertThatThrownBy(() -> scene.materials().keySet().clear()).isInstanceOf(UnsupportedOperationException.class);
         assertThatThrownBy(() -> scene.objects().get(MANY)).isInstanceOf(IndexOutOfBoundsException.class);
+    }
+
+    /** In code, a few lines make one that nobody could walk through. */
+    @ParameterizedTest
+    @ValueSource(ints = {27, 28, 62, 64, 500})
+    @Timeout(5)
+    void aNestOfTooManyIsRefusedBeforeItIsWalkedThrough(int times) {
+        SceneObject nest = SceneObject.of(doubled(times, 1, Vec3.ONE)).named("nest");
+        assertThatThrownBy(() -> Scene.EMPTY.plus(nest)).isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("the scene has more than 134216704 primitives in all places together");
+        assertThatThrownBy(() -> many().with(ScenePath.body(3), body -> body.withShape(nest.shape()))).hasMessageStartingWith("the scene has more than");
+        List<Object> culprits = new ArrayList<>();
+        SceneRules.check(List.of(), Map.of(), List.of(nest), (culprit, attribute, sentence) -> culprits.add(culprit));
+        assertThat(culprits).containsExactly(nest);
+    }
+
+    @Test
+    @Timeout(5)
+    void whatStandsOftenInANestIsLookedAtOnce() {
+        assertThat(Scene.EMPTY.plus(SceneObject.of(doubled(26, 1, Vec3.ONE))).objects()).hasSize(1);
+        Operand wrong = Operand.of(new Sphere(1)).madeOf(new MaterialName("nothing"));
+        List<Object> culprits = new ArrayList<>();
+        SceneRules.check(List.of(), Map.of(), List.of(SceneObject.of(doubled(20, 1, Vec3.ONE, wrong))), (culprit, attribute, sentence) -> culprits.add(culprit));
+        assertThat(culprits).containsOnly(wrong).hasSizeLessThan(3);
+    }
+
+    private static Csg doubled(int times, double away, Vec3 scale) {
+        return doubled(times, away, scale, Operand.of(new Sphere(1)));
+    }
+
+    private static Csg doubled(int times, double away, Vec3 scale, Operand first) {
+        Csg all = Csg.union(first);
+        for (int i = 0; i < times; i++) {
+            all = Csg.union(Operand.of(all).scaled(scale.x(), scale.y(), scale.z()), Operand.of(all).at(away, 0, 0));
+        }
+        return all;
+    }
+
+    /** Which is known of most without working out where each stands. */
+    @Test
+    void placementsWithinOneAnotherAreRefusedAsTheirMapsAre() {
+        Random random = new Random(19);
+        int refused = 0;
+        for (int round = 0; round < 2000; round++) {
+            double wild = Math.pow(10, random.nextInt(30));
+            Solid solid = new Sphere(1);
+            List<Placement> placements = new ArrayList<>();
+            int depth = 1 + random.nextInt(6);
+            for (int i = 0; i < depth; i++) {
+                Placement placement = new Placement(new Vec3(random.nextGaussian() * wild, 1, 0), new Vec3(0, 0, random.nextInt(4) * 30), scale(random, wild));
+                placements.add(0, placement);
+                solid = new Csg(Csg.Operation.UNION, List.of(Operand.of(new Sphere(1)), Operand.of(solid).placed(placement)));
+            }
+            Affine toWorld = Affine.IDENTITY;
+            boolean isSane = true;
+            for (Placement placement : placements) {
+                toWorld = isSane ? toWorld.after(placement.toParent()) : toWorld;
+                isSane &= toWorld.isSane();
+            }
+            Solid made = solid;
+            String refusal = refusal(() -> Scene.EMPTY.plus(SceneObject.of(made)));
+            assertThat(refusal.isEmpty()).as(placements + refusal).isEqualTo(isSane);
+            refused += isSane ? 0 : 1;
+        }
+        assertThat(refused).isBetween(200, 1800);
+    }
+
+    private static Vec3 scale(Random random, double wild) {
+        double one = Math.pow(wild, random.nextDouble() * 2 - 1);
+        return random.nextBoolean() ? new Vec3(one, one, -one) : new Vec3(one, Math.pow(wild, random.nextDouble() * 2 - 1), 1);
     }
 }

@@ -25,8 +25,10 @@ public final class PartTable {
     private final int end;
     private final boolean hasPictures;
     private final boolean rough;
-    /** What has been placed later: the numbers, rising, none of them a multiple, and their parts; the first part of each object. */
+    /** What has been placed later: the numbers of single parts and of the first of a copy, rising, none of them a multiple, and their places; the first part of each object. */
     private final int[] numbers;
+    private final int[] starts;
+    private final Runs freshRuns;
     private final Part[] freshParts;
     private final Finish[] freshFinishes;
     private final int[] freshObjects;
@@ -48,6 +50,8 @@ public final class PartTable {
         this.hasPictures = all.hasPictures;
         this.rough = all.isRough;
         this.numbers = new int[0];
+        this.starts = numbers;
+        this.freshRuns = runs;
         this.freshParts = all.parts;
         this.freshFinishes = all.finishes;
         this.freshObjects = all.objects;
@@ -61,8 +65,10 @@ public final class PartTable {
         this.runs = all.runs;
         this.hasNoCopies = runs.size() == 0;
         this.firsts = all.firsts;
-        this.numbers = Arrays.copyOf(fresh.numbers, fresh.size);
-        this.end = numbers.length == 0 ? all.end : Math.max(all.end, numbers[numbers.length - 1] + 1);
+        this.numbers = Arrays.copyOf(fresh.numbers, fresh.count);
+        this.starts = Arrays.copyOf(fresh.starts, fresh.count);
+        this.freshRuns = fresh.runs;
+        this.end = numbers.length == 0 ? all.end : Math.max(all.end, fresh.last + 1);
         this.hasPictures = all.hasPictures || fresh.hasPictures;
         this.rough = all.rough || fresh.isRough;
         this.freshParts = fresh.parts;
@@ -107,16 +113,16 @@ public final class PartTable {
 
     /** @param scratch becomes the part if it is one of a copy */
     public Part part(int i, CopiedPart scratch) {
-        return isAlone(i) ? parts[i >> BITS] : isFirst(i) ? runs.part(i >> BITS, parts, scratch) : freshParts[fresh(i)];
+        return isAlone(i) ? parts[i >> BITS] : isFirst(i) ? runs.part(i >> BITS, parts, scratch) : freshRuns.part(fresh(i), freshParts, scratch);
     }
 
     public Finish finish(int i) {
-        return isAlone(i) ? finishes[i >> BITS] : isFirst(i) ? finishes[runs.slot(i >> BITS)] : freshFinishes[fresh(i)];
+        return isAlone(i) ? finishes[i >> BITS] : isFirst(i) ? finishes[runs.slot(i >> BITS)] : freshFinishes[freshRuns.slot(fresh(i))];
     }
 
     /** The object that the part belongs to. */
     public int object(int i) {
-        return isAlone(i) ? objects[i >> BITS] : isFirst(i) ? objects[runs.slot(i >> BITS)] : freshObjects[fresh(i)];
+        return isAlone(i) ? objects[i >> BITS] : isFirst(i) ? objects[runs.slot(i >> BITS)] : freshObjects[freshRuns.slot(fresh(i))];
     }
 
     /** Whether what is kept for a part stands at its own place, as all does that was placed first where there are no copies. */
@@ -129,8 +135,11 @@ public final class PartTable {
         return (i & APART - 1) == 0;
     }
 
+    /** The place of a part that was placed later. */
     private int fresh(int i) {
-        return Arrays.binarySearch(numbers, i);
+        int at = Arrays.binarySearch(numbers, i);
+        int from = at >= 0 ? at : -at - 2;
+        return starts[from] + ((i - numbers[from]) >> BITS);
     }
 
     /** The first part of the object that the part belongs to. */

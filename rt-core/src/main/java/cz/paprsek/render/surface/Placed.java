@@ -10,6 +10,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
+import cz.paprsek.shape.copied.Originals;
 import cz.paprsek.shape.copied.Repeated;
 import cz.paprsek.shape.placed.Surface;
 import java.util.Arrays;
@@ -55,6 +56,7 @@ final class Placed {
     private final Placed whole;
     /** The solids in it that were placed once. */
     private final Repeated repeated;
+    private final Originals originals;
 
     /**
      * Places all objects of a scene.
@@ -64,7 +66,8 @@ final class Placed {
     Placed(Scene scene, Textures textures, BooleanSupplier stop) {
         int count = scene.objects().size();
         this.repeated = Repeated.in(shapes(scene));
-        Placing placing = new Placing(scene, textures, Math.max(16, count + 2 * ROOM), false, repeated, stop);
+        Placing placing = new Placing(scene, textures, Math.max(16, count + 2 * ROOM), repeated, stop);
+        this.originals = placing.originals;
         this.textures = textures;
         this.scene = scene;
         this.whole = this;
@@ -91,6 +94,7 @@ final class Placed {
         this.textures = whole.textures;
         this.scene = whole.scene;
         this.repeated = whole.repeated;
+        this.originals = whole.originals;
         this.whole = whole;
         this.difference = difference;
         this.first = whole.first;
@@ -114,15 +118,18 @@ final class Placed {
     Placed changedTo(Scene changed, BooleanSupplier stop) {
         int most = first.surfaces.length / SHARE;
         Difference fromWhole = Difference.of(Pieces.of(scene.objects()), Pieces.of(changed.objects()), repainted(changed), most);
-        return fromWhole.isNone() ? whole
-                : Math.max(fromWhole.removed().length, fromWhole.added().length) > most || !stays(changed, fromWhole)
-                ? new Placed(changed, textures, stop)
-                : whole.with(changed, fromWhole, stop).orElseGet(() -> new Placed(changed, textures, stop));
+        if (fromWhole.isNone()) {
+            return whole;
+        }
+        return (Math.max(fromWhole.removed().length, fromWhole.added().length) > most ? Optional.<Repeated>empty() : stays(changed, fromWhole))
+                .flatMap(then -> whole.with(changed, fromWhole, then, stop)).orElseGet(() -> new Placed(changed, textures, stop));
     }
 
-    /** Whether the same solids are placed once, and none of them is new. */
-    private boolean stays(Scene changed, Difference fromWhole) {
-        return repeated.stays(shapes(scene, fromWhole.removed()), shapes(changed, fromWhole.added()), () -> shapes(changed));
+    /** What is placed once after a change, if that is the same; empty, too, if such a thing would be of other materials. */
+    private Optional<Repeated> stays(Scene changed, Difference fromWhole) {
+        List<Shape> added = shapes(changed, fromWhole.added());
+        return repeated.changed(shapes(scene, fromWhole.removed()), added, () -> shapes(changed))
+                .filter(then -> scene.materials().equals(changed.materials()) || !then.areWithin(added));
     }
 
     private static List<Shape> shapes(Scene of) {
@@ -146,9 +153,9 @@ final class Placed {
     }
 
     /** Empty if there is no room for the numbers of the parts that come between others. */
-    private Optional<Placed> with(Scene changed, Difference fromWhole, BooleanSupplier stop) {
+    private Optional<Placed> with(Scene changed, Difference fromWhole, Repeated then, BooleanSupplier stop) {
         int count = fromWhole.added().length;
-        Placing placing = new Placing(changed, textures, Math.max(16, count), true, repeated, stop);
+        Placing placing = Placing.later(changed, textures, Math.max(16, count), originals.in(then), stop);
         IntFunction<SceneObject> objects = k -> changed.objects().get(fromWhole.added()[k]);
         boolean[] areMedia = new boolean[count];
         for (int k = 0; k < count; k++) {
@@ -160,13 +167,10 @@ final class Placed {
             neighbours(fromWhole, areMedia, medium, low, high);
         }
         PlacedObjects fresh = new PlacedObjects(first.surfaces.length, count);
+        placing.keepBelow(high, fresh.from);
         fresh.place(placing, objects, (k, isMedium) -> PartTable.after(Math.max(low[k], placing.last)), stop);
-        for (int i = 0; i < placing.size; i++) {
-            if (placing.numbers[i] >= high[placing.objects[i] - fresh.from]) {
-                return Optional.empty();
-            }
-        }
-        return Optional.of(new Placed(this, fromWhole, parts.with(placing, fresh.firsts), fresh, bodies.with(fromWhole.removed(), fresh.surfaces, fresh.opaque, stop)));
+        return placing.isInRoom ? Optional.of(new Placed(this, fromWhole, parts.with(placing, fresh.firsts), fresh, bodies.with(fromWhole.removed(), fresh.surfaces, fresh.opaque, stop)))
+                : Optional.empty();
     }
 
     /**

@@ -25,6 +25,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 
@@ -42,13 +43,15 @@ final class Placing {
     Part[] parts;
     Finish[] finishes;
     int[] objects;
-    /** The numbers of the parts, unless they follow from their places. */
-    int[] numbers;
+    /** Unless numbers follow from places: those of what has been placed, a part or a copy, and their places. */
+    int[] numbers = {};
+    int[] starts = {};
+    int count;
     int size;
     /** How many places parts have taken, of which those of a copy share what is kept. */
     int places;
     final Runs runs = new Runs();
-    private final Originals originals;
+    final Originals originals;
     /** The number of the last part. */
     int last;
     /** Whether a part is rough. */
@@ -58,13 +61,30 @@ final class Placing {
     private final boolean areLater;
     /** The number of the next part. */
     private int next;
+    /** What numbers must stay below, by object from the first of these on; empty for whatever comes. */
+    private int[] limits = {};
+    private int limited;
+    /** Whether they do. */
+    boolean isInRoom = true;
 
     /**
      * @param expected about how many parts there will be
-     * @param areLater whether they come between others
      * @param repeated the solids that are placed once
      */
-    Placing(Scene scene, Textures textures, int expected, boolean areLater, Repeated repeated, BooleanSupplier stop) {
+    Placing(Scene scene, Textures textures, int expected, Repeated repeated, BooleanSupplier stop) {
+        this(scene, textures, expected, false, stop, materials -> new Originals(repeated, source -> !Finish.isPlaced(material(source, materials)), stop));
+    }
+
+    /**
+     * For what comes between others.
+     *
+     * @param made what has been placed once with those
+     */
+    static Placing later(Scene scene, Textures textures, int expected, Originals made, BooleanSupplier stop) {
+        return new Placing(scene, textures, expected, true, stop, materials -> made);
+    }
+
+    private Placing(Scene scene, Textures textures, int expected, boolean areLater, BooleanSupplier stop, Function<Map<String, Material>, Originals> originals) {
         this.textures = textures;
         this.stop = stop;
         materials = scene.materials();
@@ -73,9 +93,14 @@ final class Placing {
         parts = new Part[expected];
         finishes = new Finish[expected];
         objects = new int[expected];
-        numbers = new int[areLater ? expected : 0];
         this.areLater = areLater;
-        originals = new Originals(repeated, source -> !Finish.isPlaced(material(source)), stop);
+        this.originals = originals.apply(materials);
+    }
+
+    /** Looks whether numbers stay below those given, of objects from {@code first} on. */
+    void keepBelow(int[] most, int first) {
+        limits = most;
+        limited = first;
     }
 
     /** Leaves places for which there are no parts. */
@@ -143,6 +168,10 @@ final class Placing {
     }
 
     private Material material(MaterialSource source) {
+        return material(source, materials);
+    }
+
+    private static Material material(MaterialSource source, Map<String, Material> materials) {
         return source instanceof MaterialName reference ? reference.in(materials) : (Material) source;
     }
 
@@ -194,8 +223,23 @@ final class Placing {
             parts = Arrays.copyOf(parts, length);
             finishes = Arrays.copyOf(finishes, length);
             objects = Arrays.copyOf(objects, length);
-            numbers = Arrays.copyOf(numbers, areLater ? length : 0);
         }
+    }
+
+    /** Notes the number of what takes the next place, with its last part's, and says which comes after that. */
+    private int numbered(int object, int number, int lastOfIt, int placesThen) {
+        last = lastOfIt;
+        if (!areLater) {
+            return PartTable.number(placesThen);
+        }
+        if (count == numbers.length) {
+            numbers = Arrays.copyOf(numbers, Math.max(16, 2 * count));
+            starts = Arrays.copyOf(starts, numbers.length);
+        }
+        numbers[count] = number;
+        starts[count++] = places;
+        isInRoom &= last >= number && (limits.length == 0 || last < limits[object - limited]);
+        return PartTable.after(last);
     }
 
     /** What parts registered here belong to, and what they are made of. */
@@ -212,27 +256,23 @@ final class Placing {
 
         @Override
         public <P extends Part> P add(IntFunction<P> maker) {
-            int place = Placing.this.add(object, finish);
-            takePlaces(1);
+            int slot = Placing.this.add(object, finish);
             P part = maker.apply(next);
-            parts[place] = part;
-            if (areLater) {
-                numbers[place] = next;
-            }
-            last = next;
-            next = areLater ? PartTable.after(next) : PartTable.number(places);
+            parts[slot] = part;
+            next = numbered(object, next, next, places + 1);
+            takePlaces(1);
             return part;
         }
 
         @Override
         public Volume placed(Object solid, Placer alone, Affine toWorld) {
-            return areLater ? alone.place(toWorld, this) : originals.of(solid, alone).<Volume>map(original -> {
+            return originals.of(solid, alone).<Volume>map(original -> {
                 Copy copy = original.copy(toWorld, next);
                 runs.add(places, size, copy);
                 original.scopesIn(this, toWorld).forEach(scope -> Placing.this.add(object, ((Scope) scope).finish));
-                takePlaces(original.count());
-                last = PartTable.number(places - 1);
-                next = PartTable.number(places);
+                int then = Original.sum(places, original.count());
+                next = numbered(object, next, next + PartTable.number(original.count() - 1), then);
+                places = then;
                 return copy;
             }).orElseGet(() -> alone.place(toWorld, this));
         }

@@ -16,26 +16,27 @@ public final class Alike {
     /** By what has been asked for before. */
     private final IdentityHashMap<Csg, One> seen = new IdentityHashMap<>();
     private final @Nullable Alike base;
-    private final boolean remembers;
+    /** Whether it is for pictures: then it remembers all that it has been asked for, and what nobody sees may differ. */
+    private final boolean isForPictures;
 
-    private Alike(@Nullable Alike base, boolean remembers) {
+    private Alike(@Nullable Alike base, boolean isForPictures) {
         this.base = base;
-        this.remembers = remembers;
+        this.isForPictures = isForPictures;
     }
 
-    /** What forgets those that are equal to others, so that nothing is kept of them. */
-    public static Alike forgetting() {
+    /** For which only those are equal that are so in all they say; it forgets those that are equal to others, so that nothing is kept of them. */
+    public static Alike inAll() {
         return new Alike(null, false);
     }
 
-    /** What remembers all that it has been asked for: it answers sooner if the same comes again. */
-    static Alike remembering() {
+    /** For which names and pivots do not count; it remembers all that it has been asked for, and answers sooner if the same comes again. */
+    static Alike inPictures() {
         return new Alike(null, true);
     }
 
     /** Another one that knows all that this one does, and leaves it alone. */
     Alike more() {
-        return new Alike(this, true);
+        return new Alike(this, isForPictures);
     }
 
     /** An operation: of equal ones the first that was asked for. */
@@ -86,13 +87,13 @@ public final class Alike {
         One one = known(csg);
         if (one == null) {
             List<One> within = csg.operands().stream().map(Operand::solid).filter(Csg.class::isInstance).map(inner -> of((Csg) inner)).toList();
-            Key key = new Key(csg, within);
+            Key key = new Key(csg, within, !isForPictures);
             one = known(key);
             if (one == null) {
                 one = new One(csg, within);
                 all.put(key, one);
                 seen.put(csg, one);
-            } else if (remembers) {
+            } else if (isForPictures) {
                 seen.put(csg, one);
             }
         }
@@ -113,18 +114,20 @@ public final class Alike {
     private static final class Key {
         private final Csg csg;
         private final List<One> within;
+        private final boolean countsAll;
         private final int hash;
 
-        Key(Csg csg, List<One> within) {
+        /** @param countsAll whether names and pivots count */
+        Key(Csg csg, List<One> within, boolean countsAll) {
             this.csg = csg;
             this.within = within;
+            this.countsAll = countsAll;
             long sum = mixed(csg.operation().hashCode(), within.hashCode());
             for (Operand operand : csg.operands()) {
                 sum = mixed(sum, operand.solid() instanceof Csg ? 1 : operand.solid().hashCode());
-                sum = mixed(sum, operand.name().hashCode());
+                sum = countsAll ? mixed(mixed(sum, operand.name().hashCode()), operand.pivot().hashCode()) : sum;
                 sum = mixed(sum, operand.hidden() ? 1 : 0);
                 sum = mixed(sum, operand.material().hashCode());
-                sum = mixed(sum, operand.pivot().hashCode());
                 Placement placement = operand.placement();
                 sum = mixed(mixed(mixed(sum, placement.position()), placement.rotation()), placement.scale());
             }
@@ -160,10 +163,10 @@ public final class Alike {
             return true;
         }
 
-        private static boolean areAlike(Operand one, Operand other) {
+        private boolean areAlike(Operand one, Operand other) {
             boolean areOperations = one.solid() instanceof Csg && other.solid() instanceof Csg;
-            return one.name().equals(other.name()) && (areOperations || one.solid().equals(other.solid())) && one.placement().equals(other.placement())
-                    && one.pivot().equals(other.pivot()) && one.hidden() == other.hidden() && one.material().equals(other.material());
+            return (areOperations || one.solid().equals(other.solid())) && one.placement().equals(other.placement()) && one.hidden() == other.hidden()
+                    && one.material().equals(other.material()) && (!countsAll || (one.name().equals(other.name()) && one.pivot().equals(other.pivot())));
         }
     }
 }

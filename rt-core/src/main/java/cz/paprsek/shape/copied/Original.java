@@ -22,7 +22,9 @@ public final class Original {
     /** Numbers of neighbouring parts differ by 2 to this power. */
     public static final int BITS = 4;
     /** How many parts there may be; behind them come the lights that are seen. */
-    static final int MOST = (1 << (31 - BITS)) - 1024;
+    public static final int MOST = (1 << (31 - BITS)) - 1024;
+    /** What is said of a scene with more of them. */
+    public static final String TOO_MANY = "the scene has more than " + MOST + " primitives in all places together";
 
     private final Originals others;
     private final Volume whole;
@@ -68,7 +70,7 @@ public final class Original {
      */
     public static int sum(int parts, long more) {
         if (more > MOST - parts) {
-            throw new IllegalArgumentException("the scene has more than " + MOST + " primitives in all places together");
+            throw new IllegalArgumentException(TOO_MANY);
         }
         return (int) (parts + more);
     }

@@ -13,7 +13,8 @@ public final class Originals {
     private final Repeated repeated;
     private final Predicate<MaterialSource> isEverywhereAlike;
     private final BooleanSupplier stop;
-    private final IdentityHashMap<Csg, Original> made = new IdentityHashMap<>();
+    private final IdentityHashMap<Csg, Original> made;
+    private final boolean areAllMade;
 
     /**
      * None has been placed yet.
@@ -23,9 +24,20 @@ public final class Originals {
      * @param stop whether to give up
      */
     public Originals(Repeated repeated, Predicate<MaterialSource> isEverywhereAlike, BooleanSupplier stop) {
+        this(repeated, isEverywhereAlike, stop, new IdentityHashMap<>(), false);
+    }
+
+    private Originals(Repeated repeated, Predicate<MaterialSource> isEverywhereAlike, BooleanSupplier stop, IdentityHashMap<Csg, Original> made, boolean areAllMade) {
         this.repeated = repeated;
         this.isEverywhereAlike = isEverywhereAlike;
         this.stop = stop;
+        this.made = made;
+        this.areAllMade = areAllMade;
+    }
+
+    /** The same ones for a changed scene, in which they are placed as often as that has them; none is made any more. */
+    public Originals in(Repeated changed) {
+        return new Originals(changed, isEverywhereAlike, stop, made, true);
     }
 
     /** The original of a solid; empty if it is to be placed by itself wherever it stands. */
@@ -35,11 +47,11 @@ public final class Originals {
         }
         Csg known = repeated.only(csg);
         Original original = made.get(known);
-        if (original == null) {
+        if (original == null && !areAllMade) {
             original = new Original(alone, this);
             made.put(known, original);
         }
-        return Optional.of(original);
+        return Optional.ofNullable(original);
     }
 
     boolean isEverywhereAlike(MaterialSource material) {

@@ -11,11 +11,12 @@ import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 
 /**
- * Which operations of a scene stand in so many places that they are placed once: those that are equal, have {@value #SMALLEST} primitives or more, and
+ * Which operations of a scene stand in so many places that they are placed once: those that are equal but for names and pivots, have {@value #SMALLEST} primitives or more, and
  * {@value #MANY} in all places together, of which those within another one that is placed once count once. It goes by what a scene is, not by how it was
  * made or written: equal scenes make equal pictures. Below that, each place has primitives of its own, which rays meet a little faster.
  */
@@ -38,7 +39,7 @@ public final class Repeated {
         IdentityHashMap<One, Long> places = most < many ? new IdentityHashMap<>() : places(shapes, alike);
         this.once = places.isEmpty() ? Set.of() : once(places);
         this.left = once.isEmpty() ? left(places, most < many ? many - most : many) : 0;
-        this.alike = once.isEmpty() ? Alike.forgetting() : alike;
+        this.alike = once.isEmpty() ? Alike.inPictures() : alike;
     }
 
     /**
@@ -52,21 +53,34 @@ public final class Repeated {
 
     /** As the other, of which {@code many} primitives in all places together are enough. */
     static Repeated in(Collection<? extends Shape> shapes, int many) {
-        return new Repeated(shapes, many, Alike.remembering());
+        return new Repeated(shapes, many, Alike.inPictures());
+    }
+
+    private Repeated(Repeated same, Alike alike) {
+        this.many = same.many;
+        this.once = same.once;
+        this.left = same.left;
+        this.alike = alike;
     }
 
     /**
-     * Whether the same operations are placed once if some of the scene's shapes are taken out and others put in, of which none has such an operation.
+     * What is placed once if some of the scene's shapes are taken out and others put in; empty if those are not the same operations any more.
      *
-     * @param all that there are then; asked only if what is put in is much
+     * @param all that there are then; asked only if what is taken out or put in is much
      */
-    public boolean stays(Collection<? extends Shape> removed, Collection<? extends Shape> added, Supplier<Collection<? extends Shape>> all) {
+    public Optional<Repeated> changed(Collection<? extends Shape> removed, Collection<? extends Shape> added, Supplier<Collection<? extends Shape>> all) {
         if (once.isEmpty()) {
-            return primitives(fresh(removed, added), many) < left || in(all.get(), many).once.isEmpty();
+            return Optional.of(this).filter(same -> primitives(fresh(removed, added), many) < left || in(all.get(), many).once.isEmpty());
         }
-        Repeated then = new Repeated(all.get(), many, alike.more());
-        return then.once.equals(once)
-                && reached(added.stream().filter(Csg.class::isInstance).map(csg -> then.alike.of((Csg) csg)).toList()).stream().noneMatch(once::contains);
+        if (primitives(fresh(removed, added), 1) == 0 && primitives(fresh(added, removed), 1) == 0) {
+            return Optional.of(new Repeated(this, alike.more()));
+        }
+        return Optional.of(new Repeated(all.get(), many, alike.more())).filter(then -> then.once.equals(once));
+    }
+
+    /** Whether one of some shapes is placed once, or has something within that is. */
+    public boolean areWithin(Collection<? extends Shape> shapes) {
+        return !once.isEmpty() && reached(shapes.stream().filter(Csg.class::isInstance).map(csg -> alike.of((Csg) csg)).toList()).stream().anyMatch(once::contains);
     }
 
     /** Those added that are not the same as one removed, as those of what has only been moved are. */
@@ -88,7 +102,8 @@ public final class Repeated {
         return sum;
     }
 
-    private static long primitives(Csg csg, long most) {
+    /** How many primitives an operation has, or some number that is not below {@code most}. */
+    public static long primitives(Csg csg, long most) {
         long sum = 0;
         for (Operand operand : csg.operands()) {
             if (sum >= most) {

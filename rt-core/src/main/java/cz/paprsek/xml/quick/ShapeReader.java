@@ -23,7 +23,7 @@ final class ShapeReader {
     private final double[] room;
     private final MaterialReader materials;
     /** Copies of one definition are one: as many as there are need no room for each. */
-    private final Alike alike = Alike.forgetting();
+    private final Alike alike = Alike.inAll();
     /** Of the shape read last: mostly there are many of a kind in a row. */
     private int latest;
 

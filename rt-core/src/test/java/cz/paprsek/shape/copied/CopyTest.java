@@ -224,7 +224,7 @@ class CopyTest {
             ways.add(operand -> operand.at(k % 32, more, 1 + k));
         }
         ways.add(operand -> new Operand("", operand.solid(), operand.placement(), Placement.MIDDLE, true, Inherited.INHERITED));
-        Alike alike = Alike.forgetting();
+        Alike alike = Alike.inAll();
         for (UnaryOperator<Operand> way : ways) {
             assertThat(alike.of(Csg.union(way.apply(Operand.of(new Sphere(0.5))), Operand.of(new Sphere(1)))).size()).isEqualTo(2);
             assertThat(alike.of(Csg.union(way.apply(Operand.of(Csg.union(new Sphere(0.5), new Sphere(2)))), Operand.of(new Sphere(1)))).size()).isEqualTo(3);
@@ -237,13 +237,13 @@ class CopyTest {
         Csg ten = row(new Sphere(0.4), 10, 1);
         Csg other = row(new Sphere(0.3), 10, 1);
         Repeated of = Repeated.in(List.of(ten, ten, ten, ten, other), 30);
-        assertThat(of.stays(List.of(ten), List.of(), () -> List.of(ten, ten, ten, other))).isTrue();
-        assertThat(of.stays(List.of(other), List.of(new Sphere(1)), () -> List.of(ten, ten, ten, ten, new Sphere(1)))).isTrue();
-        assertThat(of.stays(List.of(ten, ten), List.of(), () -> List.of(ten, ten, other))).as("few are left").isFalse();
-        assertThat(of.stays(List.of(other), List.of(ten), () -> List.of(ten, ten, ten, ten, ten))).as("one more").isFalse();
-        assertThat(of.stays(List.of(), List.of(other, other), () -> List.of(ten, ten, ten, ten, other, other, other))).as("now many").isFalse();
-        assertThat(Repeated.in(List.of(ten), 30).stays(List.of(), List.of(ten), () -> List.of(ten, ten))).isTrue();
-        assertThat(Repeated.in(List.of(ten), 30).stays(List.of(), List.of(ten, ten), () -> List.of(ten, ten, ten))).isFalse();
+        assertThat(of.changed(List.of(ten), List.of(), () -> List.of(ten, ten, ten, other))).isPresent();
+        assertThat(of.changed(List.of(other), List.of(new Sphere(1)), () -> List.of(ten, ten, ten, ten, new Sphere(1)))).isPresent();
+        assertThat(of.changed(List.of(ten, ten), List.of(), () -> List.of(ten, ten, other))).as("few are left").isEmpty();
+        assertThat(of.changed(List.of(other), List.of(ten), () -> List.of(ten, ten, ten, ten, ten))).as("one more").isPresent();
+        assertThat(of.changed(List.of(), List.of(other, other), () -> List.of(ten, ten, ten, ten, other, other, other))).as("now many").isEmpty();
+        assertThat(Repeated.in(List.of(ten), 30).changed(List.of(), List.of(ten), () -> List.of(ten, ten))).isPresent();
+        assertThat(Repeated.in(List.of(ten), 30).changed(List.of(), List.of(ten, ten), () -> List.of(ten, ten, ten))).isEmpty();
     }
 
     /** So a change costs what it is, not what the scene is. */
@@ -255,14 +255,14 @@ class CopyTest {
         };
         List<Csg> different = IntStream.range(0, 10).mapToObj(i -> row(new Sphere(0.1 + i), 10, 1)).toList();
         Repeated little = Repeated.in(List.of(ten, row(new Sphere(0.3), 7, 1), row(new Sphere(0.3), 7, 1), row(new Sphere(0.3), 7, 1)), 30);
-        assertThat(little.stays(List.of(), List.of(row(new Sphere(0.2), 19, 1)), never)).as("29 primitives, small operations apart").isTrue();
+        assertThat(little.changed(List.of(), List.of(row(new Sphere(0.2), 19, 1)), never)).as("29 primitives, small operations apart").isPresent();
         Repeated much = Repeated.in(different, 30);
         assertThat(much.has(different.get(0))).isFalse();
-        assertThat(much.stays(List.of(different.get(1)), List.of(different.get(1)), never)).as("moved").isTrue();
-        assertThat(much.stays(List.of(different.get(1)), List.of(row(new Sphere(7), 9, 1)), never)).as("less than the smallest").isTrue();
-        assertThat(much.stays(List.of(), List.of(ten), () -> Stream.concat(different.stream(), Stream.of(ten)).toList())).as("looked at").isTrue();
+        assertThat(much.changed(List.of(different.get(1)), List.of(different.get(1)), never)).as("moved").isPresent();
+        assertThat(much.changed(List.of(different.get(1)), List.of(row(new Sphere(7), 9, 1)), never)).as("less than the smallest").isPresent();
+        assertThat(much.changed(List.of(), List.of(ten), () -> Stream.concat(different.stream(), Stream.of(ten)).toList())).as("looked at").isPresent();
         List<Csg> two = List.of(different.get(3), different.get(3));
-        assertThat(much.stays(List.of(), two, () -> Stream.concat(different.stream(), two.stream()).toList())).isFalse();
+        assertThat(much.changed(List.of(), two, () -> Stream.concat(different.stream(), two.stream()).toList())).isEmpty();
     }
 
     /** Eight balls doubled so often that their number would not go into an int or a long. */
@@ -277,7 +277,7 @@ class CopyTest {
         String expected = "the scene has more than 134216704 primitives in all places together";
         assertThatThrownBy(() -> Repeated.in(List.of(nest))).isInstanceOf(IllegalArgumentException.class).hasMessage(expected);
         Repeated small = Repeated.in(List.of(new Sphere(1)));
-        assertThatThrownBy(() -> small.stays(List.of(), List.of(nest), () -> List.of(nest))).hasMessage(expected);
+        assertThatThrownBy(() -> small.changed(List.of(), List.of(nest), () -> List.of(nest))).hasMessage(expected);
         assertThat(Original.sum(Original.MOST - 16, 16)).isEqualTo(Original.MOST);
         assertThatThrownBy(() -> Original.sum(Original.MOST - 15, 16)).hasMessage(expected);
         assertThatThrownBy(() -> Original.sum(Original.MOST, Integer.MAX_VALUE)).hasMessage(expected);
