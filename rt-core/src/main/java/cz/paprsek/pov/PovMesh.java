@@ -19,6 +19,9 @@ import java.util.stream.IntStream;
 
 /** A mesh in POV-Ray's words, with its normals and what its parts are made of; one that is closed has an inside there too. */
 final class PovMesh {
+    /** Not along an axis: there lie the sides of many meshes, on which POV-Ray stumbles. */
+    private static final String INSIDE = "\n inside_vector <0.577, 0.641, 0.506>";
+
     private final StringBuilder out = new StringBuilder("mesh2 {");
 
     private PovMesh() {}
@@ -27,6 +30,11 @@ final class PovMesh {
     static String of(Mesh mesh, List<String> textures) {
         Require.that(mesh.isRead(), "a scene for POV-Ray needs the triangles of a mesh, but \"" + mesh.file() + "\" has not been read");
         return new PovMesh().write(mesh.triangles(), textures, new int[0]);
+    }
+
+    /** Of triangles that enclose something, though corners of some may lie within edges of others. */
+    static String enclosing(Triangles triangles) {
+        return new PovMesh().written(triangles, List.of(), new int[0]).append(INSIDE).toString();
     }
 
     /**
@@ -66,6 +74,10 @@ final class PovMesh {
 
     /** @param ofCorner for each corner of each triangle its texture; empty if those go by the parts */
     private String write(Triangles mesh, List<String> textures, int[] ofCorner) {
+        return written(mesh, textures, ofCorner).append(mesh.isClosed() ? INSIDE : "").toString();
+    }
+
+    private StringBuilder written(Triangles mesh, List<String> textures, int[] ofCorner) {
         block("vertex_vectors", mesh.vertexCount(), v -> out.append(vector(mesh.place(v))));
         if (isSmooth(mesh)) {
             block("normal_vectors", mesh.vertexCount(), v -> out.append(vector(mesh.normal(v).normalized())));
@@ -84,8 +96,7 @@ final class PovMesh {
                 out.append(", ").append(mesh.part(t));
             }
         });
-        // Not along an axis: there lie the sides of many meshes, on which POV-Ray stumbles.
-        return mesh.isClosed() ? out.append("\n inside_vector <0.577, 0.641, 0.506>").toString() : out.toString();
+        return out;
     }
 
     /** POV-Ray has normals for all vertices or for none. */

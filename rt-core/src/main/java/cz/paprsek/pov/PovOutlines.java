@@ -21,10 +21,10 @@ final class PovOutlines {
 
     private PovOutlines() {}
 
-    /** POV-Ray sweeps along y what lies in x and z, or towards the origin what lies at y = 1. */
+    /** POV-Ray sweeps along y what lies in x and z, or towards the origin what lies at y = 1; it turns nothing meanwhile. */
     static String extrude(Extrude extrude) {
         if (extrude.twist() != 0) {
-            throw new IllegalArgumentException("a scene for POV-Ray cannot hold a twisted extrude: POV-Ray has none");
+            return PovMesh.enclosing(PovTwisted.of(extrude));
         }
         Outline outline = Outline.of("extrude", extrude.path(), extrude.points());
         boolean areCurves = !outline.isStraight();

@@ -21,6 +21,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.SphereLight;
 import cz.paprsek.shape.Csg;
+import cz.paprsek.shape.Extrude;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Shape;
@@ -199,6 +200,8 @@ final class PovWarnings {
             csg.operands().forEach(operand -> checkFiles(name, operand.solid(), operand.material() == Inherited.INHERITED ? given : operand.material()));
         } else if (shape instanceof Text text && text.isRead() && PovOutlines.areOver(text)) {
             sentences.add(name + " has letters, or parts of them, that lie over each other; POV-Ray has holes there");
+        } else if (shape instanceof Extrude extrude && extrude.twist() != 0) {
+            sentences.add(name + " is twisted, as nothing is that POV-Ray sweeps; it is told a mesh instead, off by up to about 1/2000 of its radius");
         } else if (shape instanceof HeightField field) {
             PovPictures.lost(field).forEach(lost -> sentences.add(name + ": " + lost));
         } else if (given == Inherited.INHERITED && shape instanceof Mesh mesh && mesh.isRead() && !PovMesh.isTold(mesh)) {
