@@ -10,6 +10,7 @@ import cz.paprsek.fx.model.library.LibraryStore;
 import cz.paprsek.fx.view.library.Desk;
 import cz.paprsek.fx.view.library.LibraryPane;
 import cz.paprsek.fx.view.library.Worker;
+import cz.paprsek.fx.view.texts.Shortcut;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.DatabaseFile;
 import java.nio.file.Files;
@@ -17,7 +18,6 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import javafx.application.Platform;
-import javafx.scene.input.KeyCombination;
 import javafx.stage.Stage;
 import org.jspecify.annotations.Nullable;
 
@@ -61,7 +61,7 @@ final class LibraryWindow implements Desk {
             Stage shown = new Stage();
             open = shown;
             open.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1160, 740));
-            shown.getScene().getAccelerators().put(KeyCombination.valueOf("Shortcut+W"), shown::hide);
+            shown.getScene().getAccelerators().put(Shortcut.of("Shortcut+W"), shown::hide);
             open.focusedProperty().addListener((property, old, now) -> store.checkDisk());
             stage = open;
             WindowPlace.keep(open, editor.settings(), "window.library", () -> Sizes.opened(shown, 1160, 740, Optional.empty()));

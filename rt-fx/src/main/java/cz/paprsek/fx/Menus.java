@@ -8,6 +8,7 @@ import cz.paprsek.fx.view.command.SelectionCommands;
 import cz.paprsek.fx.view.find.HelpPane;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.shell.AddPalette;
+import cz.paprsek.fx.view.texts.Shortcut;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.lesson.Lessons;
 import java.nio.file.Path;
@@ -30,7 +31,6 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToggleGroup;
 import javafx.scene.control.ToolBar;
 import javafx.scene.control.Tooltip;
-import javafx.scene.input.KeyCombination;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
@@ -127,7 +127,7 @@ final class Menus {
     private Menu editMenu() {
         CheckMenuItem snap = new CheckMenuItem(texts.of("edit-menu.snap"));
         snap.setId("edit-menu-snap");
-        snap.setAccelerator(KeyCombination.valueOf("Shortcut+Shift+M"));
+        snap.setAccelerator(Shortcut.of("Shortcut+Shift+M"));
         snap.selectedProperty().bindBidirectional(editor.snapping());
         Menu menu = menu("menu.edit", undo.menuItem(), redo.menuItem(), new SeparatorMenuItem());
         menu.getItems().addAll(selection.editItems());
@@ -157,25 +157,25 @@ final class Menus {
         choices(language, Texts.LANGUAGES, value -> value.getDisplayLanguage(value), value -> value.equals(texts.locale()), editor::setLanguage);
         CheckMenuItem explain = new CheckMenuItem(texts.of("view-menu.explain"));
         explain.setId("view-menu-explain");
-        explain.setAccelerator(KeyCombination.valueOf("Shortcut+E"));
+        explain.setAccelerator(Shortcut.of("Shortcut+E"));
         explain.selectedProperty().bindBidirectional(views.explaining().onProperty());
         CheckMenuItem free = new CheckMenuItem(texts.of("view-menu.free"));
         free.setId("view-menu-free");
-        free.setAccelerator(KeyCombination.valueOf("Shortcut+5"));
+        free.setAccelerator(Shortcut.of("Shortcut+5"));
         free.selectedProperty().bindBidirectional(views.freeShownProperty());
         Menu look = menu("free.menu");
         look.getItems().setAll(views.freeItems());
         Menu cut = menu("cut.menu", command("cut.x", () -> views.cut(Axis.X)).menuItem(), command("cut.y", () -> views.cut(Axis.Y)).menuItem(),
                 command("cut.z", () -> views.cut(Axis.Z)).keys("Shortcut+Shift+C").menuItem(), new SeparatorMenuItem(),
-                command("cut.more", () -> views.moveCut(-0.05)).keys("Shortcut+Page_Down").menuItem(), command("cut.less", () -> views.moveCut(0.05)).keys("Shortcut+Page_Up").menuItem(),
+                command("cut.more", () -> views.moveCut(-0.05)).keys("Shortcut+Page Down").menuItem(), command("cut.less", () -> views.moveCut(0.05)).keys("Shortcut+Page Up").menuItem(),
                 command("cut.whole", views::whole).keys("Shortcut+Shift+W").menuItem());
         CheckMenuItem timeline = new CheckMenuItem(texts.of("view-menu.timeline"));
         timeline.setId("view-menu-timeline");
-        timeline.setAccelerator(KeyCombination.valueOf("Shortcut+Shift+T"));
+        timeline.setAccelerator(Shortcut.of("Shortcut+Shift+T"));
         timeline.selectedProperty().bindBidirectional(editor.clock().openProperty());
         CheckMenuItem xml = new CheckMenuItem(texts.of("view-menu.xml"));
         xml.setId("view-menu-xml");
-        xml.setAccelerator(KeyCombination.valueOf("Shortcut+Shift+X"));
+        xml.setAccelerator(Shortcut.of("Shortcut+Shift+X"));
         xml.selectedProperty().bindBidirectional(editor.manuscript().openProperty());
         return menu("menu.view",
                 maximize("view-menu.top", 0, "Shortcut+1"), maximize("view-menu.camera", 1, "Shortcut+2"),
@@ -188,8 +188,19 @@ final class Menus {
     }
 
     private Menu renderMenu() {
-        return menu("menu.render", render.menuItem(), command("render-menu.ask", editor.renders()::ask).keys("Shortcut+Alt+R").menuItem(), command("render-menu.pictures", editor.renders()::open).keys("Shortcut+P").menuItem(),
+        return menu("menu.render", render.menuItem(), command("render-menu.ask", editor.renders()::ask).keys("Shortcut+Alt+R").menuItem(), 
+                command("render-menu.region", this::drawRegion).keys("Shortcut+Alt+B").menuItem(), command("render.region.clear", () -> editor.renders().setRegion(Optional.empty())).disabledIf(noRegion()).menuItem(),
+                command("render-menu.pictures", editor.renders()::open).keys("Shortcut+P").menuItem(),
                 command("render-menu.mistakes", editor.mistakes()::show).menuItem());
+    }
+
+    private void drawRegion() {
+        views.drawRegion();
+        editor.say(texts.of("view.region-drag"));
+    }
+
+    private BooleanBinding noRegion() {
+        return Bindings.createBooleanBinding(() -> editor.renders().framing().getValue().part().isEmpty(), editor.renders().framing());
     }
 
     private Menu teachMenu() {

@@ -1,8 +1,8 @@
 package cz.paprsek.fx;
 
 import cz.paprsek.fx.view.mistakes.MistakesPane;
+import cz.paprsek.fx.view.texts.Shortcut;
 import java.util.Optional;
-import javafx.scene.input.KeyCombination;
 import javafx.stage.Stage;
 import org.jspecify.annotations.Nullable;
 
@@ -27,7 +27,7 @@ final class MistakesWindow {
             Stage shown = new Stage();
             open = shown;
             open.setScene(new javafx.scene.Scene(new javafx.scene.layout.StackPane(), 1280, 720));
-            shown.getScene().getAccelerators().put(KeyCombination.valueOf("Shortcut+W"), shown::hide);
+            shown.getScene().getAccelerators().put(Shortcut.of("Shortcut+W"), shown::hide);
             WindowPlace.keep(open, editor.settings(), "window.mistakes", () -> Sizes.mostOfTheScreen(shown, 1280, 720));
             stage = open;
         }

@@ -3,11 +3,14 @@ package cz.paprsek.fx;
 import cz.paprsek.fx.model.file.SceneSource;
 import cz.paprsek.fx.model.picture.UnfinishedPictures;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.picture.Framing;
 import cz.paprsek.fx.view.render.RenderDesk;
 import cz.paprsek.fx.view.render.RenderPane;
 import cz.paprsek.fx.view.render.fields.Remembered;
 import cz.paprsek.fx.view.shell.MessageBar;
+import cz.paprsek.fx.view.texts.Shortcut;
 import cz.paprsek.io.Failures;
+import cz.paprsek.render.Tile;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashSet;
@@ -16,11 +19,11 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import javafx.application.Platform;
+import javafx.beans.binding.Bindings;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.Scene;
-import javafx.scene.input.KeyCombination;
 import javafx.stage.Stage;
 import org.jspecify.annotations.Nullable;
 
@@ -35,6 +38,7 @@ final class RenderWindow {
     private final RenderDesk desk;
     /** What has been offered, and answered. */
     private final Set<Path> passed = new HashSet<>();
+    private final ObservableValue<Framing> framing;
     private ObservableValue<Theme> theme;
     private @Nullable Stage stage;
     private @Nullable RenderPane pane;
@@ -46,8 +50,11 @@ final class RenderWindow {
         this.dialogs = dialogs;
         this.unfinished = new UnfinishedPictures(folder.resolve("pictures"), () -> editor.document().sourceProperty().get().map(SceneSource::file),
                 fault -> Platform.runLater(() -> editor.say(editor.texts().sentence(fault))));
-        // What is looked into, and by which light, is a matter of the moment.
-        this.desk = new RenderDesk(Remembered.kept(editor.settings().get(SAID), text -> editor.settings().set(SAID, text), Set.of("mode", "lights")), unfinished);
+        // What is looked into, by which light and where, is a matter of the moment.
+        this.desk = new RenderDesk(Remembered.kept(editor.settings().get(SAID), text -> editor.settings().set(SAID, text), Set.of("mode", "lights", "region")), unfinished);
+        this.framing = Bindings.createObjectBinding(() -> desk.framing(editor.model().scene().settings()), editor.model().stateProperty(), desk.saidProperty());
+        // A part of one scene is none of another.
+        editor.model().openingsProperty().addListener((property, old, now) -> setRegion(Optional.empty()));
         this.theme = editor.followTheme();
     }
 
@@ -66,6 +73,16 @@ final class RenderWindow {
     /** Shows the window with the pictures there are. */
     void open() {
         show();
+    }
+
+    /** How large the next picture will be, and which part of it is rendered. */
+    ObservableValue<Framing> framing() {
+        return framing;
+    }
+
+    /** Has a part be rendered from now on, or whole pictures again. */
+    void setRegion(Optional<Tile> part) {
+        desk.setRegion(framing.getValue(), editor.model().scene().settings(), part);
     }
 
     /** Offers the pictures that an earlier process left unfinished, one after the other. */
@@ -142,7 +159,7 @@ final class RenderWindow {
         made.setTitle(editor.texts().of("window.renders"));
         Scene scene = new Scene(content, 1000, 700);
         scene.getStylesheets().setAll(editor.stage().getScene().getStylesheets());
-        scene.getAccelerators().put(KeyCombination.valueOf("Shortcut+W"), made::hide);
+        scene.getAccelerators().put(Shortcut.of("Shortcut+W"), made::hide);
         made.setScene(scene);
         editor.theme().get().applyTo(scene);
         WindowPlace.keep(made, editor.settings(), "window.renders", () -> Sizes.opened(made, 1000, 740, Optional.empty()));

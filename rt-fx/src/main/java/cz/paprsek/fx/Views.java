@@ -103,6 +103,7 @@ final class Views {
         titled.get(1).addFoldingTool(explainButton(texts));
         camera.acceptMaterials(commands.edits());
         camera.acceptEdits(commands.edits(), editor.snapping());
+        camera.acceptRegions(editor.renders().framing(), editor.renders()::setRegion);
         projections.forEach(ProjectionPane::acceptMaterials);
         camera.setContextMenu(commands.contextMenu());
         projections.forEach(pane -> pane.setContextMenu(commands.contextMenu()));
@@ -253,6 +254,12 @@ final class Views {
                     editor.say(editor.texts().of("view.focus-done", PathNames.of(point.scene().scene(), pick.place(), editor.texts())));
                 },
                 () -> editor.say(editor.texts().of("view.focus-nothing"))));
+    }
+
+    /** Has the next drag in the camera's picture draw the part that is rendered alone. */
+    void drawRegion() {
+        grid.maximizedProperty().get().filter(view -> view != titled.get(1)).ifPresent(grid::toggle);
+        camera.drawRegion();
     }
 
     /** Explains pixels of the camera's picture. */

@@ -13,10 +13,12 @@ import java.util.List;
 import java.util.Locale;
 import javafx.scene.Node;
 import javafx.scene.Parent;
+import javafx.scene.control.Button;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import javafx.scene.shape.Rectangle;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import org.junit.jupiter.api.Test;
@@ -31,11 +33,7 @@ class RendersInEditorTest {
     void howToRenderIsAskedForByKeysAndRememberedForTheNextStartInAnyLanguage() throws IOException {
         Scene scene = Scene.EMPTY.withName("empty").withSettings(new RenderSettings(64, 48, 3, 1));
         try (EditorGui editor = new EditorGui(folder, scene)) {
-            editor.gui.hold(KeyCode.CONTROL);
-            editor.gui.hold(KeyCode.ALT);
-            editor.gui.keys(KeyCode.R);
-            editor.gui.letGo(KeyCode.ALT);
-            editor.gui.letGo(KeyCode.CONTROL);
+            press(editor, KeyCode.R);
             editor.gui.until("it is asked", () -> pictures().lookup("#render-dialog").isVisible());
             assertThat(Gui.on(() -> pictures().getScene().getFill())).as("what is seen before the first paint").isEqualTo(Theme.LIGHT.palette().background());
             editor.gui.act(() -> ((TextField) pictures().lookup("#render-width")).setText("32"));
@@ -73,6 +71,53 @@ class RendersInEditorTest {
             assertThat(Gui.on(() -> tabs().getTabs().get(0).getText())).isEqualTo("1: left · 32 × 24");
             assertThat(folder.resolve("pictures").toFile().list()).containsExactly("00000000-0000-4000-8000-000000000001");
         }
+    }
+
+    @Test
+    void aPartOfTheCamerasPictureIsDrawnByMouseAndByKeys() throws IOException {
+        Scene scene = Scene.EMPTY.withName("part").withSettings(new RenderSettings(64, 48, 3, 1));
+        try (EditorGui editor = new EditorGui(folder, scene)) {
+            Node picture = editor.gui.node(".live-picture");
+            Rectangle frame = (Rectangle) editor.gui.node(".picture-frame");
+            double pixel = Gui.on(() -> frame.getWidth() / 64);
+            press(editor, KeyCode.B);
+            assertThat(editor.status()).startsWith("Drag over the camera");
+            editor.gui.drag(picture, frame.getX() + 8.5 * pixel, frame.getY() + 4.5 * pixel, frame.getX() + 39.5 * pixel, frame.getY() + 27.5 * pixel);
+            assertThat(editor.text("#camera-pane .region-numbers")).isEqualTo("8, 4 · 32 × 24");
+            assertThat(editor.model().scene()).as("the camera has not been moved by it").isEqualTo(scene);
+            press(editor, KeyCode.R);
+            editor.gui.until("it is asked", () -> pictures().lookup("#render-dialog").isVisible());
+            assertThat(Gui.on(() -> List.of(field("#render-region-x"), field("#render-region-y"), field("#render-region-width"), field("#render-region-height")))).containsExactly("8", "4", "32", "24");
+            editor.gui.act(() -> editor.gui.stage().requestFocus());
+            press(editor, KeyCode.B);
+            editor.gui.keys(KeyCode.RIGHT);
+            editor.gui.keys(KeyCode.SHIFT, KeyCode.DOWN);
+            editor.gui.keys(KeyCode.ALT, KeyCode.LEFT);
+            editor.gui.keys(KeyCode.ENTER);
+            assertThat(editor.text("#camera-pane .region-numbers")).isEqualTo("9, 14 · 31 × 24");
+            assertThat(Gui.on(() -> field("#render-region-x"))).as("what is asked meanwhile follows").isEqualTo("9");
+            editor.gui.act(() -> ((Button) pictures().lookup("#render-start")).fire());
+            editor.gui.until("it is rendered", () -> status(editor).startsWith("Done in"));
+            assertThat(Gui.on(() -> tabs().getTabs().get(0).getText())).isEqualTo("1: part · 64 × 48 · part 9, 14 · 31 × 24");
+            editor.gui.act(() -> editor.gui.stage().requestFocus());
+            editor.gui.act(picture::requestFocus);
+            editor.gui.keys(KeyCode.ESCAPE);
+            assertThat(Gui.on(() -> editor.gui.stage().getScene().lookup("#camera-pane .region-band").getParent().isVisible())).isFalse();
+            assertThat(Gui.on(() -> pictures().lookup("#render-region-clear").isVisible())).isFalse();
+        }
+        assertThat(Files.readString(folder.resolve("editor.properties"))).doesNotContain("region");
+    }
+
+    private static void press(EditorGui editor, KeyCode key) {
+        editor.gui.hold(KeyCode.CONTROL);
+        editor.gui.hold(KeyCode.ALT);
+        editor.gui.keys(key);
+        editor.gui.letGo(KeyCode.ALT);
+        editor.gui.letGo(KeyCode.CONTROL);
+    }
+
+    private static String field(String id) {
+        return ((TextField) pictures().lookup(id)).getText();
     }
 
     private static boolean isOffered(EditorGui editor) {

@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.edit.Alignment;
 import cz.paprsek.fx.model.edit.Alignment.Line;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
 import cz.paprsek.shape.placed.Surface;
@@ -33,8 +34,11 @@ public final class Contact {
     private final Bounds box;
     private final List<Surface> own;
     private final List<Surface> others;
-    private final Map<Axis, List<Gap>> gaps = new EnumMap<>(Axis.class);
+    private final Map<Axis, Gaps> known = new EnumMap<>(Axis.class);
     private final Work work = new Work();
+
+    /** Those that lie in the way, of what has been moved before. */
+    private record Gaps(Vec3 before, Bounds box, List<Gap> inTheWay) {}
 
     /** What may be touched, and how far that is by the boxes. */
     private record Try(Gap gap, boolean isAbove, double estimate) {}
@@ -65,12 +69,38 @@ public final class Contact {
      * @param reach how far from a contact it may be, scene units
      */
     public Optional<Line> along(Axis axis, double by, double reach) {
+        work.begin();
+        return nearest(axis, Vec3.ZERO, by, reach);
+    }
+
+    /**
+     * The nearest contact for what is moved in a plane, along one of its axes.
+     *
+     * @param hand how far it would be moved
+     * @param chosen how far it is moved along the other axis, which stays so
+     * @param reachFirst how far from a contact along the first axis it may be, scene units
+     * @param reachSecond as far along the second
+     */
+    public Optional<Line> inPlane(Axis first, Axis second, Vec3 hand, Vec3 chosen, double reachFirst, double reachSecond) {
+        work.begin();
+        Optional<Line> one = nearest(first, chosen, first.of(hand), reachFirst);
+        Optional<Line> other = nearest(second, chosen, second.of(hand), one.map(line -> Math.min(reachSecond, Math.abs(line.by() - first.of(hand)))).orElse(reachSecond));
+        return other.or(() -> one);
+    }
+
+    /** @param before how far it has been moved aside; along the axis that does not count */
+    private Optional<Line> nearest(Axis axis, Vec3 before, double by, double reach) {
         if (reach <= 0) {
             return Optional.empty();
         }
-        work.begin();
+        Vec3 aside = before.minus(axis.times(axis.of(before)));
+        Gaps gaps = known.get(axis);
+        if (gaps == null || !gaps.before.equals(aside)) {
+            gaps = across(axis, aside);
+            known.put(axis, gaps);
+        }
         List<Try> tries = new ArrayList<>();
-        for (Gap gap : gaps.computeIfAbsent(axis, this::across)) {
+        for (Gap gap : gaps.inTheWay) {
             for (boolean isAbove : new boolean[] {false, true}) {
                 double estimate = gap.estimate(isAbove, by, reach);
                 if (estimate < Double.POSITIVE_INFINITY) {
@@ -85,7 +115,7 @@ public final class Contact {
             Optional<Gap.Touch> touch = one.gap.touch(one.isAbove, by, nearest);
             if (touch.isPresent() && Math.abs(touch.get().by() - by) < nearest) {
                 nearest = Math.abs(touch.get().by() - by);
-                Bounds other = one.gap.other().isFinite() ? one.gap.other() : Bounds.of(box.middle(), box.middle());
+                Bounds other = one.gap.other().isFinite() ? one.gap.other() : Bounds.of(gaps.box.middle(), gaps.box.middle());
                 best = Optional.of(new Line(axis, Math.rint(touch.get().by() * FINEST) / FINEST, touch.get().place(), other));
             }
         }
@@ -97,16 +127,16 @@ public final class Contact {
         return work.asked();
     }
 
-    /** Those that lie in the way along an axis. */
-    private List<Gap> across(Axis axis) {
+    private Gaps across(Axis axis, Vec3 before) {
         List<Gap> found = new ArrayList<>();
-        Moved moved = Moved.along(axis, own);
+        Moved moved = Moved.along(axis, own, before);
+        Bounds there = box.isEmpty() || before.equals(Vec3.ZERO) ? box : Bounds.around(box.middle().plus(before), box.middle().minus(new Vec3(box.minX(), box.minY(), box.minZ())));
         for (Surface other : box.isEmpty() ? List.<Surface>of() : others) {
-            Gap gap = new Gap(moved, box, other, work);
+            Gap gap = new Gap(moved, there, other, work, false);
             if (gap.isInTheWay()) {
                 found.add(gap);
             }
         }
-        return found;
+        return new Gaps(before, there, found);
     }
 }

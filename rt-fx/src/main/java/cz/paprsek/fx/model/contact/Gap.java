@@ -36,6 +36,7 @@ final class Gap {
     private final Moved moved;
     private final Surface other;
     private final Work work;
+    private final boolean isFromWithout;
     private final Axis across;
     private final Axis aside;
     private final double middle;
@@ -44,7 +45,7 @@ final class Gap {
     private final Ray ray = new Ray(new Spans());
     private @Nullable Moved near;
     private final Map<Best, Touch> known = new HashMap<>();
-    private final @Nullable Way[][] ways = new Way[LINES][LINES];
+    private final @Nullable Way[][] ways;
 
     /**
      * A contact.
@@ -64,11 +65,13 @@ final class Gap {
         private final double most;
         /** Where the line meets the other body, sorted. */
         private final double[] others;
+        private final boolean isFromWithout;
 
-        Way(double least, double most, double[] others) {
+        Way(double least, double most, double[] others, boolean isFromWithout) {
             this.least = least;
             this.most = most;
             this.others = others;
+            this.isFromWithout = isFromWithout;
         }
 
         /** How far the other one is above the lower side of the bodies, if it is below their middle, or the other way round; else not a number. */
@@ -80,6 +83,9 @@ final class Gap {
         double place(boolean isAbove, double by) {
             double centre = (least + most) / 2 + by;
             double found = Double.NaN;
+            if (isFromWithout && Arrays.stream(others).filter(one -> one > centre).count() % 2 != 0) {
+                return found;
+            }
             for (double one : others) {
                 found = !isAbove && one <= centre ? one : isAbove && one >= centre && Double.isNaN(found) ? one : found;
             }
@@ -87,7 +93,14 @@ final class Gap {
         }
     }
 
-    Gap(Moved moved, Bounds box, Surface other, Work work) {
+    /**
+     * A way.
+     *
+     * @param box around the bodies as they have been moved before
+     * @param isFromWithout whether it counts only where the middle of the bodies is not within the other one
+     */
+    Gap(Moved moved, Bounds box, Surface other, Work work, boolean isFromWithout) {
+        this.isFromWithout = isFromWithout;
         this.axis = moved.axis();
         this.box = box;
         this.moved = moved;
@@ -98,6 +111,7 @@ final class Gap {
         middle = axis.of(box.middle());
         us = lines(across);
         vs = lines(aside);
+        ways = new Way[us.length][vs.length];
     }
 
     private double[] lines(Axis side) {
@@ -283,23 +297,23 @@ final class Gap {
             if (!Double.isNaN(least) && part.least() >= least + middle) {
                 break;
             }
-            double[] crossed = part.isOn(u, v) ? crossings(part.surface(), u, v) : new double[0];
+            double[] crossed = part.isOn(u, v) ? crossings(part.surface(), u - moved.byU(), v - moved.byV()) : new double[0];
             if (crossed.length > 0) {
                 least = Double.isNaN(least) ? crossed[0] : Math.min(least, crossed[0]);
                 most = Double.isNaN(most) ? crossed[crossed.length - 1] : Math.max(most, crossed[crossed.length - 1]);
             }
         }
         if (Double.isNaN(least)) {
-            return new Way(least, most, new double[0]);
+            return new Way(least, most, new double[0], isFromWithout);
         }
         for (Moved.Part part : near().downwards()) {
             if (part.most() <= most + middle) {
                 break;
             }
-            double[] crossed = part.isOn(u, v) ? crossings(part.surface(), u, v) : new double[0];
+            double[] crossed = part.isOn(u, v) ? crossings(part.surface(), u - moved.byU(), v - moved.byV()) : new double[0];
             most = crossed.length == 0 ? most : Math.max(most, crossed[crossed.length - 1]);
         }
-        return new Way(least, most, crossings(other, u, v));
+        return new Way(least, most, crossings(other, u, v), isFromWithout);
     }
 
     /** Where a line along the axis meets a surface, seen from the middle of the box. */

@@ -26,12 +26,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** Puts bodies in line, on the floor, and in their roles, as changes for {@link EditorModel#editState}. All go by the boxes of bodies in the world. */
+/** Puts bodies in line and in their roles, as changes for {@link EditorModel#editState}. All go by the boxes of bodies in the world. */
 public final class Arranging {
-    /** Bodies that stand on each other may reach into each other by rounding, in parts of their size. */
-    private static final double SLACK = 1e-6;
-    private static final double INF = Double.POSITIVE_INFINITY;
-
     private Arranging() {}
 
     /** An axis of the world. */
@@ -88,50 +84,6 @@ public final class Arranging {
         return moved(state, bodies, at -> axis.times(first + step * sorted.indexOf(at) - middles.getOrDefault(at, 0.0)));
     }
 
-    /** Moves bodies down, or up, onto the highest thing below each, or else onto the floor y = 0. Of things that are not boxes, the boxes count. */
-    public static EditorState onFloor(EditorState state, Collection<? extends ScenePath> items) {
-        Scene scene = state.scene();
-        List<BodyAt> bodies = withBoxes(scene, items);
-        if (bodies.isEmpty()) {
-            throw new IllegalArgumentException("select a body that has an end");
-        }
-        Set<Integer> moving = bodies.stream().filter(at -> !state.isLocked(at)).map(at -> at.object().index()).collect(Collectors.toSet());
-        List<Support> supports = new ArrayList<>();
-        IntStream.range(0, scene.objects().size()).filter(i -> !moving.contains(i) && !state.isHidden(ScenePath.body(i)) && !scene.objects().get(i).hidden())
-                .mapToObj(i -> support(scene, ScenePath.body(i))).filter(box -> Double.isFinite(box.maxY())).forEach(box -> supports.add(new Support(box, box.maxY())));
-        Map<BodyAt, Bounds> boxes = new HashMap<>();
-        bodies.forEach(at -> boxes.put(at, box(scene, at).orElseThrow()));
-        // From below, so that those of a stack come onto each other.
-        List<BodyAt> rising = bodies.stream().sorted(Comparator.comparingDouble(at -> boxes.getOrDefault(at, Bounds.EMPTY).minY())).toList();
-        return moved(state, rising, at -> {
-            Bounds box = boxes.getOrDefault(at, Bounds.EMPTY);
-            double middle = (box.minY() + box.maxY()) / 2;
-            double slack = SLACK * (1 + box.maxY() - box.minY());
-            double floor = supports.stream().filter(other -> other.box().maxY() <= middle + slack && isBelow(other.box(), box)).mapToDouble(Support::top).max().orElse(0);
-            if (role(scene, at).map(role -> role == Role.BASE).orElse(true)) {
-                supports.add(new Support(box, floor + box.maxY() - box.minY()));
-            }
-            return new Vec3(0, floor - box.minY(), 0);
-        });
-    }
-
-    /** What a body may stand on, as it was, and how high its top is now. */
-    private record Support(Bounds box, double top) {}
-
-    /** What a body may be put on: of a plane, if it is level, all below it. */
-    private static Bounds support(Scene scene, BodyAt at) {
-        Body body = at.in(scene);
-        Vec3 turned = body.placement().rotation();
-        boolean isLevel = turned.x() == 0 && turned.z() == 0 && body.placement().scale().y() > 0;
-        return !(body.shape() instanceof Plane) ? at.placed(scene).bounds()
-                : isLevel ? new Bounds(-INF, -INF, -INF, INF, body.placement().position().y(), INF) : Bounds.EMPTY;
-    }
-
-    /** Whether a box, drawn out upwards, would meet another one with more than its rim. */
-    private static boolean isBelow(Bounds other, Bounds box) {
-        return other.minX() < box.maxX() && other.maxX() > box.minX() && other.minZ() < box.maxZ() && other.maxZ() > box.minZ();
-    }
-
     /** Makes an operand the first of its operation; of an operation, the second. */
     public static EditorState base(EditorState state, Collection<? extends ScenePath> items) {
         BodyAt operand = Places.bodies(items).stream().findFirst().map(at -> at.in(state.scene()).shape() instanceof Csg csg && csg.operands().size() > 1 ? at.child(1) : at)
@@ -180,7 +132,8 @@ public final class Arranging {
     /** What is there, what is taken from it, and what is left where all are. */
     public enum Role { BASE, CUTTER, COMMON }
 
-    private static List<BodyAt> withBoxes(Scene scene, Collection<? extends ScenePath> items) {
+    /** Those that have an end, without what lies within others of them. */
+    public static List<BodyAt> withBoxes(Scene scene, Collection<? extends ScenePath> items) {
         return Places.outermost(items).stream().filter(at -> box(scene, at).isPresent()).toList();
     }
 
@@ -192,12 +145,14 @@ public final class Arranging {
         };
     }
 
-    private interface Way {
+    /** Whereto a body is moved. */
+    public interface Way {
+        /** How far; asked once for each body, in their order. */
         Vec3 of(BodyAt at);
     }
 
-    /** What is locked stays as it is, to the last digit. */
-    private static EditorState moved(EditorState state, List<BodyAt> all, Way way) {
+    /** Moves bodies, each its own way; what is locked stays as it is, to the last digit. */
+    public static EditorState moved(EditorState state, List<BodyAt> all, Way way) {
         List<BodyAt> bodies = all.stream().filter(at -> !state.isLocked(at)).toList();
         Map<BodyAt, Vec3> ways = new HashMap<>();
         bodies.forEach(at -> ways.put(at, way.of(at)));

@@ -8,10 +8,12 @@ import cz.paprsek.fx.model.edit.Visible;
 import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.command.MaterialDrop;
+import cz.paprsek.fx.view.picture.Framing;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureStyle;
 import cz.paprsek.fx.view.rays.BodyOutline.Look;
 import cz.paprsek.fx.view.rays.DrawnRays;
+import cz.paprsek.render.Tile;
 import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.ScenePath;
 import cz.paprsek.scene.ScenePath.BodyAt;
@@ -21,9 +23,6 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
-import javafx.animation.Animation;
-import javafx.animation.KeyFrame;
-import javafx.animation.Timeline;
 import javafx.beans.InvalidationListener;
 import javafx.beans.WeakInvalidationListener;
 import javafx.beans.property.BooleanProperty;
@@ -32,6 +31,7 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.value.ChangeListener;
+import javafx.beans.value.ObservableValue;
 import javafx.beans.value.WeakChangeListener;
 import javafx.geometry.Point2D;
 import javafx.geometry.Pos;
@@ -45,16 +45,12 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
-import javafx.util.Duration;
 
 /**
  * The live picture of the model's scene, as its camera sees it, without what is hidden. Mouse and keys move the camera, see {@link CameraHand}; a click selects the
  * object that is seen at the pixel, a second one the operand of it, Alt and a click the innermost operand at once.
  */
 public final class CameraPane extends StackPane implements AutoCloseable {
-    private static final Duration BLINK = Duration.millis(450);
-    private static final int BLINKS = 3;
-
     private final EditorModel model;
     private final LivePicture picture;
     private final CameraHand hand;
@@ -70,9 +66,8 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     private Optional<ObjectHand> objects = Optional.empty();
     private Optional<BodyAt> hovered = Optional.empty();
     private Optional<BodyAt> droppedOn = Optional.empty();
-    private final Timeline blinking = new Timeline();
-    /** What is blinking, while it is not to be seen. */
-    private Set<ScenePath> without = Set.of();
+    private final Blink blinking = new Blink(this::show);
+    private Optional<RegionHand> regions = Optional.empty();
     private ObjectProperty<Optional<CutPlane>> cut = new SimpleObjectProperty<>(Optional.empty());
     private final InvalidationListener onCut = changed -> show();
     private Runnable onSelection = () -> {};
@@ -121,9 +116,8 @@ public final class CameraPane extends StackPane implements AutoCloseable {
                 + (picture.completeProperty().get() ? "" : " …"));
         picture.completeProperty().addListener((property, old, now) -> caption.run());
         onState = (property, old, now) -> {
-            if (!old.selection().equals(now.selection()) && isBlinking()) {
-                blinking.stop();
-                showWithout(Set.of());
+            if (!old.selection().equals(now.selection())) {
+                blinking.end();
             }
             if (old.eye() != now.eye() || !old.scene().equals(now.scene()) || !old.hidden().equals(now.hidden())) {
                 show();
@@ -206,22 +200,29 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         plane.addListener(onCut);
     }
 
+    /**
+     * Lets the part be drawn that is rendered alone, and shows it.
+     *
+     * @param onRegion is told of another part, or of none
+     */
+    public void acceptRegions(ObservableValue<Framing> framing, Consumer<Optional<Tile>> onRegion) {
+        regions = Optional.of(new RegionHand(this, picture, framing, onRegion));
+    }
+
+    /** Has the next drag draw the part that is rendered alone. */
+    public void drawRegion() {
+        awaitNothing();
+        regions.ifPresent(RegionHand::arm);
+    }
+
     /** Shows the scene without some of it and with it, a few times: what is it good for? Selecting something else ends that. */
     public void blink(Set<ScenePath> items) {
-        blinking.stop();
-        blinking.getKeyFrames().setAll(new KeyFrame(Duration.ZERO, event -> showWithout(items)), new KeyFrame(BLINK, event -> showWithout(Set.of())), new KeyFrame(BLINK.multiply(2)));
-        blinking.setCycleCount(BLINKS);
-        blinking.playFromStart();
+        blinking.start(items);
     }
 
     /** Whether something is blinking. */
     public boolean isBlinking() {
-        return blinking.getStatus() == Animation.Status.RUNNING;
-    }
-
-    private void showWithout(Set<ScenePath> items) {
-        without = items;
-        show();
+        return blinking.isRunning();
     }
 
     /** From where it is seen. */
@@ -255,7 +256,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
             return;
         }
         Set<ScenePath> hidden = new LinkedHashSet<>(model.state().hidden());
-        hidden.addAll(without);
+        hidden.addAll(blinking.without());
         Visible whole = Visible.of(view.seen(now().withHidden(hidden)));
         visible = cut.getValue().map(plane -> plane.of(whole)).orElse(whole);
         picture.show(visible.scene(), model.assets());

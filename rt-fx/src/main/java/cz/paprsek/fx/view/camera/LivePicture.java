@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.camera;
 import cz.paprsek.asset.Assets;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.fx.view.picture.PicturePoint;
+import cz.paprsek.fx.view.picture.RegionBand;
 import cz.paprsek.fx.view.rays.DrawnRays;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageOptions;
@@ -36,6 +37,7 @@ final class LivePicture extends Region implements AutoCloseable {
     private final Overlay overlay = new Overlay();
     private final ReadOnlyBooleanWrapper complete = new ReadOnlyBooleanWrapper();
     private final Consumer<Throwable> onFault;
+    private Optional<RegionBand> band = Optional.empty();
     private Runnable onRefreshed = () -> {};
     private Scene scene;
     private Assets assets;
@@ -105,6 +107,18 @@ final class LivePicture extends Region implements AutoCloseable {
         return overlay;
     }
 
+    /** Shows a rectangle over the picture, in the place of the one before. */
+    void setBand(RegionBand fresh) {
+        band.ifPresent(getChildren()::remove);
+        band = Optional.of(fresh);
+        getChildren().add(fresh);
+    }
+
+    /** How large a pixel is in the frame if the picture has so many columns. */
+    double zoom(int columns) {
+        return frame.getWidth() / columns;
+    }
+
     /** Where the mouse is in the frame, whether inside or beside. */
     Point2D inFrame(double x, double y) {
         return new Point2D(x - frame.getX(), y - frame.getY());
@@ -149,6 +163,7 @@ final class LivePicture extends Region implements AutoCloseable {
         view.setFitHeight(height);
         rays.place(frame.getX(), frame.getY(), width, height);
         overlay.place(frame.getX(), frame.getY(), width, height);
+        band.ifPresent(known -> known.place(frame.getX(), frame.getY(), zoom(known.columns())));
         return otherSize;
     }
 

@@ -37,7 +37,7 @@ final class Manipulation {
     private final Optional<Axis> held;
     private final Alignment alignment;
     private final Bounds box;
-    /** Made when something is pulled along an axis. */
+    /** Made when something is pulled. */
     private @Nullable Contact contact;
     private TypedAmount typed = TypedAmount.NONE;
     private boolean copies;
@@ -90,8 +90,29 @@ final class Manipulation {
             double free = snaps ? Rounds.toGrid(start + own, step) - start : Rounds.toGrid(own, step / 20);
             result = result.plus(axis.times(line.map(Line::by).orElse(free)));
         }
+        if (held.isEmpty() && snaps) {
+            Vec3 hand = way.get();
+            Vec3 chosen = result;
+            Optional<Line> touch = contact().inPlane(Axis.X, Axis.Z, hand, chosen, reach(lines, Axis.X, hand), reach(lines, Axis.Z, hand));
+            result = touch.map(line -> chosen.plus(line.axis().times(line.by() - line.axis().of(chosen)))).orElse(chosen);
+            touch.ifPresent(line -> {
+                lines.removeIf(old -> old.axis() == line.axis());
+                lines.add(line);
+            });
+        }
         guides = lines;
         return result;
+    }
+
+    /** How near a contact must be to count for more than a line that has been found. */
+    private double reach(List<Line> lines, Axis axis, Vec3 hand) {
+        return lines.stream().filter(line -> line.axis() == axis).findFirst().map(line -> Math.abs(line.by() - axis.of(hand)) - SAME).orElse(REACH / handles.scale());
+    }
+
+    private Contact contact() {
+        Contact known = contact == null ? Contact.with(gesture.start(), items) : contact;
+        contact = known;
+        return known;
     }
 
     /** Sides and middles of others, or what is pulled would touch, whichever is nearer. */
@@ -101,9 +122,7 @@ final class Manipulation {
         if (held.isEmpty() || nearer <= 0) {
             return line;
         }
-        Contact known = contact == null ? Contact.with(gesture.start(), items) : contact;
-        contact = known;
-        return known.along(axis, own, nearer).or(() -> line);
+        return contact().along(axis, own, nearer).or(() -> line);
     }
 
     private Optional<Vec3> along(Axis axis, double x0, double y0, double x, double y) {

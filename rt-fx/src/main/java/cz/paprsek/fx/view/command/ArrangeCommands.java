@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.command;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Label.Edit;
 import cz.paprsek.fx.model.Places;
+import cz.paprsek.fx.model.contact.Falling;
 import cz.paprsek.fx.model.edit.Arranging;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.model.edit.Arranging.Side;
@@ -31,7 +32,7 @@ final class ArrangeCommands {
         Predicate<Set<ScenePath>> any = items -> !Places.bodies(items).isEmpty();
         Predicate<Set<ScenePath>> several = items -> Places.outermost(items).size() > 1;
         Predicate<Set<ScenePath>> many = items -> Places.outermost(items).size() > 2;
-        menu.getItems().add(command("arrange.floor", any, Edit.MOVE, Arranging::onFloor).keys("Shortcut+Shift+Down").menuItem());
+        menu.getItems().add(command("arrange.floor", any, Edit.MOVE, Falling::onFloor).keys("Shortcut+Shift+Down").menuItem());
         menu.getItems().add(new SeparatorMenuItem());
         menu.getItems().addAll(Stream.of(
                 aligned("arrange.x-least", several, Axis.X, Side.LEAST), aligned("arrange.x-middle", several, Axis.X, Side.MIDDLE), aligned("arrange.x-most", several, Axis.X, Side.MOST),

@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.command;
 
+import cz.paprsek.fx.view.texts.Shortcut;
 import cz.paprsek.fx.view.texts.Texts;
 import java.util.Optional;
 import javafx.beans.binding.Bindings;
@@ -30,7 +31,7 @@ public record Command(String key, ObservableValue<String> text, Optional<KeyComb
     }
 
     public Command keys(String combination) {
-        return new Command(key, text, Optional.of(KeyCombination.valueOf(combination)), icon, disabled, action);
+        return new Command(key, text, Optional.of(Shortcut.of(combination)), icon, disabled, action);
     }
 
     public Command icon(Ikon value) {

@@ -2,18 +2,23 @@ package cz.paprsek.fx.view.dialog;
 
 import cz.paprsek.fx.view.texts.Texts;
 import javafx.event.ActionEvent;
+import javafx.scene.Node;
+import javafx.scene.Parent;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.ColorPicker;
 import javafx.scene.control.ComboBoxBase;
 import javafx.scene.control.Dialog;
 import javafx.scene.control.Hyperlink;
+import javafx.scene.control.Tooltip;
 import javafx.scene.paint.Color;
+import javafx.scene.shape.Rectangle;
 import javafx.stage.PopupWindow;
 import javafx.stage.Window;
 
 /**
- * A colour out of a palette, or any other in a dialog of our own: that of JavaFX is modal in the way that {@link Deaf} avoids, and has no words in Czech.
+ * A colour out of a palette, or any other in a dialog of our own: that of JavaFX is modal in the way that {@link Deaf} avoids, and has no words in Czech, as those over
+ * the colours of its palette, which are replaced, too.
  */
 public final class ColorBox extends ColorPicker {
     private final Texts texts;
@@ -21,6 +26,8 @@ public final class ColorBox extends ColorPicker {
     public ColorBox(Texts texts) {
         super(Color.WHITE);
         this.texts = texts;
+        // Its text would be a name in English, or a number as no file has it.
+        setStyle("-fx-color-label-visible: false");
         addEventHandler(ComboBoxBase.ON_SHOWN, event -> Window.getWindows().forEach(window -> {
             if (window instanceof PopupWindow && window.getScene().lookup(".color-palette .hyperlink") instanceof Hyperlink other) {
                 other.setText(texts.of("color.other"));
@@ -28,8 +35,15 @@ public final class ColorBox extends ColorPicker {
                     hide();
                     ask();
                 });
+                window.getScene().getRoot().lookupAll(".color-square").forEach(this::name);
             }
         }));
+    }
+
+    /** Says over a colour of the palette what it is called. */
+    private void name(Node square) {
+        ((Parent) square).getChildrenUnmodifiable().stream().filter(Rectangle.class::isInstance).map(rectangle -> ((Rectangle) rectangle).getFill())
+                .filter(Color.class::isInstance).map(Color.class::cast).findFirst().ifPresent(color -> Tooltip.install(square, new Tooltip(ColorNames.of(color, texts))));
     }
 
     private void ask() {
@@ -39,6 +53,7 @@ public final class ColorBox extends ColorPicker {
         dialog.setTitle(texts.of("color.title"));
         dialog.getDialogPane().getButtonTypes().setAll(take, new ButtonType(texts.of("color.leave"), ButtonData.CANCEL_CLOSE));
         dialog.getDialogPane().setContent(form);
+        dialog.getDialogPane().lookupButton(take).disableProperty().bind(form.refused());
         if (Deaf.ask(dialog, getScene().getWindow()).filter(take::equals).isPresent()) {
             setValue(form.color());
             fireEvent(new ActionEvent());

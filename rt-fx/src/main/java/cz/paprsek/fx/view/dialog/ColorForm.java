@@ -1,89 +1,106 @@
 package cz.paprsek.fx.view.dialog;
 
+import cz.paprsek.fx.view.dialog.Tint.Part;
+import cz.paprsek.fx.view.render.fields.CheckedField;
+import cz.paprsek.fx.view.render.fields.FormGrid;
+import cz.paprsek.fx.view.render.fields.HexField;
 import cz.paprsek.fx.view.texts.Texts;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
-import javafx.geometry.Insets;
-import javafx.geometry.Pos;
+import javafx.beans.binding.Bindings;
+import javafx.beans.binding.BooleanBinding;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.control.Label;
-import javafx.scene.control.Slider;
 import javafx.scene.layout.GridPane;
+import javafx.scene.layout.HBox;
 import javafx.scene.paint.Color;
-import javafx.scene.paint.CycleMethod;
-import javafx.scene.paint.LinearGradient;
-import javafx.scene.paint.Stop;
 import javafx.scene.shape.Rectangle;
-import javafx.scene.shape.StrokeType;
 
-/** A colour by hue, saturation and brightness: a slider for each, above it what it would lead to. */
+/**
+ * A colour by hue, saturation and brightness, by red, green and blue as files have them, and by its number of six digits: a strip and a field for each, all in step.
+ * Below is what it was beside what it is.
+ */
 final class ColorForm extends GridPane {
-    private static final double WIDTH = 320;
-    private static final int STOPS = 12;
+    private static final double WIDTH = 132;
+    private static final double HEIGHT = 40;
 
-    private final Slider hue;
-    private final Slider saturation;
-    private final Slider brightness;
-    private final Rectangle shown = bordered(40);
+    private final List<ColorStrip> strips = new ArrayList<>();
+    private final HexField hex;
+    private final Rectangle shown = ColorStrip.bordered(WIDTH, HEIGHT);
+    private final BooleanBinding refused;
+    private Tint tint;
+    private boolean showing;
+    private boolean typing;
 
     ColorForm(Color start, Texts texts) {
-        setPadding(new Insets(10, 4, 0, 10));
-        setHgap(8);
-        setVgap(4);
-        hue = slider("color.hue", 360, start.getHue(), texts, 0);
-        saturation = slider("color.saturation", 100, 100 * start.getSaturation(), texts, 1);
-        brightness = slider("color.brightness", 100, 100 * start.getBrightness(), texts, 2);
-        List<Slider> all = List.of(hue, saturation, brightness);
-        List<Rectangle> ways = IntStream.range(0, all.size()).mapToObj(i -> bordered(8)).toList();
-        for (int i = 0; i < all.size(); i++) {
-            add(ways.get(i), 1, 2 * i);
-            all.get(i).valueProperty().addListener(property -> show(ways));
+        tint = Tint.of(start);
+        getStyleClass().add("color-form");
+        getStylesheets().add(String.valueOf(ColorForm.class.getResource("dialog.css")));
+        for (Part part : Part.values()) {
+            ColorStrip strip = new ColorStrip(part, texts, number -> change(tint.sought(part, number)), number -> change(tint.with(part, number)));
+            strips.add(strip);
+            Label label = new Label(texts.of(part.key()));
+            label.setLabelFor(strip.field());
+            addRow(strips.size() - 1, label, strip.strip(), strip.field(), new Label(part == Part.HUE ? "°" : part.most() == 100 ? "%" : ""));
         }
+        hex = new HexField("color-hex", texts.of("color.hex"), texts.of("color.hex.hint"));
+        hex.textProperty().addListener((property, old, now) -> {
+            if (!showing && hex.validProperty().get()) {
+                typing = true;
+                change(tint.shown(hex.get()));
+                typing = false;
+            }
+        });
+        Rectangle before = ColorStrip.bordered(WIDTH, HEIGHT);
+        before.setFill(start);
         shown.setId("color-shown");
-        add(shown, 1, 2 * all.size());
-        show(ways);
-    }
-
-    /** White on a light window and black on a dark one are seen by it. */
-    private static Rectangle bordered(double height) {
-        Rectangle fresh = new Rectangle(WIDTH, height);
-        fresh.setStroke(Color.GRAY);
-        fresh.setStrokeType(StrokeType.INSIDE);
-        return fresh;
-    }
-
-    private Slider slider(String name, double most, double value, Texts texts, int row) {
-        Slider slider = new Slider(0, most, value);
-        slider.setId(name.replace('.', '-'));
-        slider.setBlockIncrement(1);
-        slider.setPrefWidth(WIDTH);
-        Label label = new Label(texts.of(name));
-        label.setLabelFor(slider);
-        slider.setAccessibleText(label.getText());
-        Label number = new Label();
-        number.setMinWidth(44);
-        number.setAlignment(Pos.CENTER_RIGHT);
-        number.textProperty().bind(slider.valueProperty().asString(texts.locale(), most > 100 ? "%.0f°" : "%.0f %%"));
-        addRow(2 * row + 1, label, slider, number);
-        return slider;
+        int row = Part.values().length;
+        Label name = new Label(texts.of("color.hex"));
+        name.setLabelFor(hex);
+        addRow(row, name, hex);
+        addRow(row + 1, new Label(texts.of("color.shown")), new HBox(before, shown));
+        List<CheckedField> fields = new ArrayList<>(strips.stream().map(ColorStrip::field).toList());
+        fields.add(hex);
+        ObservableValue<String> wanted = FormGrid.refusal(fields);
+        Label refusal = new Label();
+        refusal.setId("color-refusal");
+        refusal.getStyleClass().add("field-refusal");
+        refusal.textProperty().bind(wanted);
+        add(refusal, 1, row + 2, 3, 1);
+        refused = Bindings.createBooleanBinding(() -> !wanted.getValue().isEmpty(), wanted);
+        for (CheckedField field : fields) {
+            field.focusedProperty().addListener((property, was, is) -> {
+                // What has been left half typed counts for nothing.
+                if (!is && !field.validProperty().get()) {
+                    show();
+                }
+            });
+        }
+        show();
     }
 
     /** What has been chosen. */
     Color color() {
-        return Color.hsb(hue.getValue(), saturation.getValue() / 100, brightness.getValue() / 100);
+        return tint.color();
     }
 
-    private void show(List<Rectangle> ways) {
+    /** Whether there is something in a field that is no number of a colour. */
+    BooleanBinding refused() {
+        return refused;
+    }
+
+    private void change(Tint now) {
+        tint = now;
+        show();
+    }
+
+    private void show() {
+        showing = true;
+        strips.forEach(strip -> strip.show(tint));
         shown.setFill(color());
-        for (int way = 0; way < ways.size(); way++) {
-            int which = way;
-            ways.get(way).setFill(new LinearGradient(0, 0, 1, 0, true, CycleMethod.NO_CYCLE,
-                    IntStream.rangeClosed(0, STOPS).mapToObj(i -> new Stop((double) i / STOPS, at(which, (double) i / STOPS))).toList()));
+        if (!typing) {
+            hex.set(color());
         }
-    }
-
-    /** The colour with a slider elsewhere; hues pure, or they could not be told apart where it is black, white or grey. */
-    private Color at(int way, double share) {
-        return way == 0 ? Color.hsb(360 * share, 1, 1)
-                : Color.hsb(hue.getValue(), way == 1 ? share : saturation.getValue() / 100, way == 2 ? share : brightness.getValue() / 100);
+        showing = false;
     }
 }

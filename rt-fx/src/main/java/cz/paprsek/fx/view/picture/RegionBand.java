@@ -10,7 +10,7 @@ import javafx.scene.control.Label;
 import javafx.scene.shape.Rectangle;
 
 /** A rectangle of whole pixels that is dragged over a picture, with its numbers: column and row of its top left pixel, and its size. */
-final class RegionBand extends Group {
+public final class RegionBand extends Group {
     private final int columns;
     private final int rows;
     private final Rectangle frame = new Rectangle();
@@ -22,7 +22,8 @@ final class RegionBand extends Group {
     private int left;
     private int top;
 
-    RegionBand(int columns, int rows) {
+    /** Over a picture of so many pixels. */
+    public RegionBand(int columns, int rows) {
         this.columns = columns;
         this.rows = rows;
         frame.getStyleClass().add("region-band");
@@ -33,8 +34,18 @@ final class RegionBand extends Group {
         setManaged(false);
     }
 
+    /** How wide the picture is, in pixels. */
+    public int columns() {
+        return columns;
+    }
+
+    /** How high the picture is, in pixels. */
+    public int rows() {
+        return rows;
+    }
+
     /** What has been dragged, in pixels of the whole picture; empty for nothing. */
-    ReadOnlyObjectProperty<Optional<Tile>> regionProperty() {
+    public ReadOnlyObjectProperty<Optional<Tile>> regionProperty() {
         return region.getReadOnlyProperty();
     }
 
@@ -44,19 +55,19 @@ final class RegionBand extends Group {
     }
 
     /** Shows a part of the whole picture, or none. */
-    void show(Optional<Tile> wished) {
+    public void show(Optional<Tile> wished) {
         region.set(wished);
         setVisible(wished.isPresent());
     }
 
     /** Begins at a point of this picture, in pixels. */
-    void begin(Point2D at) {
+    public void begin(Point2D at) {
         before = region.get();
         anchor = Optional.of(at);
     }
 
     /** Goes on to a point, which may lie outside of it. */
-    void drag(Point2D to) {
+    public void drag(Point2D to) {
         anchor.ifPresent(from -> {
             int x0 = within(Math.floor(Math.min(from.getX(), to.getX())), columns - 1);
             int y0 = within(Math.floor(Math.min(from.getY(), to.getY())), rows - 1);
@@ -70,22 +81,24 @@ final class RegionBand extends Group {
         return (int) Math.max(0, Math.min(most, pixel));
     }
 
-    boolean isDragging() {
+    /** Whether it has been begun and not ended. */
+    public boolean isDragging() {
         return anchor.isPresent();
     }
 
-    void end() {
+    /** Leaves it as it is. */
+    public void end() {
         anchor = Optional.empty();
     }
 
     /** Gives up what is being dragged. */
-    void giveUp() {
+    public void giveUp() {
         end();
         show(before);
     }
 
     /** Moves what there is by so many pixels, or makes it wider and higher by as many; begins with the middle of the picture if there is nothing yet. */
-    void nudge(int x, int y, boolean isSize) {
+    public void nudge(int x, int y, boolean isSize) {
         if (region.get().isEmpty()) {
             show(Optional.of(new Tile(left + columns / 4, top + rows / 4, Math.max(1, columns / 2), Math.max(1, rows / 2))));
             return;
@@ -99,7 +112,7 @@ final class RegionBand extends Group {
     }
 
     /** Puts it where it belongs, if the picture begins at a point and has so many pixels of the screen to one of its own. */
-    void place(double x, double y, double zoom) {
+    public void place(double x, double y, double zoom) {
         region.get().ifPresent(tile -> {
             frame.setX(x + (tile.x() - left) * zoom);
             frame.setY(y + (tile.y() - top) * zoom);

@@ -1,14 +1,18 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.model.Gesture;
+import cz.paprsek.fx.model.contact.Contact;
+import cz.paprsek.fx.model.edit.Arranging;
 import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.ScenePath;
 import java.util.Locale;
 import java.util.Set;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
+import org.jspecify.annotations.Nullable;
 
-/** Moves items in the plane of the projection. */
+/** Moves items in the plane of the projection: onto the grid, in line with others, until they touch others. */
 final class MoveDrag extends Drag.Changing {
     private final Set<ScenePath> items;
     private final Box box;
@@ -20,6 +24,8 @@ final class MoveDrag extends Drag.Changing {
     private double guideV = Double.NaN;
     private double byU;
     private double byV;
+    /** Made when something is moved and snaps. */
+    private @Nullable Contact contact;
 
     /**
      * @param box around the items
@@ -44,17 +50,43 @@ final class MoveDrag extends Drag.Changing {
         boolean onlyU = keys.straight() && !onlyV;
         guideU = Double.NaN;
         guideV = Double.NaN;
+        byU = onlyV ? 0 : du;
+        byV = onlyU ? 0 : dv;
         if (snaps(keys)) {
             Snapping.Move alongU = snapping.alongU(box, du, referenceU, view);
             Snapping.Move alongV = snapping.alongV(box, dv, referenceV, view);
-            du = alongU.by();
-            dv = alongV.by();
+            byU = onlyV ? 0 : alongU.by();
+            byV = onlyU ? 0 : alongV.by();
             guideU = onlyV ? Double.NaN : alongU.guide();
             guideV = onlyU ? Double.NaN : alongV.guide();
+            touch(axes.vector(du, dv), onlyV ? 0 : alongU.reach(du, view), onlyU ? 0 : alongV.reach(dv, view));
         }
-        byU = onlyV ? 0 : du;
-        byV = onlyU ? 0 : dv;
         gesture.preview(scene -> Moves.translated(scene, items, axes.vector(byU, byV)));
+    }
+
+    /** What bodies touch by their surfaces counts for more than a line that is farther away. */
+    private void touch(Vec3 hand, double reachU, double reachV) {
+        Contact known = contact == null ? Contact.with(gesture.start(), items) : contact;
+        contact = known;
+        known.inPlane(axis(axes.right()), axis(axes.up()), hand, axes.vector(byU, byV), reachU, reachV).ifPresent(line -> {
+            Vec3 by = line.axis().times(line.by());
+            Vec3 place = line.axis().times(line.place());
+            if (line.axis() == axis(axes.right())) {
+                byU = axes.u(by);
+                guideU = axes.u(place);
+            } else {
+                byV = axes.v(by);
+                guideV = axes.v(place);
+            }
+        });
+    }
+
+    private static Arranging.Axis axis(Axes.Axis axis) {
+        return switch (axis) {
+            case X -> Arranging.Axis.X;
+            case Y -> Arranging.Axis.Y;
+            case Z -> Arranging.Axis.Z;
+        };
     }
 
     @Override

@@ -10,6 +10,8 @@ import java.util.stream.Stream;
 final class Snapping {
     /** How near it must come, pixels. */
     private static final double REACH = 6;
+    /** What touches a side is in line with it, scene units. */
+    private static final double SAME = 1e-6;
 
     /** Sides and middles of others along u and along v, sorted. */
     private final double[] us;
@@ -27,7 +29,16 @@ final class Snapping {
      * @param by how far
      * @param guide where what is moved is in line with another object; NaN if it is not
      */
-    record Move(double by, double guide) {}
+    record Move(double by, double guide) {
+        /**
+         * How near something else must be to count for more.
+         *
+         * @param hand how far the mouse has gone
+         */
+        double reach(double hand, Viewport view) {
+            return Double.isNaN(guide) ? REACH / view.scale() : Math.abs(by - hand) - SAME;
+        }
+    }
 
     Move alongU(Box box, double by, double reference, Viewport view) {
         return move(us, new double[] {box.minU(), box.centreU(), box.maxU()}, by, reference, view);

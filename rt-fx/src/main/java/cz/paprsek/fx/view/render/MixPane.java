@@ -98,7 +98,6 @@ final class MixPane extends VBox {
             color.setId("mix-color-" + number);
             color.setTooltip(new Tooltip(texts.of("render.mix.color.hint")));
             color.setAccessibleText(name + ": " + texts.of("render.mix.color.hint"));
-            color.setStyle("-fx-color-label-visible: false");
             HBox.setHgrow(stops, Priority.ALWAYS);
             value.setMinWidth(44);
             value.setAlignment(Pos.CENTER_RIGHT);

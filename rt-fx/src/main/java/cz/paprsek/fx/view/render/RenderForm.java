@@ -139,6 +139,15 @@ final class RenderForm extends FormGrid {
         answers.forEach(answer -> answer.set().accept(wished.getOrDefault(answer.name(), "")));
     }
 
+    /** Fills in a part of pictures, and how large they are, from a word to be remembered; all of them if it says none. */
+    void sayRegion(String word) {
+        int at = word.indexOf('/');
+        if (at > 0) {
+            size.answers().get(0).set().accept(word.substring(at + 1));
+        }
+        region.say(word, size.word());
+    }
+
     /** What is said here otherwise than the scene asks for: to be remembered. */
     Map<String, String> said() {
         return words().entrySet().stream().filter(word -> !word.getValue().equals(asked.get(word.getKey()))).collect(Collectors.toUnmodifiableMap(Map.Entry::getKey, Map.Entry::getValue));

@@ -9,13 +9,16 @@ import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.explain.SurfaceSelection;
 import cz.paprsek.fx.view.explain.TreeChooser;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.picture.Framing;
 import cz.paprsek.fx.view.picture.PictureChooser;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.picture.PictureStyle;
 import cz.paprsek.fx.view.render.fields.RegionFields;
+import cz.paprsek.fx.view.texts.Shortcut;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.render.RenderOptions;
 import cz.paprsek.render.Tile;
+import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
 import java.util.List;
 import java.util.Map;
@@ -50,9 +53,6 @@ import javafx.scene.layout.StackPane;
 
 /** Renders the model's scene, picture by picture, each in a tab of its own, while editing goes on; saves, copies and compares them. */
 public final class RenderPane extends StackPane {
-    /** The name of what is said about the part. */
-    private static final String REGION = "region";
-
     private final EditorModel model;
     private final Texts texts;
     private final RenderDesk desk;
@@ -73,6 +73,7 @@ public final class RenderPane extends StackPane {
     private final SplitPane center;
     /** Held here, because the model, which may outlive the pane, holds it weakly. */
     private final ChangeListener<EditorState> onState = (property, old, now) -> follow(old, now);
+    private final ChangeListener<Map<String, String>> onSaid = (property, old, now) -> followSaid(old, now);
     private Consumer<Optional<PicturePoint>> onPointed = point -> {};
     private Consumer<PicturePoint> onClicked = point -> {};
     /** Held here likewise: the desk outlives the pane. */
@@ -104,6 +105,7 @@ public final class RenderPane extends StackPane {
         desk.queue().addListener(onQueue);
         form.set(model.state(), desk.said().answers());
         model.stateProperty().addListener(new WeakChangeListener<>(onState));
+        desk.saidProperty().addListener(new WeakChangeListener<>(onSaid));
         tabs.setId("renders");
         tabs.setTabClosingPolicy(TabPane.TabClosingPolicy.ALL_TABS);
         message.setId("render-message");
@@ -178,7 +180,6 @@ public final class RenderPane extends StackPane {
 
     private void answered() {
         desk.said().set(form.said());
-        showRegion();
         render(form, model.scene(), model.assets(), desk.unfinished().begin(model.scene(), form.words()));
     }
 
@@ -210,6 +211,15 @@ public final class RenderPane extends StackPane {
     /** Cancels all that runs. */
     public void cancelAll() {
         desk.cancelAll();
+    }
+
+    /** What is drawn elsewhere while it is asked here is the answer. */
+    private void followSaid(Map<String, String> old, Map<String, String> now) {
+        Optional<String> region = Optional.ofNullable(now.get(RenderDesk.REGION));
+        if (dialog.isVisible() && !region.equals(Optional.ofNullable(old.get(RenderDesk.REGION)))) {
+            form.sayRegion(region.orElse(""));
+        }
+        showRegion();
     }
 
     private void follow(EditorState old, EditorState now) {
@@ -275,21 +285,17 @@ public final class RenderPane extends StackPane {
         if (shown().filter(tab -> tab.view().giveUpRegion()).isPresent()) {
             return;
         }
-        Optional<RenderTab> unfinished = shown().filter(tab -> !tab.task().isOver());
-        unfinished.ifPresentOrElse(tab -> tab.task().cancel(), this::clearRegion);
+        shown().filter(tab -> !tab.task().isOver()).ifPresentOrElse(tab -> tab.task().cancel(), this::clearRegion);
     }
 
     /** From now on a part is rendered, of pictures as large as the one that it was drawn in. */
     private void setRegion(RenderTab tab, Tile region) {
-        String size = size(tab);
-        desk.said().put("size", size);
-        desk.said().put(REGION, RegionFields.word(region, size));
-        showRegion();
+        RenderSettings its = tab.task().options().settings();
+        desk.setRegion(new Framing(its.width(), its.height(), Optional.empty()), model.scene().settings(), Optional.of(region));
     }
 
     private void clearRegion() {
-        desk.said().forget(REGION);
-        showRegion();
+        desk.said().forget(RenderDesk.REGION);
     }
 
     private static String size(RenderTab tab) {
@@ -298,7 +304,7 @@ public final class RenderPane extends StackPane {
 
     /** Shows the part that is to be rendered in all pictures as large. */
     private void showRegion() {
-        String word = desk.said().answers().getOrDefault(REGION, "");
+        String word = desk.said().answers().getOrDefault(RenderDesk.REGION, "");
         clear.setVisible(!word.isEmpty());
         tabs.getTabs().stream().map(RenderTab.class::cast).forEach(tab -> tab.view().showRegion(RegionFields.parse(word, size(tab))));
     }
@@ -307,7 +313,7 @@ public final class RenderPane extends StackPane {
         tab.pointedProperty().addListener((property, old, now) -> pointed(now));
         tab.setOnClicked(this::clicked);
         tab.view().selectingProperty().bind(selecting.selectedProperty());
-        tab.view().showRegion(RegionFields.parse(desk.said().answers().getOrDefault(REGION, ""), size(tab)));
+        tab.view().showRegion(RegionFields.parse(desk.said().answers().getOrDefault(RenderDesk.REGION, ""), size(tab)));
         tab.view().setOnRegion(region -> setRegion(tab, region));
         tab.setOnClosed(event -> tab.close());
         tab.view().setOnContextMenuRequested(event -> menu.show(tab.view(), event.getScreenX(), event.getScreenY()));
@@ -374,7 +380,7 @@ public final class RenderPane extends StackPane {
 
     /** Has keys do what a button does, except in a text field, which has a use of its own for Ctrl+C. */
     private Button keyed(Button button, String keys) {
-        KeyCombination combination = KeyCombination.valueOf(keys);
+        KeyCombination combination = Shortcut.of(keys);
         button.setTooltip(new Tooltip(combination.getDisplayText()));
         addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (combination.match(event)) {

@@ -7,24 +7,18 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javafx.collections.ListChangeListener;
-import javafx.scene.Node;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.TextInputControl;
-import javafx.scene.control.Tooltip;
 import javafx.stage.Window;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The words of JavaFX's own menus of text fields and of the colours in its palettes, which it has in other languages than the window: they are replaced when these
- * are shown. For JavaFX's thread only.
+ * The words of JavaFX's own menus of text fields, which it has in other languages than the window: they are replaced when these are shown. For JavaFX's thread only.
  */
 public final class BuiltInWords implements AutoCloseable {
     private static final String KEYS = "javafx.";
-    private static final List<String> WORDS = List.of(
-            "undo", "redo", "cut", "copy", "paste", "delete", "select-all", "select", "red", "green", "blue", "transparent", "black", "cyan", "dark-blue", "dark-cyan", "dark-gray",
-            "dark-green", "dark-magenta", "dark-red", "gray", "light-blue", "light-cyan", "light-gray", "light-green", "light-yellow", "lime", "magenta", "maroon",
-            "medium-blue", "navy", "olive", "orange", "pink", "purple", "teal", "white", "yellow");
+    private static final List<String> WORDS = List.of("undo", "redo", "cut", "copy", "paste", "delete", "select-all", "select");
 
     private final Supplier<Texts> texts;
     /** Which word it is, by what it is called in any language: what was shown in one may be shown again in another. */
@@ -64,15 +58,8 @@ public final class BuiltInWords implements AutoCloseable {
     }
 
     private void translate(Window window) {
-        if (window instanceof ContextMenu menu) {
-            if (menu.getOwnerNode() instanceof TextInputControl) {
-                menu.getItems().forEach(this::translate);
-            }
-        } else if (window instanceof Tooltip tooltip) {
-            Node owner = tooltip.getOwnerNode();
-            if (owner != null && owner.getStyleClass().contains("color-square")) {
-                word(tooltip.getText()).ifPresent(tooltip::setText);
-            }
+        if (window instanceof ContextMenu menu && menu.getOwnerNode() instanceof TextInputControl) {
+            menu.getItems().forEach(this::translate);
         }
     }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.contact.Falling;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.model.edit.Arranging.Side;
 import cz.paprsek.material.Material;
@@ -66,10 +67,10 @@ class ArrangingTest {
         SceneObject ground = SceneObject.of(new Plane()).at(0, -3, 0);
         Scene scene = Scene.EMPTY.plus(ball(0.5, 0, 7, 0), ball(0.5, 5, 7, 0), table);
         Set<ScenePath> balls = new LinkedHashSet<>(List.of(ScenePath.body(0), ScenePath.body(1)));
-        assertThat(positions(Arranging.onFloor(EditorState.of(scene), balls)).subList(0, 2)).containsExactly(new Vec3(0, 2.5, 0), new Vec3(5, 0.5, 0));
-        assertThat(positions(Arranging.onFloor(EditorState.of(scene.plus(ground)), balls)).get(1)).isEqualTo(new Vec3(5, -2.5, 0));
+        assertThat(positions(Falling.onFloor(EditorState.of(scene), balls)).subList(0, 2)).containsExactly(new Vec3(0, 2.5, 0), new Vec3(5, 0.5, 0));
+        assertThat(positions(Falling.onFloor(EditorState.of(scene.plus(ground)), balls)).get(1)).isEqualTo(new Vec3(5, -2.5, 0));
         EditorState locked = EditorState.of(scene).withLocked(Set.of(ScenePath.body(0)));
-        assertThat(positions(Arranging.onFloor(locked, balls)).get(0)).as("what is locked stays").isEqualTo(new Vec3(0, 7, 0));
+        assertThat(positions(Falling.onFloor(locked, balls)).get(0)).as("what is locked stays").isEqualTo(new Vec3(0, 7, 0));
     }
 
     @Test
@@ -115,9 +116,9 @@ class ArrangingTest {
     void aStackComesOntoTheFloorAsAStack(double low) {
         EditorState state = EditorState.of(Scene.EMPTY.plus(ball(0.5, 0, low + 1, 0), ball(0.5, 0, low, 0)));
         Set<ScenePath> both = Set.of(ScenePath.body(0), ScenePath.body(1));
-        assertThat(positions(Arranging.onFloor(state, both))).containsExactly(new Vec3(0, 1.5, 0), new Vec3(0, 0.5, 0));
+        assertThat(positions(Falling.onFloor(state, both))).containsExactly(new Vec3(0, 1.5, 0), new Vec3(0, 0.5, 0));
         EditorState locked = state.withLocked(Set.of(ScenePath.body(1)));
-        assertThat(positions(Arranging.onFloor(locked, both)).get(1)).as("what is locked stays").isEqualTo(new Vec3(0, low, 0));
+        assertThat(positions(Falling.onFloor(locked, both)).get(1)).as("what is locked stays").isEqualTo(new Vec3(0, low, 0));
     }
 
     @Test

@@ -29,7 +29,7 @@ import org.junit.jupiter.params.provider.FieldSource;
 class TextsTest {
     /** Beginnings of keys that are put together of one of these and what the program has a name for: a word in quotes, a type, a component or a constant. */
     private static final List<String> MADE = List.of(
-            "handles.", "free.", "kind.", "edit.", "format.", "field.", "field.shares.", "alternative.", "template.", "theme.", "ready.", "mode.", "font.", "lesson.", "explain.save.", "hand.", "glossary.", "edit-menu.undo-", "edit-menu.redo-", "ease.", "library.word.", "library.word.extrude-", "library.word.lathe-", "library.word.text-", "javafx.",
+            "handles.", "free.", "kind.", "edit.", "format.", "field.", "field.shares.", "alternative.", "template.", "theme.", "ready.", "mode.", "font.", "lesson.", "explain.save.", "hand.", "glossary.", "edit-menu.undo-", "edit-menu.redo-", "ease.", "library.word.", "library.word.extrude-", "library.word.lathe-", "library.word.text-", "javafx.", "color.name.",
             "element.", "face.", "line.", "mistake.", "pattern.", "reading.");
     /** Of what is said of kinds, attributes and rays, also without a window. */
     private static final String WORDS = "words";

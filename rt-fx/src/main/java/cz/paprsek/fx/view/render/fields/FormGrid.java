@@ -42,7 +42,7 @@ public class FormGrid extends GridPane {
     }
 
     /** What the first field wants that has no number within its range; empty if all have one. Fields that are disabled do not count. */
-    protected static ObservableValue<String> refusal(List<? extends CheckedField> fields) {
+    public static ObservableValue<String> refusal(List<? extends CheckedField> fields) {
         Observable[] all = fields.stream().flatMap(field -> Arrays.stream(new Observable[] {field.textProperty(), field.validProperty(), field.disabledProperty()})).toArray(Observable[]::new);
         return Bindings.createStringBinding(() -> fields.stream().filter(field -> !field.isDisabled() && !field.validProperty().get())
                 .findFirst().map(CheckedField::wanted).orElse(""), all);

@@ -9,17 +9,19 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
 
 /** What a user answered last to questions that are asked again, by their names: kept for the next start, but for what counts only as long as the program runs. */
 public final class Remembered {
     private final Consumer<String> keep;
     private final Set<String> forNow;
-    private Map<String, String> answers;
+    private final ReadOnlyObjectWrapper<Map<String, String>> answers;
 
     private Remembered(Optional<String> before, Consumer<String> keep, Set<String> forNow) {
         this.keep = keep;
         this.forNow = forNow;
-        this.answers = before.map(Remembered::parsed).orElse(Map.of());
+        this.answers = new ReadOnlyObjectWrapper<>(before.map(Remembered::parsed).orElse(Map.of()));
     }
 
     /**
@@ -40,33 +42,38 @@ public final class Remembered {
 
     /** All answers by their names. */
     public Map<String, String> answers() {
-        return answers;
+        return answers.get();
+    }
+
+    /** All answers, to be followed. */
+    public ReadOnlyObjectProperty<Map<String, String>> answersProperty() {
+        return answers.getReadOnlyProperty();
     }
 
     /** Remembers these answers, and no others. */
     public void set(Map<String, String> now) {
-        if (!now.equals(answers)) {
-            answers = Map.copyOf(now);
+        if (!now.equals(answers())) {
+            answers.set(Map.copyOf(now));
             keep.accept(text());
         }
     }
 
     /** Remembers another answer as well. */
     public void put(String name, String answer) {
-        Map<String, String> now = new TreeMap<>(answers);
+        Map<String, String> now = new TreeMap<>(answers());
         now.put(name, answer);
         set(now);
     }
 
     /** Remembers it no more, if it was answered at all. */
     public void forget(String name) {
-        Map<String, String> now = new TreeMap<>(answers);
+        Map<String, String> now = new TreeMap<>(answers());
         now.remove(name);
         set(now);
     }
 
     private String text() {
-        return new TreeMap<>(answers).entrySet().stream().filter(answer -> !forNow.contains(answer.getKey()))
+        return new TreeMap<>(answers()).entrySet().stream().filter(answer -> !forNow.contains(answer.getKey()))
                 .map(answer -> answer.getKey() + "=" + URLEncoder.encode(answer.getValue(), StandardCharsets.UTF_8)).collect(Collectors.joining("&"));
     }
 
