@@ -39,7 +39,13 @@ public sealed interface Value {
         /** {@code 0..0.8 by checker} */
         @Override
         public String text() {
-            return Numbers.text(rounded(least)) + ".." + Numbers.text(rounded(most)) + " by " + pattern;
+            Range shown = shown();
+            return Numbers.text(shown.least) + ".." + Numbers.text(shown.most) + " by " + pattern;
+        }
+
+        /** The same to as many digits as are shown of shares, wherever they are: four after the point. */
+        public Range shown() {
+            return new Range(rounded(least), rounded(most), pattern);
         }
 
         private static double rounded(double share) {

@@ -103,7 +103,10 @@ final class Views {
         titled.get(1).addFoldingTool(explainButton(texts));
         camera.acceptMaterials(commands.edits());
         camera.acceptEdits(commands.edits(), editor.snapping());
-        camera.acceptRegions(editor.renders().framing(), editor.renders()::setRegion);
+        camera.acceptRegions(editor.renders().framing(), part -> {
+            editor.renders().setRegion(part);
+            editor.say(part.map(tile -> texts.of("view.region-done", tile.x(), tile.y(), tile.width(), tile.height())).orElse(""));
+        });
         projections.forEach(ProjectionPane::acceptMaterials);
         camera.setContextMenu(commands.contextMenu());
         projections.forEach(pane -> pane.setContextMenu(commands.contextMenu()));

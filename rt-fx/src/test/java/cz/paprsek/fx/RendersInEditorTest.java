@@ -84,6 +84,7 @@ class RendersInEditorTest {
             assertThat(editor.status()).startsWith("Drag over the camera");
             editor.gui.drag(picture, frame.getX() + 8.5 * pixel, frame.getY() + 4.5 * pixel, frame.getX() + 39.5 * pixel, frame.getY() + 27.5 * pixel);
             assertThat(editor.text("#camera-pane .region-numbers")).isEqualTo("8, 4 · 32 × 24");
+            assertThat(editor.status()).startsWith("Rendered alone from now on: 8, 4 · 32 × 24;");
             assertThat(editor.model().scene()).as("the camera has not been moved by it").isEqualTo(scene);
             press(editor, KeyCode.R);
             editor.gui.until("it is asked", () -> pictures().lookup("#render-dialog").isVisible());

@@ -76,9 +76,6 @@ public final class Falling {
     /** How far up a body is moved. */
     private double by(Surface body) {
         Bounds box = body.bounds();
-        if (work.asked() < MOST) {
-            work.begin();
-        }
         Moved moved = Moved.along(Axis.Y, List.of(body), Vec3.ZERO);
         // The highest first: below what has been touched nothing else can be.
         List<Way> ways = supports.stream().filter(support -> isBelow(support.box, box)).sorted(Comparator.comparingDouble(Support::top).reversed())
@@ -100,6 +97,9 @@ public final class Falling {
      * @param from where it is looked from; empty for where all were
      */
     private OptionalDouble first(List<Way> ways, Bounds box, Optional<Double> from) {
+        if (work.asked() < MOST) {
+            work.begin();
+        }
         OptionalDouble highest = OptionalDouble.empty();
         for (Way way : ways) {
             Support support = way.support;

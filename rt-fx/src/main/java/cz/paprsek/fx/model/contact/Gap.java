@@ -44,7 +44,7 @@ final class Gap {
     private final double[] vs;
     private final Ray ray = new Ray(new Spans());
     private @Nullable Moved near;
-    private final Map<Best, Touch> known = new HashMap<>();
+    private final Map<Found, Touch> known = new HashMap<>();
     private final @Nullable Way[][] ways;
 
     /**
@@ -57,6 +57,9 @@ final class Gap {
 
     /** The best line of the lattice. */
     private record Best(boolean isAbove, int i, int j, double value) {}
+
+    /** What a search began with: the best line, and of how many on which there is a way. */
+    private record Found(Best best, int count) {}
 
     /** On one line, seen from the middle of the box. */
     private static final class Way {
@@ -198,13 +201,14 @@ final class Gap {
         if (count == 0 || best.value < aim - reach - 4 * cell) {
             return Optional.empty();
         }
-        Touch found = known.get(best);
+        Found start = new Found(best, count);
+        Touch found = known.get(start);
         if (found == null) {
             if (work.isOver()) {
                 return Optional.empty();
             }
             found = search(best, by, u / count, v / count);
-            known.put(best, found);
+            known.put(start, found);
         }
         return Optional.of(found);
     }

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.dialog;
 
 import cz.paprsek.fx.view.texts.Texts;
+import javafx.application.Platform;
 import javafx.event.ActionEvent;
 import javafx.scene.Node;
 import javafx.scene.Parent;
@@ -54,6 +55,8 @@ public final class ColorBox extends ColorPicker {
         dialog.getDialogPane().getButtonTypes().setAll(take, new ButtonType(texts.of("color.leave"), ButtonData.CANCEL_CLOSE));
         dialog.getDialogPane().setContent(form);
         dialog.getDialogPane().lookupButton(take).disableProperty().bind(form.refused());
+        // Once it is open.
+        Platform.runLater(form::takeKeys);
         if (Deaf.ask(dialog, getScene().getWindow()).filter(take::equals).isPresent()) {
             setValue(form.color());
             fireEvent(new ActionEvent());

@@ -41,6 +41,7 @@ final class ColorForm extends GridPane {
             strips.add(strip);
             Label label = new Label(texts.of(part.key()));
             label.setLabelFor(strip.field());
+            label.setMinWidth(USE_PREF_SIZE);
             addRow(strips.size() - 1, label, strip.strip(), strip.field(), new Label(part == Part.HUE ? "°" : part.most() == 100 ? "%" : ""));
         }
         hex = new HexField("color-hex", texts.of("color.hex"), texts.of("color.hex.hint"));
@@ -51,6 +52,7 @@ final class ColorForm extends GridPane {
                 typing = false;
             }
         });
+        hex.setMaxWidth(WIDTH);
         Rectangle before = ColorStrip.bordered(WIDTH, HEIGHT);
         before.setFill(start);
         shown.setId("color-shown");
@@ -58,7 +60,9 @@ final class ColorForm extends GridPane {
         Label name = new Label(texts.of("color.hex"));
         name.setLabelFor(hex);
         addRow(row, name, hex);
-        addRow(row + 1, new Label(texts.of("color.shown")), new HBox(before, shown));
+        Label both = new Label(texts.of("color.shown"));
+        both.setMinWidth(USE_PREF_SIZE);
+        addRow(row + 1, both, new HBox(before, shown));
         List<CheckedField> fields = new ArrayList<>(strips.stream().map(ColorStrip::field).toList());
         fields.add(hex);
         ObservableValue<String> wanted = FormGrid.refusal(fields);
@@ -87,6 +91,11 @@ final class ColorForm extends GridPane {
     /** Whether there is something in a field that is no number of a colour. */
     BooleanBinding refused() {
         return refused;
+    }
+
+    /** Takes the keyboard, at the first strip. */
+    void takeKeys() {
+        strips.get(0).takeKeys();
     }
 
     private void change(Tint now) {

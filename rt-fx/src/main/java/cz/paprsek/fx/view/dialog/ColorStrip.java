@@ -81,6 +81,10 @@ final class ColorStrip {
         return field;
     }
 
+    void takeKeys() {
+        slider.requestFocus();
+    }
+
     /** Shows the number of a colour, and what other numbers would give. */
     void show(Tint tint) {
         showing = true;

@@ -40,7 +40,8 @@ final class TableWords {
     /** What stands in a cell, in one line. */
     String cell(Column<?> column, Value value) {
         if (value instanceof Value.Range range) {
-            return texts.of("library.range", number(range.least()), number(range.most()), word(range.pattern()));
+            Value.Range shown = range.shown();
+            return texts.of("library.range", number(shown.least()), number(shown.most()), word(shown.pattern()));
         }
         if (value instanceof Value.Scalar one) {
             return number(one.value());

@@ -14,6 +14,8 @@ public final class RegionBand extends Group {
     private final int columns;
     private final int rows;
     private final Rectangle frame = new Rectangle();
+    /** Behind the dashes, so that they are seen on any picture. */
+    private final Rectangle ground = new Rectangle();
     private final Label numbers = new Label();
     private final ReadOnlyObjectWrapper<Optional<Tile>> region = new ReadOnlyObjectWrapper<>(Optional.empty());
     private Optional<Tile> before = Optional.empty();
@@ -27,8 +29,13 @@ public final class RegionBand extends Group {
         this.columns = columns;
         this.rows = rows;
         frame.getStyleClass().add("region-band");
+        ground.getStyleClass().add("region-ground");
+        ground.xProperty().bind(frame.xProperty());
+        ground.yProperty().bind(frame.yProperty());
+        ground.widthProperty().bind(frame.widthProperty());
+        ground.heightProperty().bind(frame.heightProperty());
         numbers.getStyleClass().add("region-numbers");
-        getChildren().addAll(frame, numbers);
+        getChildren().addAll(ground, frame, numbers);
         setMouseTransparent(true);
         setVisible(false);
         setManaged(false);

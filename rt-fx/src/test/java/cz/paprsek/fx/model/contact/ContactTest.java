@@ -123,6 +123,39 @@ class ContactTest {
         assertThat(contact.asked()).as("nothing is nearer than what is there").isEqualTo(all);
     }
 
+    /** What is moved in a plane touches by its surface along one axis, where it has come to along the other. */
+    @Test
+    void inAPlaneTheOtherAxisStays() {
+        SceneObject ball = SceneObject.of(new Sphere(1)).at(-5, 0, -4);
+        EditorState state = EditorState.of(Scene.EMPTY.plus(ball, SceneObject.of(new Sphere(2))));
+        Contact contact = Contact.with(state, Set.of(ScenePath.body(0)));
+        Vec3 chosen = new Vec3(2.2, 0, 2.9);
+        double x = 5 - Math.sqrt(9 - 1.1 * 1.1);
+        assertThat(contact.inPlane(Axis.X, Axis.Z, new Vec3(x + 0.03, 0, 2.93), chosen, 0.1, 0.005)).hasValueSatisfying(line -> {
+            assertThat(line.axis()).isEqualTo(Axis.X);
+            assertThat(line.by()).isCloseTo(x, within(NEAR));
+        });
+        double z = 4 - Math.sqrt(9 - 2.8 * 2.8);
+        assertThat(contact.inPlane(Axis.X, Axis.Z, new Vec3(2.22, 0, z - 0.05), chosen, 0.001, 0.1)).hasValueSatisfying(line -> {
+            assertThat(line.axis()).isEqualTo(Axis.Z);
+            assertThat(line.by()).isCloseTo(z, within(NEAR));
+        });
+        assertThat(contact.inPlane(Axis.X, Axis.Z, new Vec3(x + 0.03, 0, 2.93), chosen, 0, 0)).isEmpty();
+    }
+
+    /** Each step asks for both axes together no more than for one. */
+    @Test
+    void inAPlaneAStepStaysShortToo() {
+        List<SceneObject> balls = IntStream.range(0, 900).mapToObj(i -> SceneObject.of(new Sphere(0.5)).at(i % 30 * 1.1, Math.floorDiv(i, 30) % 3 * 0.2, Math.floorDiv(i, 30) * 1.1)).toList();
+        Contact contact = Contact.with(EditorState.of(Scene.EMPTY.withObjects(balls)), IntStream.range(0, 30).mapToObj(i -> ScenePath.body(i * 7)).collect(Collectors.toSet()));
+        for (int step = 0; step < 20; step++) {
+            long before = contact.asked();
+            Vec3 hand = new Vec3(step * 0.09, 0, step * 0.07);
+            contact.inPlane(Axis.X, Axis.Z, hand, hand, 0.3, 0.3);
+            assertThat(contact.asked() - before).isLessThan(2 * Work.MOST);
+        }
+    }
+
     /** A ball beside two rows of balls that move along with it. */
     @Test
     void ofManyTheForemostTouches() {

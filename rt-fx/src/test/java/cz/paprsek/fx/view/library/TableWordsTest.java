@@ -36,4 +36,12 @@ class TableWordsTest {
             assertThat(words.cell(column, new Value.Text("false"))).as(column.name()).isEqualTo("ne");
         });
     }
+
+    /** As many digits as the command line shows, and no others. */
+    @Test
+    void whatAPatternSaysIsRoundedAsEverywhere() {
+        Value.Range range = new Value.Range(1.0 / 3, 0.123456, "checker");
+        assertThat(range.text()).isEqualTo("0.3333..0.1235 by checker");
+        assertThat(words.cell(SceneTables.all().get(0).table().columns().get(0), range)).contains("0,3333").contains("0,1235").doesNotContain("0,33333").doesNotContain("0,12346");
+    }
 }
