@@ -51,7 +51,8 @@ class KernelsTest {
         public static void main(String[] args) throws Exception {
             System.out.println(Kernel.inUse());
             List<Scene> scenes = new ArrayList<>(List.of(StandardScenes.few(), StandardScenes.flake(3), StandardScenes.cloud(5000),
-                    StandardScenes.carved(100), StandardScenes.pierced(100), StandardScenes.chain(2), StandardScenes.chain(300)));
+                    StandardScenes.carved(100), StandardScenes.pierced(100), StandardScenes.chain(2), StandardScenes.chain(300),
+                    StandardScenes.cloud(100_000), StandardScenes.mesh(200_000)));
             for (String folder : List.of("../scenes", "src/test/resources/crosscheck")) {
                 try (Stream<Path> files = Files.list(Path.of(folder))) {
                     for (Path file : files.filter(f -> f.toString().endsWith(".xml")).sorted().toList()) {

@@ -15,7 +15,6 @@ public final class Entries {
 
     /** For a tree of {@linkplain WideNodes wide nodes}: all but leaves that are searched without asking, as if children of a few nodes. */
     float[] planes = {};
-    int[] names = {};
     int groups;
     /** Up to which t no line meets anything in a group. */
     final double[] groupNear;
@@ -81,17 +80,15 @@ public final class Entries {
     }
 
     /** Makes one group of a node. */
-    void point(float[] itsPlanes, int[] itsNames) {
+    void point(float[] itsPlanes) {
         planes = itsPlanes;
-        names = itsNames;
         groups = size;
     }
 
     /** Puts the boxes side by side. */
     void gather(float[] from) {
         if (planes.length == 0) {
-            planes = new float[WideNodes.STRIDE * groupNear.length];
-            names = new int[WideNodes.WIDTH * groupNear.length];
+            planes = new float[WideNodes.FIRST + WideNodes.STRIDE * groupNear.length];
         }
         int count = 0;
         for (int i = 0; i < size; i++) {
@@ -101,16 +98,17 @@ public final class Entries {
                 if (slot == 0) {
                     groupNear[group] = near[i];
                 }
+                int to = WideNodes.FIRST + WideNodes.STRIDE * group + slot;
                 for (int k = 0; k < 6; k++) {
-                    planes[WideNodes.STRIDE * group + WideNodes.WIDTH * k + slot] = from[box[i] + WideNodes.WIDTH * k];
+                    planes[to + WideNodes.WIDTH * k] = from[box[i] + WideNodes.WIDTH * k];
                 }
-                names[WideNodes.WIDTH * group + slot] = node[i];
+                planes[to + WideNodes.WIDTH * 6] = Float.intBitsToFloat(node[i]);
                 count++;
             }
         }
         groups = (count + WideNodes.WIDTH - 1) / WideNodes.WIDTH;
         for (; count % WideNodes.WIDTH != 0; count++) {
-            int at = WideNodes.STRIDE * (groups - 1) + count % WideNodes.WIDTH;
+            int at = WideNodes.FIRST + WideNodes.STRIDE * (groups - 1) + count % WideNodes.WIDTH;
             for (int k = 0; k < 3; k++) {
                 planes[at + WideNodes.WIDTH * k] = Float.POSITIVE_INFINITY;
                 planes[at + WideNodes.WIDTH * (k + 3)] = Float.NEGATIVE_INFINITY;

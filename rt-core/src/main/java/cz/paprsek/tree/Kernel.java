@@ -63,7 +63,8 @@ public abstract class Kernel {
 
         @Override
         Tree tree(double[] boxes, int[] child, int root, int depth) {
-            return new BinaryTree(boxes, child, root, depth);
+            return child.length < 2 * FourTree.MANY ? new BinaryTree(boxes, child, root, depth)
+                    : new FourTree(new WideNodes(boxes, child, root, depth, FourTree.WIDTH));
         }
     }
 }

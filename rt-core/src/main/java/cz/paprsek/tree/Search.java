@@ -13,7 +13,7 @@ public abstract class Search<R> {
     static final int SOME = 4;
 
     final Probe probe = new Probe();
-    private final WideProbe wide = new WideProbe();
+    final WideProbe wide = new WideProbe();
     /** The tree that is to know the line, if it has wide nodes. */
     private @Nullable WideNodes nodes;
     int[] node = {};

@@ -3,33 +3,42 @@ package cz.paprsek.tree;
 import java.util.Arrays;
 
 /**
- * A tree with up to {@value #WIDTH} children a node, made from a binary one. Of node n, {@code planes[48n + 8k + slot]} holds the boxes of the
- * children, k being minimum x y z, maximum x y z: relative to a centre, multiplied by a power of two that brings them between −1 and 1, and
- * rounded outwards to floats. Slots without a child are +∞ and −∞, so that nothing meets them. {@code child[8n + slot]} names a child: an
- * inner node if positive, else a leaf. The root is node 0 even if it has but one child.
+ * A tree with up to {@value #WIDTH} children a node, or fewer, made from a binary one. All is in one array, so that what is asked of a node is read from one place. With w
+ * children a node, the boxes of those of the node at n are {@code data[n + wk + slot]}, k being minimum x y z, maximum x y z: relative to a centre, multiplied by a power of two
+ * that brings them between −1 and 1, and rounded outwards to floats. Slots without a child are +∞ and −∞, so that nothing meets them. The bits of {@code data[n + 6w + slot]}
+ * name a child: where its node is if positive, else a leaf. The root is at {@value #FIRST} even if it has but one child.
  */
 final class WideNodes {
     /** The most children of a node. */
     static final int WIDTH = 8;
-    /** Numbers a node takes in {@link #planes}. */
-    static final int STRIDE = 6 * WIDTH;
+    /** Numbers a node takes, for each of its children: those of its box, its name, and one that lets nodes begin where lines of the processor's cache do. */
+    static final int EACH = 8;
+    /** Where the first node is: behind the head of the array that is where a line of the cache begins, if the array begins at one. */
+    static final int FIRST = 12;
+    /** Numbers a node of the most children takes. */
+    static final int STRIDE = EACH * WIDTH;
 
-    float[] planes = {};
-    int[] child = {};
+    float[] data = {};
     /** How many nodes lie from the root to the farthest leaf. */
     int depth;
     double centreX;
     double centreY;
     double centreZ;
     double scale = 1;
-    private int size;
+    /** How many children a node has room for, and numbers it takes. */
+    private final int width;
+    private final int stride;
+    /** How much of it is taken. */
+    private int size = FIRST;
 
     /** The binary tree; let go of once all is made. */
     private double[] boxes;
     private int[] binary;
 
     /** Makes it from a binary tree as {@link BinaryTree} has it. */
-    WideNodes(double[] boxes, int[] child, int root, int depth) {
+    WideNodes(double[] boxes, int[] child, int root, int depth, int width) {
+        this.width = width;
+        this.stride = EACH * width;
         this.boxes = boxes;
         this.binary = child;
         if (depth > 0 && root < 0) {
@@ -39,12 +48,11 @@ final class WideNodes {
             this.depth = 1;
         } else if (depth > 0) {
             locate();
-            // About so many it takes: a node opens four or five of the binary ones.
-            reserve(1 + child.length / 9);
+            // About so many it takes: a node of eight opens four or five of the binary ones.
+            reserve(1 + child.length / (width + 1));
             widen(root, 1);
         }
-        planes = Arrays.copyOf(planes, STRIDE * size);
-        this.child = Arrays.copyOf(this.child, WIDTH * size);
+        data = Arrays.copyOf(data, size);
         this.boxes = new double[0];
         this.binary = new int[0];
     }
@@ -65,11 +73,11 @@ final class WideNodes {
         depth = Math.max(depth, level + 1);
         int node = add();
         // Where in boxes each child's box lies; half of that over three is where its name is.
-        int[] at = new int[WIDTH];
+        int[] at = new int[width];
         int count = 2;
         at[0] = 12 * root;
         at[1] = 12 * root + 6;
-        while (count < WIDTH) {
+        while (count < width) {
             int largest = -1;
             double most = Double.NEGATIVE_INFINITY;
             for (int i = 0; i < count; i++) {
@@ -89,7 +97,7 @@ final class WideNodes {
         for (int slot = 0; slot < count; slot++) {
             int name = binary[at[slot] / 6];
             int named = name < 0 ? name : widen(name, level + 1);
-            child[WIDTH * node + slot] = named;
+            name(node, slot, named);
             put(node, slot, at[slot]);
         }
         return node;
@@ -104,49 +112,79 @@ final class WideNodes {
     }
 
     private int add() {
-        if (size * WIDTH == child.length) {
-            reserve(size + size / 4 + 1);
+        int node = size;
+        size = Math.addExact(size, stride);
+        if (size > data.length) {
+            reserve(size / stride + size / stride / 4 + 1);
         }
-        for (int slot = 0; slot < WIDTH; slot++) {
-            fill(size, slot, 0, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY);
+        for (int slot = 0; slot < width; slot++) {
+            fill(node, slot, 0, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY);
         }
-        return size++;
+        return node;
     }
 
     private void reserve(int count) {
-        planes = Arrays.copyOf(planes, STRIDE * count);
-        child = Arrays.copyOf(child, WIDTH * count);
+        data = Arrays.copyOf(data, FIRST + stride * count);
     }
 
     private void fill(int node, int slot, int name, float low, float high) {
-        child[WIDTH * node + slot] = name;
+        name(node, slot, name);
         for (int k = 0; k < 3; k++) {
-            planes[STRIDE * node + WIDTH * k + slot] = low;
-            planes[STRIDE * node + WIDTH * (k + 3) + slot] = high;
+            data[node + width * k + slot] = low;
+            data[node + width * (k + 3) + slot] = high;
         }
+    }
+
+    private void name(int node, int slot, int name) {
+        data[node + 6 * width + slot] = Float.intBitsToFloat(name);
+    }
+
+    private int name(int node, int slot) {
+        return Float.floatToRawIntBits(data[node + 6 * width + slot]);
     }
 
     /** Writes the box at {@code at} as that of a child. */
     private void put(int node, int slot, int at) {
-        int to = STRIDE * node + slot;
-        planes[to] = below((boxes[at] - centreX) * scale);
-        planes[to + WIDTH] = below((boxes[at + 1] - centreY) * scale);
-        planes[to + 2 * WIDTH] = below((boxes[at + 2] - centreZ) * scale);
-        planes[to + 3 * WIDTH] = above((boxes[at + 3] - centreX) * scale);
-        planes[to + 4 * WIDTH] = above((boxes[at + 4] - centreY) * scale);
-        planes[to + 5 * WIDTH] = above((boxes[at + 5] - centreZ) * scale);
+        int to = node + slot;
+        data[to] = below((boxes[at] - centreX) * scale);
+        data[to + width] = below((boxes[at + 1] - centreY) * scale);
+        data[to + 2 * width] = below((boxes[at + 2] - centreZ) * scale);
+        data[to + 3 * width] = above((boxes[at + 3] - centreX) * scale);
+        data[to + 4 * width] = above((boxes[at + 4] - centreY) * scale);
+        data[to + 5 * width] = above((boxes[at + 5] - centreZ) * scale);
     }
 
     /** How many nodes and leaves are ever left to visit at once. */
     int mostToVisit() {
-        return (WIDTH - 1) * depth + WIDTH;
+        return (width - 1) * depth + width;
     }
 
-    /** As {@link Bundle#enter}, of the child whose planes begin at {@code at}. */
-    double enter(Bundle bundle, int at) {
+    /** The nearest inner node of the entries is opened again and again until all are leaves, or there would be too many. */
+    void open(Bundle bundle, Entries entries) {
+        double unit = bundle.shortest();
+        int i = 0;
+        while (i < entries.size) {
+            int node = entries.node[i];
+            if (node < 0 || !entries.haveRoomFor(width)) {
+                i++;
+                continue;
+            }
+            entries.remove(i);
+            for (int slot = 0; slot < width && name(node, slot) != 0; slot++) {
+                int subtree = name(node, slot);
+                double near = enter(bundle, node + slot);
+                if (near < Double.POSITIVE_INFINITY) {
+                    entries.add(subtree, Tree.isQuick(subtree) ? Entries.ANYWHERE : node + slot, near * unit);
+                }
+            }
+        }
+    }
+
+    /** As {@link Bundle#enter}, of the child whose box begins at {@code at}. */
+    private double enter(Bundle bundle, int at) {
         return bundle.enter(
-                planes[at] / scale + centreX, planes[at + WIDTH] / scale + centreY, planes[at + 2 * WIDTH] / scale + centreZ,
-                planes[at + 3 * WIDTH] / scale + centreX, planes[at + 4 * WIDTH] / scale + centreY, planes[at + 5 * WIDTH] / scale + centreZ);
+                data[at] / scale + centreX, data[at + width] / scale + centreY, data[at + 2 * width] / scale + centreZ,
+                data[at + 3 * width] / scale + centreX, data[at + 4 * width] / scale + centreY, data[at + 5 * width] / scale + centreZ);
     }
 
     private static float below(double x) {

@@ -81,6 +81,24 @@ final class WideProbe {
         }
     }
 
+    /** Whether the line meets the box of a child of a node of four whose planes begin at {@code at}. */
+    boolean enters(float[] planes, int at) {
+        int inX = firstX / 2;
+        int inY = firstY / 2;
+        int inZ = firstZ / 2;
+        int in = Math.max(
+                Math.max(bits((planes[at + inX] - nearX) * rx), bits((planes[at + inY] - nearY) * ry)),
+                Math.max(bits((planes[at + inZ] - nearZ) * rz), begin));
+        int out = Math.min(
+                Math.min(bits((planes[at + 12 - inX] - farX) * rx), bits((planes[at + 20 - inY] - farY) * ry)),
+                Math.min(bits((planes[at + 28 - inZ] - farZ) * rz), end));
+        return (in - out - (SLACK + 1) & ~out) < 0;
+    }
+
+    static int bits(float t) {
+        return Float.floatToRawIntBits(t);
+    }
+
     private int order(double t) {
         return Float.floatToRawIntBits((float) (t * scale));
     }

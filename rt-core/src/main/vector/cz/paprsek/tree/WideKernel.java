@@ -6,7 +6,7 @@ import jdk.incubator.vector.FloatVector;
 final class WideKernel extends Kernel {
     @Override
     Tree tree(double[] boxes, int[] child, int root, int depth) {
-        return new WideTree(new WideNodes(boxes, child, root, depth));
+        return new WideTree(new WideNodes(boxes, child, root, depth, WideNodes.WIDTH));
     }
 
     @Override

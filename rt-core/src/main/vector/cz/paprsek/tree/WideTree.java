@@ -11,6 +11,8 @@ final class WideTree extends Tree {
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
     private static final int WIDTH = WideNodes.WIDTH;
     private static final int STRIDE = WideNodes.STRIDE;
+    /** Where in a node the names of the children begin. */
+    private static final int NAMES = 6 * WIDTH;
     /** What is visited next if nothing is left; no leaf has that name. */
     private static final int NOTHING = 0;
     /** In place of a node: goes on with those to visit. */
@@ -19,39 +21,20 @@ final class WideTree extends Tree {
     private static final int[] LANES = {1, 2, 4, 8, 16, 32, 64, 128};
 
     private final WideNodes nodes;
-    private final float[] planes;
-    private final int[] child;
+    private final float[] data;
 
     WideTree(WideNodes nodes) {
-        super(0, nodes.depth);
+        super(WideNodes.FIRST, nodes.depth);
         this.nodes = nodes;
-        this.planes = nodes.planes;
-        this.child = nodes.child;
-        whole().point(planes, child);
+        this.data = nodes.data;
+        whole().point(data);
     }
 
-    /** The nearest inner node is opened again and again until all are leaves, or there would be too many. */
     @Override
     public void enter(Bundle bundle, Entries entries) {
-        double unit = bundle.shortest();
         entries.startWith(whole());
-        int i = 0;
-        while (i < entries.size) {
-            int node = entries.node[i];
-            if (node < 0 || !entries.haveRoomFor(WIDTH)) {
-                i++;
-                continue;
-            }
-            entries.remove(i);
-            for (int slot = 0; slot < WIDTH && child[WIDTH * node + slot] != NOTHING; slot++) {
-                int subtree = child[WIDTH * node + slot];
-                double near = nodes.enter(bundle, STRIDE * node + slot);
-                if (near < Double.POSITIVE_INFINITY) {
-                    entries.add(subtree, isQuick(subtree) ? Entries.ANYWHERE : STRIDE * node + slot, near * unit);
-                }
-            }
-        }
-        entries.gather(planes);
+        nodes.open(bundle, entries);
+        entries.gather(data);
     }
 
     @Override
@@ -68,11 +51,11 @@ final class WideTree extends Tree {
         }
         WideProbe probe = search.aimAt(nodes, ray);
         for (int group = 0; group < entries.groups && entries.groupNear[group] < reach; group++) {
-            int leaf = next(probe, search, entries.planes, entries.names, group);
+            int leaf = next(probe, search, entries.planes, WideNodes.FIRST + STRIDE * group);
             while (leaf != NOTHING) {
                 reach = search.meet(ray, first(leaf), end(leaf));
                 probe.end(reach);
-                leaf = next(probe, search, planes, child, NEXT);
+                leaf = next(probe, search, data, NEXT);
             }
         }
     }
@@ -92,14 +75,14 @@ final class WideTree extends Tree {
         }
         WideProbe probe = search.aimAt(nodes, ray);
         for (int group = 0; group < entries.groups; group++) {
-            int found = leaves(probe, search, entries.planes, entries.names, group);
+            int found = leaves(probe, search, entries.planes, WideNodes.FIRST + STRIDE * group);
             while (found > 0) {
                 for (int i = 0; i < found; i++) {
                     if (search.stopsAt(ray, first(search.leaves[i]), end(search.leaves[i]))) {
                         return true;
                     }
                 }
-                found = leaves(probe, search, planes, child, NEXT);
+                found = leaves(probe, search, data, NEXT);
             }
         }
         return false;
@@ -109,11 +92,10 @@ final class WideTree extends Tree {
      * Visits nodes up to the next leaf, and returns its name, or {@link #NOTHING}. Vectors live in this method only: handed on, they would
      * become objects.
      *
-     * @param firstPlanes of the node to begin with
-     * @param firstNames of its children
-     * @param first its number, or {@link #NEXT} to go on with those that are left to visit
+     * @param from where the node to begin with is
+     * @param first at which place, or {@link #NEXT} to go on with those that are left to visit
      */
-    private int next(WideProbe probe, Search<?> search, float[] firstPlanes, int[] firstNames, int first) {
+    private int next(WideProbe probe, Search<?> search, float[] from, int first) {
         FloatVector nearX = FloatVector.broadcast(FLOATS, probe.nearX);
         FloatVector nearY = FloatVector.broadcast(FLOATS, probe.nearY);
         FloatVector nearZ = FloatVector.broadcast(FLOATS, probe.nearZ);
@@ -132,8 +114,7 @@ final class WideTree extends Tree {
         long[] stack = probe.stack;
         int[] enters = probe.lanes;
         int farthest = probe.end + WideProbe.SLACK;
-        float[] box = firstPlanes;
-        int[] names = firstNames;
+        float[] nodeData = from;
         int node = first;
         int top = probe.top;
         int visits = node == NEXT ? 0 : -1;
@@ -154,41 +135,36 @@ final class WideTree extends Tree {
                     search.visits += visits + 1;
                     return node;
                 }
-                box = planes;
-                names = child;
+                nodeData = data;
             }
             visits++;
-            int at = STRIDE * node;
-            IntVector in = FloatVector.fromArray(FLOATS, box, at + firstX).sub(nearX).mul(rx).reinterpretAsInts()
-                    .max(FloatVector.fromArray(FLOATS, box, at + firstY).sub(nearY).mul(ry).reinterpretAsInts())
-                    .max(FloatVector.fromArray(FLOATS, box, at + firstZ).sub(nearZ).mul(rz).reinterpretAsInts())
+            IntVector in = FloatVector.fromArray(FLOATS, nodeData, node + firstX).sub(nearX).mul(rx).reinterpretAsInts()
+                    .max(FloatVector.fromArray(FLOATS, nodeData, node + firstY).sub(nearY).mul(ry).reinterpretAsInts())
+                    .max(FloatVector.fromArray(FLOATS, nodeData, node + firstZ).sub(nearZ).mul(rz).reinterpretAsInts())
                     .max(begin);
-            IntVector out = FloatVector.fromArray(FLOATS, box, at + 24 - firstX).sub(farX).mul(rx).reinterpretAsInts()
-                    .min(FloatVector.fromArray(FLOATS, box, at + 40 - firstY).sub(farY).mul(ry).reinterpretAsInts())
-                    .min(FloatVector.fromArray(FLOATS, box, at + 56 - firstZ).sub(farZ).mul(rz).reinterpretAsInts())
+            IntVector out = FloatVector.fromArray(FLOATS, nodeData, node + 24 - firstX).sub(farX).mul(rx).reinterpretAsInts()
+                    .min(FloatVector.fromArray(FLOATS, nodeData, node + 40 - firstY).sub(farY).mul(ry).reinterpretAsInts())
+                    .min(FloatVector.fromArray(FLOATS, nodeData, node + 56 - firstZ).sub(farZ).mul(rz).reinterpretAsInts())
                     .min(end).max(-1 - WideProbe.SLACK);
             // All bits where in ≤ out + slack: no mask, whose way to an integer Java 17 does not compile.
             int hits = in.sub(out).sub(WideProbe.SLACK + 1).lanewise(VectorOperators.ASHR, 31).and(lanes).reduceLanes(VectorOperators.OR);
-            int at8 = WIDTH * node;
             // Mostly there is one, which need not go over the stack.
             if ((hits & hits - 1) == 0 && hits != 0) {
-                node = names[at8 + Integer.numberOfTrailingZeros(hits)];
+                node = name(nodeData, node, Integer.numberOfTrailingZeros(hits));
                 if (node < 0) {
                     probe.top = top;
                     search.visits += visits + 1;
                     return node;
                 }
-                box = planes;
-                names = child;
+                nodeData = data;
                 continue;
             }
-            node = NEXT;
             if (hits != 0) {
                 in.intoArray(enters, 0);
                 int bottom = top;
                 for (; hits != 0; hits &= hits - 1) {
                     int slot = Integer.numberOfTrailingZeros(hits);
-                    long entry = (long) enters[slot] << 32 | names[at8 + slot] & 0xFFFFFFFFL;
+                    long entry = (long) enters[slot] << 32 | name(nodeData, node, slot) & 0xFFFFFFFFL;
                     int place = top++;
                     for (; place > bottom && stack[place - 1] < entry; place--) {
                         stack[place] = stack[place - 1];
@@ -196,6 +172,7 @@ final class WideTree extends Tree {
                     stack[place] = entry;
                 }
             }
+            node = NEXT;
         }
     }
 
@@ -203,7 +180,7 @@ final class WideTree extends Tree {
      * Visits nodes until some leaves are found, in any order, and returns how many: they are named in {@link Search#leaves}. Several at once, since whoever asks
      * whether anything is met mostly has to ask them all.
      */
-    private int leaves(WideProbe probe, Search<?> search, float[] firstPlanes, int[] firstNames, int first) {
+    private int leaves(WideProbe probe, Search<?> search, float[] from, int first) {
         int top = probe.top;
         if (first == NEXT && top == 0) {
             return 0;
@@ -225,40 +202,35 @@ final class WideTree extends Tree {
         int firstZ = probe.firstZ;
         long[] stack = probe.stack;
         int[] leaves = search.leaves;
-        float[] box = firstPlanes;
-        int[] names = firstNames;
+        float[] nodeData = from;
         int node = first;
         if (node == NEXT) {
             node = (int) stack[--top];
-            box = planes;
-            names = child;
+            nodeData = data;
         }
         int found = 0;
         int visits = first == NEXT ? 0 : -1;
         while (true) {
             visits++;
-            int at = STRIDE * node;
-            IntVector in = FloatVector.fromArray(FLOATS, box, at + firstX).sub(nearX).mul(rx).reinterpretAsInts()
-                    .max(FloatVector.fromArray(FLOATS, box, at + firstY).sub(nearY).mul(ry).reinterpretAsInts())
-                    .max(FloatVector.fromArray(FLOATS, box, at + firstZ).sub(nearZ).mul(rz).reinterpretAsInts())
+            IntVector in = FloatVector.fromArray(FLOATS, nodeData, node + firstX).sub(nearX).mul(rx).reinterpretAsInts()
+                    .max(FloatVector.fromArray(FLOATS, nodeData, node + firstY).sub(nearY).mul(ry).reinterpretAsInts())
+                    .max(FloatVector.fromArray(FLOATS, nodeData, node + firstZ).sub(nearZ).mul(rz).reinterpretAsInts())
                     .max(begin);
-            IntVector out = FloatVector.fromArray(FLOATS, box, at + 24 - firstX).sub(farX).mul(rx).reinterpretAsInts()
-                    .min(FloatVector.fromArray(FLOATS, box, at + 40 - firstY).sub(farY).mul(ry).reinterpretAsInts())
-                    .min(FloatVector.fromArray(FLOATS, box, at + 56 - firstZ).sub(farZ).mul(rz).reinterpretAsInts())
+            IntVector out = FloatVector.fromArray(FLOATS, nodeData, node + 24 - firstX).sub(farX).mul(rx).reinterpretAsInts()
+                    .min(FloatVector.fromArray(FLOATS, nodeData, node + 40 - firstY).sub(farY).mul(ry).reinterpretAsInts())
+                    .min(FloatVector.fromArray(FLOATS, nodeData, node + 56 - firstZ).sub(farZ).mul(rz).reinterpretAsInts())
                     .min(end).max(-1 - WideProbe.SLACK);
             int hits = in.sub(out).sub(WideProbe.SLACK + 1).lanewise(VectorOperators.ASHR, 31).and(lanes).reduceLanes(VectorOperators.OR);
-            int at8 = WIDTH * node;
             if ((hits & hits - 1) == 0 && hits != 0) {
-                int name = names[at8 + Integer.numberOfTrailingZeros(hits)];
+                int name = name(nodeData, node, Integer.numberOfTrailingZeros(hits));
                 if (name >= 0) {
                     node = name;
-                    box = planes;
-                    names = child;
+                    nodeData = data;
                     continue;
                 }
             }
             for (; hits != 0; hits &= hits - 1) {
-                int name = names[at8 + Integer.numberOfTrailingZeros(hits)];
+                int name = name(nodeData, node, Integer.numberOfTrailingZeros(hits));
                 // Both are written, and one stays: no branch, which could not be foretold.
                 leaves[found] = name;
                 stack[top] = name;
@@ -271,8 +243,11 @@ final class WideTree extends Tree {
                 return found;
             }
             node = (int) stack[--top];
-            box = planes;
-            names = child;
+            nodeData = data;
         }
+    }
+
+    private static int name(float[] data, int node, int slot) {
+        return Float.floatToRawIntBits(data[node + NAMES + slot]);
     }
 }

@@ -72,8 +72,8 @@ class EntriesTest {
         int slot = 0;
         for (int i = 0; i < 11; i++) {
             if (i != 4) {
-                int at = WideNodes.STRIDE * (slot / WideNodes.WIDTH) + slot % WideNodes.WIDTH;
-                assertThat(entries.names[slot]).isEqualTo(100 + i);
+                int at = WideNodes.FIRST + WideNodes.STRIDE * (slot / WideNodes.WIDTH) + slot % WideNodes.WIDTH;
+                assertThat(Float.floatToRawIntBits(entries.planes[at + WideNodes.WIDTH * 6])).isEqualTo(100 + i);
                 for (int k = 0; k < 6; k++) {
                     assertThat(entries.planes[at + WideNodes.WIDTH * k])
                             .isEqualTo(i % WideNodes.WIDTH + WideNodes.STRIDE * (i / WideNodes.WIDTH) + WideNodes.WIDTH * k);
@@ -82,7 +82,7 @@ class EntriesTest {
             }
         }
         for (; slot < 2 * WideNodes.WIDTH; slot++) {
-            int at = WideNodes.STRIDE * (slot / WideNodes.WIDTH) + slot % WideNodes.WIDTH;
+            int at = WideNodes.FIRST + WideNodes.STRIDE * (slot / WideNodes.WIDTH) + slot % WideNodes.WIDTH;
             for (int k = 0; k < 3; k++) {
                 assertThat(entries.planes[at + WideNodes.WIDTH * k]).isPositive().isInfinite();
                 assertThat(entries.planes[at + WideNodes.WIDTH * (k + 3)]).isNegative().isInfinite();
