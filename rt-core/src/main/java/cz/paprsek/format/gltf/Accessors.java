@@ -9,6 +9,7 @@ import java.util.Map;
 final class Accessors {
     /** How many numbers may be without bytes: they would cost nothing in a file, and much in memory. */
     private static final long MOST_ZEROS = 50_000_000;
+    private static final int MOST_UNSEEN = 1_000_000;
     private static final Map<String, Integer> WIDTHS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4, "MAT4", 16);
 
     private final Tree document;
@@ -87,6 +88,52 @@ final class Accessors {
             }
         }
         return values;
+    }
+
+    /** Whether all numbers can be read, and are within the limits that the document says. */
+    void check(int index) throws IOException {
+        Tree accessor = document.item("accessors", index);
+        String type = accessor.text("type", "");
+        Kind kind = Kind.of(accessor);
+        if (accessor.has("sparse") && accessor.childOrNothing("sparse").needed("count") > accessor.needed("count")) {
+            throw accessor.fault("sparse", "there are more elements here than the " + accessor.needed("count") + " of all");
+        }
+        if (accessor.flag("normalized") && (kind == Kind.FLOAT || kind == Kind.UNSIGNED_INT)) {
+            throw accessor.fault("normalized", "this is for whole numbers of one or two bytes");
+        }
+        aligned(accessor, kind);
+        if (!WIDTHS.containsKey(type) || !(accessor.has("bufferView") ? fits(accessor, kind, type) : accessor.needed("count") <= MOST_UNSEEN)) {
+            return;
+        }
+        int width = width(accessor, type);
+        float[] values = floats(index, type);
+        double[] min = accessor.has("min") ? accessor.numbers("min", new double[width]) : new double[0];
+        double[] max = accessor.has("max") ? accessor.numbers("max", new double[width]) : new double[0];
+        for (int i = 0; i < values.length && !accessor.flag("normalized"); i++) {
+            int k = i % width;
+            if ((min.length > 0 && values[i] < (float) min[k]) || (max.length > 0 && values[i] > (float) max[k])) {
+                throw accessor.fault("number " + k + " of element " + i / width + " is " + values[i] + ", which is beyond what \"min\" and \"max\" say");
+            }
+        }
+    }
+
+    /** Whether its bytes are known; that they lie within their view is looked at in any case. */
+    private boolean fits(Tree accessor, Kind kind, String type) throws IOException {
+        int index = accessor.needed("bufferView");
+        int size = kind.bytes * width(accessor, type);
+        long end = accessor.whole("byteOffset", 0) + (accessor.needed("count") - 1L) * step(accessor, size) + size;
+        int length = document.item("bufferViews", index).needed("byteLength");
+        if (end > length) {
+            throw accessor.fault("these " + accessor.needed("count") + " elements reach to byte " + end + " of a view of " + length + ", " + step(accessor, size) + " bytes apart");
+        }
+        return buffers.isKnown(index);
+    }
+
+    private void aligned(Tree accessor, Kind kind) throws IOException {
+        long offset = (long) accessor.whole("byteOffset", 0) + (accessor.has("bufferView") ? buffers.offset(accessor.needed("bufferView")) : 0);
+        if (accessor.whole("byteOffset", 0) % kind.bytes != 0 || offset % kind.bytes != 0) {
+            throw accessor.fault("byteOffset", "numbers of " + kind.bytes + " bytes must begin at a multiple of that, but these begin at byte " + offset);
+        }
     }
 
     /** The numbers of vertices, each below a limit. */

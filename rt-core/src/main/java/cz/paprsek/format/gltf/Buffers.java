@@ -92,6 +92,35 @@ final class Buffers {
         return buffer.slice((int) offset, (int) length).order(ByteOrder.LITTLE_ENDIAN);
     }
 
+    /** Whether somebody says where its bytes are; a document may leave that to others. */
+    boolean isGiven(int index) throws IOException {
+        return document.item("buffers", index).has("uri") || (index == 0 && chunk.isPresent());
+    }
+
+    /** Whether a buffer can be read. */
+    void check(int index) throws IOException {
+        if (isGiven(index)) {
+            buffer(index);
+        }
+    }
+
+    /** Whether a view lies within its buffer, as far as that is known; and whether its bytes are. */
+    boolean isKnown(int view) throws IOException {
+        Tree tree = document.item("bufferViews", view);
+        int index = tree.needed("buffer");
+        long end = (long) tree.whole("byteOffset", 0) + tree.needed("byteLength");
+        long length = document.item("buffers", index).needed("byteLength");
+        if (end > length) {
+            throw tree.fault("this reaches to byte " + end + ", but the buffer has " + length);
+        }
+        return isGiven(index);
+    }
+
+    /** Where in its buffer a view begins, in bytes. */
+    int offset(int view) throws IOException {
+        return document.item("bufferViews", view).whole("byteOffset", 0);
+    }
+
     /** From one element of a view to the next, in bytes; 0 if they are side by side. */
     int stride(int index) throws IOException {
         return document.item("bufferViews", index).whole("byteStride", 0);

@@ -31,7 +31,7 @@ public final class GltfReader {
     public static Model read(byte[] file, String prefix, Companions companions) throws IOException {
         ByteBuffer bytes = ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN);
         boolean isBinary = file.length >= 4 && bytes.getInt(0) == MAGIC;
-        Chunks chunks = isBinary ? Chunks.of(bytes) : new Chunks(bytes, Optional.empty());
+        Chunks chunks = isBinary ? Chunks.of(bytes) : new Chunks(bytes, Optional.empty(), Optional.empty());
         Tree document = Tree.of(chunks.json);
         Notes notes = new Notes();
         check(document, notes);
@@ -41,11 +41,22 @@ public final class GltfReader {
         Accessors accessors = new Accessors(document, buffers);
         Nodes nodes = new Nodes(document, accessors, new Meshes(document, accessors, materials, notes), notes);
         nodes.scene(Affine.IDENTITY);
+        if (nodes.isEmpty()) {
+            if (chunks.odd.isPresent()) {
+                throw chunks.odd.get();
+            }
+            new Doubts(document, buffers, accessors).look(materials);
+            throw FormatFault.in("the document", "there is no triangle in the scene of this file");
+        }
         return nodes.model(materials, images, CONVENTION);
     }
 
-    /** The text and the bytes of a file in one piece. */
-    private record Chunks(ByteBuffer json, Optional<ByteBuffer> bytes) {
+    /**
+     * The text and the bytes of a file in one piece.
+     *
+     * @param odd what is wrong, though both can be read
+     */
+    private record Chunks(ByteBuffer json, Optional<ByteBuffer> bytes, Optional<FormatFault> odd) {
         static Chunks of(ByteBuffer file) throws FormatFault {
             if (file.capacity() < 20) {
                 throw FormatFault.at(file.capacity(), "the file ends within its head");
@@ -57,8 +68,10 @@ public final class GltfReader {
             if (length > file.capacity()) {
                 throw FormatFault.at(8, "the file says it has " + length + " bytes, but has " + file.capacity());
             }
+            Optional<FormatFault> odd = Optional.empty();
             Optional<ByteBuffer> json = Optional.empty();
             Optional<ByteBuffer> bytes = Optional.empty();
+            int number = 0;
             for (long at = 12; at + 8 <= length;) {
                 long size = file.getInt((int) at) & 0xFFFFFFFFL;
                 if (size > length - at - 8) {
@@ -71,9 +84,24 @@ public final class GltfReader {
                 } else if (type == BIN && bytes.isEmpty()) {
                     bytes = Optional.of(content);
                 }
+                if (odd.isEmpty()) {
+                    odd = oddity(at, size, type, number);
+                }
+                number++;
                 at += 8 + size;
             }
-            return new Chunks(json.orElseThrow(() -> FormatFault.at(12, "there is no chunk of JSON in this file")), bytes);
+            return new Chunks(json.orElseThrow(() -> FormatFault.at(12, "there is no chunk of JSON in this file")), bytes, odd);
+        }
+
+        /** The first chunk is JSON, the second may have bytes, and each ends where a multiple of four begins. */
+        private static Optional<FormatFault> oddity(long at, long size, int type, int number) {
+            if (size % 4 != 0) {
+                return Optional.of(FormatFault.at(at, "the length of a chunk must be a multiple of 4, but is " + size));
+            }
+            if ((number == 0) != (type == JSON)) {
+                return Optional.of(FormatFault.at(at + 4, number == 0 ? "the first chunk must be JSON" : "there must be one chunk of JSON only"));
+            }
+            return type == BIN && number != 1 ? Optional.of(FormatFault.at(at + 4, "bytes must be in the second chunk")) : Optional.empty();
         }
     }
 

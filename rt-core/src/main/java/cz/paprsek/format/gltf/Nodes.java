@@ -196,10 +196,11 @@ final class Nodes {
                 Math.min(89.9, Math.max(1e-3, StrictMath.toDegrees(outer))));
     }
 
-    Model model(Materials materials, Images images, Convention convention) throws FormatFault {
-        if (meshes.isEmpty()) {
-            throw FormatFault.in("the document", "there is no triangle in the scene of this file");
-        }
+    boolean isEmpty() {
+        return meshes.isEmpty();
+    }
+
+    Model model(Materials materials, Images images, Convention convention) {
         return new Model(meshes.triangles(), meshes.materialOf(), materials.all(), images.within(), cameras, lights, convention, notes.toList());
     }
 }
