@@ -118,11 +118,8 @@ public final class TextLines {
 
     private boolean lastLine(int end) {
         begin(end, end);
-        if (end > start) {
-            ended++;
-            return true;
-        }
-        return false;
+        ended += end > start ? 1 : 0;
+        return end > start;
     }
 
     private void begin(int end, int after) {
@@ -150,10 +147,7 @@ public final class TextLines {
 
     /** Goes to the next word of the line; false if there is none. */
     public boolean word() {
-        int at = wordEnd;
-        while (at < lineEnd && isBlank(buffer[at])) {
-            at++;
-        }
+        int at = behindBlanks();
         wordStart = at;
         wordEnd = endOfWord(at);
         return wordEnd > at;
@@ -207,10 +201,7 @@ public final class TextLines {
 
     /** The next word of the line as a finite decimal number. */
     public double nextNumber(String what) throws IOException {
-        int at = wordEnd;
-        while (at < lineEnd && isBlank(buffer[at])) {
-            at++;
-        }
+        int at = behindBlanks();
         if (at == lineEnd) {
             throw fault(what + " is missing");
         }
@@ -296,7 +287,18 @@ public final class TextLines {
 
     /** The word as a whole number of at most ten digits. */
     public long whole(String what) throws IOException {
-        return whole(wordStart, wordEnd, what);
+        int at = wordStart;
+        byte sign = at < wordEnd ? buffer[at] : 0;
+        at += sign == '-' || sign == '+' ? 1 : 0;
+        long value = 0;
+        int first = at;
+        for (; at < wordEnd && buffer[at] >= '0' && buffer[at] <= '9' && at - first < 11; at++) {
+            value = value * 10 + buffer[at] - '0';
+        }
+        if (at < wordEnd || at == first) {
+            throw fault(what + " must be a whole number, but is " + FormatFault.quoted(text()));
+        }
+        return sign == '-' ? -value : value;
     }
 
     /**
@@ -329,31 +331,46 @@ public final class TextLines {
 
     /** Goes on behind a slash; false if there is none. */
     public boolean slash() {
-        if (wordEnd < lineEnd && buffer[wordEnd] == '/') {
-            wordEnd++;
-            return true;
-        }
-        return false;
+        boolean isSlash = ahead(0) == '/';
+        wordEnd += isSlash ? 1 : 0;
+        return isSlash;
     }
 
     /** Whether there is another word in the line. */
     public boolean hasMore() {
+        return behindBlanks() < lineEnd;
+    }
+
+    private int behindBlanks() {
         int at = wordEnd;
         while (at < lineEnd && isBlank(buffer[at])) {
             at++;
         }
-        return at < lineEnd;
+        return at;
     }
 
     /** Goes to the beginning of the next word of the line, to read it piece by piece; false if there is none. */
     public boolean beginWord() {
-        int at = wordEnd;
-        while (at < lineEnd && isBlank(buffer[at])) {
-            at++;
-        }
+        int at = behindBlanks();
         wordStart = at;
         wordEnd = at;
         return at < lineEnd;
+    }
+
+    /** The word that begins here as a number, if it has from one to seven digits and nothing else; −1 if not, and then it is still to be read. */
+    public int digits() {
+        int at = wordEnd;
+        if (at + Digits.MOST > buffer.length) {
+            return -1;
+        }
+        long word = Digits.word(buffer, at);
+        int count = Digits.count(word);
+        int end = at + count;
+        if (count == 0 || count == Digits.MOST || end > lineEnd || (end < lineEnd && !isBlank(buffer[end]))) {
+            return -1;
+        }
+        wordEnd = end;
+        return (int) Digits.value(word, count);
     }
 
     /** A letter after what has been read of the line, or 0 if there is none. */
@@ -364,23 +381,6 @@ public final class TextLines {
     /** How many bytes the word has. */
     public int length() {
         return wordEnd - wordStart;
-    }
-
-    private long whole(int from, int to, String what) throws IOException {
-        int at = from;
-        boolean isNegative = at < to && buffer[at] == '-';
-        if (at < to && (buffer[at] == '-' || buffer[at] == '+')) {
-            at++;
-        }
-        long value = 0;
-        int first = at;
-        for (; at < to && buffer[at] >= '0' && buffer[at] <= '9' && at - first < 11; at++) {
-            value = value * 10 + buffer[at] - '0';
-        }
-        if (at < to || at == first) {
-            throw fault(what + " must be a whole number, but is " + FormatFault.quoted(text(from, to)));
-        }
-        return isNegative ? -value : value;
     }
 
     private FormatFault notANumber(String what) {

@@ -42,6 +42,10 @@ abstract class Values {
                     throw new EOFException();
                 }
             }
+            int plain = kind.isFraction() ? -1 : lines.digits();
+            if (plain >= 0) {
+                return plain;
+            }
             int letter = lines.ahead(lines.ahead(0) == '-' ? 1 : 0) | 32;
             if (letter == 'n' && lines.word() && (lines.is("nan") || lines.is("-nan"))) {
                 return Double.NaN;
