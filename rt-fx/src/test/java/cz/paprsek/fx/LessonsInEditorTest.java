@@ -273,9 +273,18 @@ class LessonsInEditorTest {
             done++;
             String counted = done + " of 10 done";
             editor.gui.until(counted, () -> text("#lesson-progress").equals(counted));
+            String next = "#lesson-help-" + Math.min(tour.parts().indexOf(task) + 1, tour.parts().indexOf(tour.tasks().get(9)));
+            editor.gui.until("the next task is in sight", () -> isInSight(editor.gui.stage().getScene().lookup(next)));
         }
+        editor.gui.click("#lesson-begin-" + tour.parts().indexOf(tour.tasks().get(9)));
+        assertThat(editor.dialogs.asked).as("what has been built is not given up unasked").singleElement().asString().startsWith("unsaved");
         editor.menu("edit-menu-undo");
         assertThat(text("#lesson-progress")).isEqualTo("10 of 10 done");
+    }
+
+    private boolean isInSight(Node node) {
+        Node pane = editor.gui.stage().getScene().lookup("#lesson-scroll");
+        return pane.localToScene(pane.getLayoutBounds()).contains(node.localToScene(node.getLayoutBounds()));
     }
 
     @Test

@@ -63,7 +63,7 @@ public final class LessonDesk {
 
     /** Begins a lesson with its scene; nothing happens if the user stays with the scene there is. */
     public void open(Lesson lesson) {
-        if (begin(lesson)) {
+        if (begin(lesson, false)) {
             show(lesson);
         }
     }
@@ -73,9 +73,13 @@ public final class LessonDesk {
         current.set(last);
     }
 
-    /** Opens the scene of a lesson anew. */
-    boolean begin(Lesson lesson) {
-        if (!opener.open(lesson.scene(), lesson.assets(), isSceneOpen() && !isLeft)) {
+    /**
+     * Opens the scene of a lesson anew.
+     *
+     * @param isWorth whether what has become of the scene there is is not to be given up unasked
+     */
+    boolean begin(Lesson lesson, boolean isWorth) {
+        if (!opener.open(lesson.scene(), lesson.assets(), isSceneOpen() && !isLeft && !isWorth)) {
             return false;
         }
         opening = model.openingsProperty().get();

@@ -18,6 +18,8 @@ import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutorService;
 import java.util.function.BiConsumer;
+import java.util.function.IntConsumer;
+import javafx.application.Platform;
 import javafx.beans.value.ChangeListener;
 import javafx.beans.value.WeakChangeListener;
 import javafx.scene.Node;
@@ -33,6 +35,9 @@ import javafx.scene.layout.VBox;
 
 /** A lesson: what is told, its questions and its tasks, one below the other. */
 public final class LessonPane extends BorderPane {
+    /** What a hint takes, pixels. */
+    private static final double HINT = 90;
+
     private final Lesson lesson;
     private final LessonDesk desk;
     private final EditorModel model;
@@ -42,6 +47,7 @@ public final class LessonPane extends BorderPane {
     private final List<TaskCheck> checks = new ArrayList<>();
     private final List<TaskBox> tasks = new ArrayList<>();
     private final Label progress = new Label();
+    private IntConsumer goOn = number -> {};
     /** Held here, because the model, which outlives the pane, holds it weakly. */
     private final ChangeListener<Scene> onScene = (property, old, now) -> lookAtTasks();
     private final WeakChangeListener<Scene> weak = new WeakChangeListener<>(onScene);
@@ -74,6 +80,7 @@ public final class LessonPane extends BorderPane {
             }
         }));
         setCenter(scroll);
+        goOn = number -> revealAfter(scroll, content, number);
         model.sceneProperty().addListener(weak);
         showProgress();
         lookAtTasks();
@@ -137,7 +144,8 @@ public final class LessonPane extends BorderPane {
 
     private TaskBox task(int number, Task task) {
         TaskBox box = new TaskBox(number, task, texts, () -> {
-            if (desk.begin(lesson)) {
+            // What has been built in several steps is not lost by a click beside the hint.
+            if (desk.begin(lesson, tasks.stream().anyMatch(TaskBox::isDone))) {
                 lookAtTasks();
             }
         });
@@ -153,13 +161,22 @@ public final class LessonPane extends BorderPane {
                 checks.get(i).look(box.task(), model.scene(), model.assets(), state -> {
                     box.show(state);
                     if (state == TaskCheck.State.DONE) {
-                        done(lesson.parts().indexOf(box.task()));
+                        taskDone(lesson.parts().indexOf(box.task()));
                     }
                 });
             } else {
                 checks.get(i).cancel();
                 box.show(TaskCheck.State.OTHER_SCENE);
             }
+        }
+    }
+
+    /** Whoever has done what was asked sees what is asked next, when the verdict has made its room. */
+    private void taskDone(int number) {
+        boolean isNew = !desk.isDone(lesson, number);
+        done(number);
+        if (isNew && number + 1 < lesson.parts().size()) {
+            Platform.runLater(() -> Platform.runLater(() -> goOn.accept(number)));
         }
     }
 
@@ -185,6 +202,17 @@ public final class LessonPane extends BorderPane {
             scroll.setVvalue(top / room);
         } else if (bottom > from + view) {
             scroll.setVvalue(Math.min(top, bottom - view) / room);
+        }
+    }
+
+    /** What comes after a part, with room for its hint, below that part. */
+    private static void revealAfter(ScrollPane scroll, VBox content, int number) {
+        double view = scroll.getViewportBounds().getHeight();
+        double room = content.getHeight() - view;
+        double end = content.getChildren().get(number + 1).getBoundsInParent().getMaxY() + HINT;
+        if (room > 0 && end > scroll.getVvalue() * room + view) {
+            double top = content.getChildren().get(number).getBoundsInParent().getMinY();
+            scroll.setVvalue(Math.min(top, room) / room);
         }
     }
 

@@ -13,6 +13,7 @@ final class TaskBox extends VBox {
     private final Task task;
     private final Texts texts;
     private final Label verdict;
+    private boolean isDone;
 
     /** @param onBegin opens the lesson's scene anew */
     TaskBox(int number, Task task, Texts texts, Runnable onBegin) {
@@ -36,7 +37,13 @@ final class TaskBox extends VBox {
         return task;
     }
 
+    /** Whether it is done in the scene there is. */
+    boolean isDone() {
+        return isDone;
+    }
+
     void show(TaskCheck.State state) {
+        isDone = state == TaskCheck.State.DONE;
         switch (state) {
             case DONE -> Verdicts.say(verdict, texts.of("lesson.done") + " " + task.why().in(texts.locale()), true, false);
             case OPEN -> Verdicts.say(verdict, texts.of("lesson.open"), false, false);

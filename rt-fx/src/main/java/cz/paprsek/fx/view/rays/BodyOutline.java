@@ -7,8 +7,8 @@ import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Body;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.ScenePath.BodyAt;
+import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Mesh;
-import cz.paprsek.shape.Operand;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 
@@ -17,7 +17,13 @@ public final class BodyOutline {
     private static final int STEPS = 72;
     private static final int OF_MESHES = 24;
 
+    private static final double[] GHOST = {5, 4};
+    private static final double[] WHOLE = {};
+
     private BodyOutline() {}
+
+    /** @param isBelow whether it makes lines seen that are drawn over its own; ghosts have none, and cover little */
+    private record Pen(Color color, double width, boolean isDashed, boolean isBelow) {}
 
     /** How lines are drawn. */
     public enum Look {
@@ -54,24 +60,27 @@ public final class BodyOutline {
     public static void draw(GraphicsContext g, RayPainter.Mapping picture, Vec3 eye, Scene scene, BodyAt at, Look look) {
         at.find(scene).ifPresent(body -> {
             Affine parent = at.parentToWorld(scene);
-            boolean isGhost = look == Look.CUTTER || body.hidden();
             if (look != Look.CUTTER) {
-                g.setLineDashes();
-                draw(g, picture, eye, body, parent, Color.BLACK, look.width + 2);
+                draw(g, picture, eye, body, parent, new Pen(Color.BLACK, look.width + 2, false, true), false);
             }
-            g.setLineDashes(isGhost ? new double[] {5, 4} : new double[0]);
-            draw(g, picture, eye, body, parent, Color.web(look.color), look.width);
+            draw(g, picture, eye, body, parent, new Pen(Color.web(look.color), look.width, look == Look.CUTTER || body.hidden(), false), false);
             g.setLineDashes();
         });
     }
 
-    private static void draw(GraphicsContext g, RayPainter.Mapping picture, Vec3 eye, Body body, Affine parent, Color color, double width) {
+    /** @param isCut whether it is taken away from what it is a part of */
+    private static void draw(GraphicsContext g, RayPainter.Mapping picture, Vec3 eye, Body body, Affine parent, Pen pen, boolean isCut) {
         Affine toWorld = parent.after(body.placement().toParent());
-        for (Operand operand : body.operands()) {
-            draw(g, picture, eye, Body.of(operand), toWorld, color, width);
+        for (int i = 0; i < body.operands().size(); i++) {
+            boolean isTakenAway = i > 0 && body.shape() instanceof Csg csg && csg.operation() == Csg.Operation.DIFFERENCE;
+            draw(g, picture, eye, Body.of(body.operands().get(i)), toWorld, pen, isCut != isTakenAway);
         }
-        g.setStroke(color);
-        g.setLineWidth(width);
+        if (isCut && pen.isBelow) {
+            return;
+        }
+        g.setLineDashes(pen.isDashed || isCut ? GHOST : WHOLE);
+        g.setStroke(pen.color);
+        g.setLineWidth(pen.width);
         double right = g.getCanvas().getWidth();
         double bottom = g.getCanvas().getHeight();
         Vec3 along = toWorld.inverse().direction(toWorld.point(Vec3.ZERO).minus(eye));

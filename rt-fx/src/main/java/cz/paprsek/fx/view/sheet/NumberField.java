@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.fx.model.property.Property;
 import cz.paprsek.fx.model.property.Trait;
 import cz.paprsek.fx.model.property.TypedFormula;
+import cz.paprsek.fx.view.texts.FirstClick;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.Scene;
 import java.util.Optional;
@@ -67,6 +68,7 @@ final class NumberField extends TextField implements PropertyEditor {
                 reset();
             }
         });
+        FirstClick.takesAll(this, () -> formula.isEmpty());
         addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);
         addEventFilter(KeyEvent.KEY_RELEASED, event -> {
             if (event.getCode() == KeyCode.UP || event.getCode() == KeyCode.DOWN) {

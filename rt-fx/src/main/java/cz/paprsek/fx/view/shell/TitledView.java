@@ -20,7 +20,7 @@ public final class TitledView extends BorderPane {
     /** A narrower title has room for its caption and one name only, pixels. */
     private static final double ROOM_FOR_TEXTS = 330;
     /** And one narrower than this for its caption only, pixels. */
-    private static final double ROOM_FOR_A_NAME = 210;
+    private static final double ROOM_FOR_A_NAME = 230;
 
     private final Node content;
     private final FontIcon icon = new FontIcon(MaterialDesignW.WINDOW_MAXIMIZE);

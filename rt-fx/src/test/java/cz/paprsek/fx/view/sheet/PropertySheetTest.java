@@ -66,6 +66,16 @@ class PropertySheetTest {
         gui.close();
     }
 
+    /** What is typed after a click takes the place of the number; after a second one it goes between its digits. */
+    @Test
+    void theFirstClickIntoANumberTakesAllOfIt() {
+        TextField radius = (TextField) gui.node("#shape-radius");
+        gui.click("#shape-radius");
+        assertThat(Gui.on(radius::getSelectedText)).isEqualTo(shown("#shape-radius")).isNotEmpty();
+        gui.click(radius, 6, 10);
+        assertThat(Gui.on(radius::getSelectedText)).isEmpty();
+    }
+
     @Test
     void typedNumberIsOneStepAndSumsAreWorkedOut() {
         type("#shape-radius", "1/4");

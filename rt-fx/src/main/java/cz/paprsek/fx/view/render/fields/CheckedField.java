@@ -1,5 +1,6 @@
 package cz.paprsek.fx.view.render.fields;
 
+import cz.paprsek.fx.view.texts.FirstClick;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.css.PseudoClass;
@@ -17,6 +18,7 @@ public abstract class CheckedField extends TextField {
         setPrefColumnCount(columns);
         setTooltip(new Tooltip(hint));
         setAccessibleText(name);
+        FirstClick.takesAll(this, () -> true);
         textProperty().addListener((property, old, now) -> judge());
     }
 
