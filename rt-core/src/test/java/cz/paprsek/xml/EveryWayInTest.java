@@ -210,7 +210,7 @@ class EveryWayInTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "radius | 1,5 | a point stands before decimals: \"1.5\"", "radius | 1cm | numbers have no units here: \"1\"", "radius | 2.5f | numbers have no units here: \"2.5\"",
-        "radius | (2) | only blanks stand between numbers: \"2\"", "position | 1,2,3 | only blanks stand between numbers: \"1 2 3\"",
+        "radius | (2) | write \"2\"", "position | 1,2,3 | only blanks stand between numbers: \"1 2 3\"",
         "position | 1, 2, 3 | only blanks stand between numbers: \"1 2 3\"", "position | 1;2; 3 | only blanks stand between numbers: \"1 2 3\"",
         "position | &lt;1,-2,.3&gt; | only blanks stand between numbers: \"1 -2 .3\"", "position | [1 2 3] | only blanks stand between numbers: \"1 2 3\"",
         "position | 1,5 2 3,25 | a point stands before decimals: \"1.5 2 3.25\"", "rotation | 90° | numbers have no units here", "rotation | 0 90deg 0 | numbers have no units here: \"0 90 0\"",

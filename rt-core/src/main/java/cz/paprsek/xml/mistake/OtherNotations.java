@@ -64,7 +64,7 @@ final class OtherNotations {
         }
         boolean isOfOne = type.equals("color") && value.matches("(?i)rgb\\s.*|.*<.*") && words.stream().allMatch(word -> Double.parseDouble(word) <= 1);
         String numbers = String.join(" ", isOfOne ? words.stream().map(word -> Numbers.text(Math.rint(255_000 * Double.parseDouble(word)) / 1000)).toList() : words);
-        return Optional.of(isOfOne ? "colours go up to 255: \"" + numbers + "\"" : "only blanks stand between numbers: \"" + numbers + "\"");
+        return Optional.of((isOfOne ? "colours go up to 255: " : words.size() == 1 ? "write " : "only blanks stand between numbers: ") + '"' + numbers + '"');
     }
 
     private static Optional<String> percent(String expected, String value) {
