@@ -31,8 +31,8 @@ public final class Sampler {
     private static final int CHOICE = 0x1E3D_9AB5;
     private static final int DIRECTION = 0x5A6B_0C47;
     /** Apart from any dimension, so that scrambling digits and choosing their order have nothing to do with each other. */
-    private static final int ORDER = 0x632B_E5AB;
-    private static final int SECOND = 0x5851_F42D;
+    static final int ORDER = 0x632B_E5AB;
+    static final int SECOND = 0x5851_F42D;
     private static final int PER_RAY = 0x2C92_77B5;
     private static final int BEYOND = 0x5F35_6495;
     private static final int SCRAMBLE = 0x45D9_F3B3;
@@ -57,11 +57,14 @@ public final class Sampler {
     private int order;
     private int size;
     private int number;
-    /** The first number beyond those of the dimension, and the digits of the number in reversed order; those of a sample of paths are reversed once for all its dimensions. */
+    /** The first number beyond those of the dimension, and the digits of the number in reversed order. */
     private int end;
     private int reversed;
-    private int reversedSample;
-    private final Sequences sequences = new Sequences();
+    /** Of paths, which of the pixel's samples it is. */
+    private int asked;
+    private final PassPoints points = new PassPoints(SCRAMBLE);
+    /** Where among them the point is that is asked for. */
+    private int at = PassPoints.ALONE;
 
     /** The point: above 0 and below 1. */
     public double u;
@@ -114,10 +117,16 @@ public final class Sampler {
     /** Begins a sample, counted from 0, of a pixel, counted in the whole picture. */
     public void start(int x, int y, int number) {
         pixel = fixed ? 0 : spread(x) | spread(y) << 1;
+        again(number);
+    }
+
+    /** Begins another sample of the same pixel. */
+    public void again(int number) {
         if (isOfPaths) {
             scramble = SCRAMBLE * scramble(number);
-            sample = number / (RUN * SCRAMBLES) * RUN + number % RUN;
-            reversedSample = Integer.reverse(sample);
+            sample = inSequence(number);
+            asked = number;
+            points.turnTo(pixel, number);
         } else {
             sample = number;
         }
@@ -174,25 +183,20 @@ public final class Sampler {
     }
 
     private void dimension(int what, int first, int digits, int count) {
-        int dimension = what + scramble;
         int perSample = digits(count);
         size = digits + perSample;
         number = first << perSample;
         end = number + count;
-        if (isOfPaths && count == 1) {
-            reversed = reversedSample;
-            if (!sequences.find(dimension, pixel)) {
-                sequence(dimension);
-                sequences.keep(dimension, pixel, place, order, key);
-            } else {
-                place = sequences.place();
-                order = sequences.order();
-                key = sequences.key();
-            }
-        } else {
+        at = isOfPaths && count == 1 ? points.find(what, asked, size) : PassPoints.ALONE;
+        if (at == PassPoints.ALONE) {
             reversed = Integer.reverse(number);
-            sequence(dimension);
+            sequence(what + scramble);
         }
+    }
+
+    /** Which number of its sequence a sample of paths has. */
+    static int inSequence(int number) {
+        return number / (RUN * SCRAMBLES) * RUN + number % RUN;
     }
 
     private void sequence(int dimension) {
@@ -204,6 +208,11 @@ public final class Sampler {
 
     /** Puts the next point of the dimension in {@link #u} and {@link #v}. */
     public void next() {
+        if (at != PassPoints.ALONE) {
+            u = unit(points.u(at) & UNSIGNED);
+            v = unit(points.v(at) & UNSIGNED);
+            return;
+        }
         int within = (1 << size) - 1;
         int index = place << size | (Integer.reverse(permuted(reversed, order)) & within);
         if (++number < end) {
@@ -226,7 +235,7 @@ public final class Sampler {
     }
 
     /** Of a number of the Sobol sequence, its second coordinate, in reversed order, as the number itself is its first: Pascal's triangle, modulo 2. */
-    private static int second(int index) {
+    static int second(int index) {
         int x = index;
         x ^= x >>> 1 & 0x5555_5555;
         x ^= x >>> 2 & 0x3333_3333;
@@ -246,7 +255,7 @@ public final class Sampler {
      * @source Laine and Karras, Stratified Sampling for Stochastic Transparency, EGSR 2011; the constants from Vegdahl, Building a Better
      *     LK Hash, 2021
      */
-    private static int permuted(int x, int seed) {
+    static int permuted(int x, int seed) {
         int y = x;
         y ^= y * 0x3D20_ADEA;
         y += seed;
@@ -256,7 +265,7 @@ public final class Sampler {
     }
 
     /** @source Wellons, Prospecting for Hash Functions, 2018 */
-    private static int mixed(int x) {
+    static int mixed(int x) {
         int y = x;
         y = (y ^ y >>> 16) * 0x7FEB_352D;
         y = (y ^ y >>> 15) * 0x846C_A68B;

@@ -219,6 +219,24 @@ class SamplerTest {
         }
     }
 
+    /** The points of a pass of paths, of which all but the first are made together, are those that a sampler makes which is asked for nothing else. */
+    @Test
+    void pointsMadeTogetherAreThoseMadeAlone() {
+        Sampler together = Sampler.ofPaths(false);
+        for (int number : new int[] {0, 1, 7, 8, 63, 64, 70, 999_999, 3}) {
+            for (int path : new int[] {Sampler.EYE, Sampler.mirrored(Sampler.EYE)}) {
+                Sampler alone = Sampler.ofPaths(false);
+                alone.start(5, 9, number);
+                alone.direction(path);
+                together.start(5, 9, number ^ 1);
+                together.direction(path);
+                together.start(5, 9, number);
+                together.direction(path);
+                assertSameNext(alone, together);
+            }
+        }
+    }
+
     private static void assertSameNext(Sampler a, Sampler b) {
         a.next();
         b.next();
