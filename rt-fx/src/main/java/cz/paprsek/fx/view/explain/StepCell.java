@@ -49,7 +49,7 @@ final class StepCell extends TableCell<Step, String> {
      */
     static String broken(String line, Predicate<String> hasRoom) {
         String parts = HEAD.matcher(line).replaceFirst("$1\u00a0= ").replace("+ ", "+\u00a0").replace("= ", "=\u00a0");
-        String vectors = parts.replace(", ", ",\u00a0");
+        String vectors = parts.replace(", ", ",\u00a0").replace("; ", ";\u00a0");
         List<String> ways = List.of(vectors, vectors.replace("·(", "· ("), parts.replace("·(", "· ("));
         return ways.stream().filter(way -> Arrays.stream(way.split(" ")).allMatch(hasRoom)).findFirst().orElse(ways.get(ways.size() - 1));
     }

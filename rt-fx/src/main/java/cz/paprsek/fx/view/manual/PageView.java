@@ -26,6 +26,12 @@ final class PageView extends VBox {
     private static final double INDENT = 18;
     /** Of a table's width, in percent. */
     private static final double NARROWEST = 12;
+    /** A word is not to be broken on a page as narrow as this, pixels, unless it would take more than this of a table, in percent. */
+    private static final double NARROW_PAGE = 640;
+    private static final double WIDEST_OF_WORD = 24;
+    /** What a letter takes of it, and what is left free beside a word, pixels. */
+    private static final double LETTER = 8.2;
+    private static final double BESIDE_WORD = 14;
 
     /** A block, of which there may be equal ones, and what it is read in. */
     private record Shown(Block block, Node node) {}
@@ -112,16 +118,19 @@ final class PageView extends VBox {
         grid.getStyleClass().add("manual-table");
         int columns = table.rows().stream().mapToInt(List::size).max().orElse(1);
         double[] lengths = new double[columns];
+        double[] words = new double[columns];
         for (List<List<Span>> row : table.rows()) {
             for (int i = 0; i < row.size(); i++) {
                 // A column of long texts is wider, but not by as much as they are longer.
                 lengths[i] = Math.max(lengths[i], Math.sqrt(Math.min(400, 4 + Span.plain(row.get(i)).length())));
+                words[i] = Math.max(words[i], longestWord(Span.plain(row.get(i))));
             }
         }
         double all = java.util.Arrays.stream(lengths).sum();
-        for (double length : lengths) {
+        for (int i = 0; i < columns; i++) {
             ColumnConstraints constraints = new ColumnConstraints();
-            constraints.setPercentWidth(Math.max(NARROWEST, 100 * length / all));
+            double ofWord = Math.min(WIDEST_OF_WORD, 100 * (LETTER * words[i] + BESIDE_WORD) / NARROW_PAGE);
+            constraints.setPercentWidth(Math.max(Math.max(NARROWEST, ofWord), 100 * lengths[i] / all));
             grid.getColumnConstraints().add(constraints);
         }
         boolean hasHeader = table.rows().get(0).stream().anyMatch(cell -> !cell.isEmpty());
@@ -133,6 +142,10 @@ final class PageView extends VBox {
             }
         }
         return grid;
+    }
+
+    private static int longestWord(String text) {
+        return java.util.Arrays.stream(text.split("\\s+")).mapToInt(String::length).max().orElse(0);
     }
 
     private TextFlow flow(List<Span> spans) {

@@ -22,6 +22,14 @@ class StepCellTest {
         assertThat(lines(LINE, 12)).containsExactly("cos", "θ", "=\u00a0-(0.101,", "-0.277)·", "(-0.0541,", "0.328)", "+\u00a01");
     }
 
+    /** Where numbers have a comma, a semicolon stands between them. */
+    @Test
+    void vectorsStayWholeInCzech() {
+        String line = "cos θ = −(0,101; −0,277)·(−0,0541; 0,328) = 0,3";
+        assertThat(lines(line, 99)).containsExactly("cos", "θ", "=\u00a0−(0,101;\u00a0−0,277)·(−0,0541;\u00a00,328)", "=\u00a00,3");
+        assertThat(lines(line, 22)).containsExactly("cos", "θ", "=\u00a0−(0,101;\u00a0−0,277)·", "(−0,0541;\u00a00,328)", "=\u00a00,3");
+    }
+
     /** A letter alone in a line says nothing: its vector is broken instead. */
     @Test
     void aLetterStaysWithTheBeginningOfItsVector() {
