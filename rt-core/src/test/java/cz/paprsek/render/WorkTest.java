@@ -3,14 +3,22 @@ package cz.paprsek.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import cz.paprsek.material.Material;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.integrate.Integrator;
 import cz.paprsek.render.integrate.Whitted;
 import cz.paprsek.render.sample.Sampling;
+import cz.paprsek.render.surface.Level;
+import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.shape.Sphere;
 import cz.paprsek.standard.StandardScenes;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** How much work the standard scenes are, counted rather than timed: a tree of poorer quality shows here on every machine. */
@@ -43,5 +51,27 @@ class WorkTest {
         assertThat(tracer.work().reflected()).as(found).isEqualTo(reflected);
         assertThat(tracer.work().shadows()).as(found).isEqualTo(shadows);
         assertThat(tracer.nodeVisits()).as(found).isCloseTo(visits, within(visits / 100));
+    }
+
+    /** A ball alone: of a mirror each ray that meets it is sent back, of glass it goes in and out again. */
+    @ParameterizedTest
+    @CsvSource({"1, 0", "0, 1"})
+    void raysAreCountedByWhatTheyAre(double mirrored, double through) {
+        Material material = Material.DEFAULT.withReflection(mirrored).withTransparency(through, 1.5);
+        Scene scene = Scene.EMPTY.withCamera(Camera.looking(new Vec3(0, 0, 5), new Vec3(0, 0, -1))).plus(SceneObject.of(new Sphere(1)).madeOf(material));
+        Whitted tracer = new Whitted(RenderScene.of(scene).world(), 5, Sampling.grid(1));
+        Eye eye = Eye.of(scene.camera(), 32, 16);
+        long met = 0;
+        for (Level level : tracer.trace(eye, 0, 0, 32, 16)) {
+            met += level.ray.part >= 0 ? 1 : 0;
+        }
+        assertThat(met).isPositive();
+        Integrator.Work work = tracer.work();
+        assertThat(work.primary()).isEqualTo(32 * 16);
+        assertThat(work.reflected()).isEqualTo(mirrored > 0 ? met : 0);
+        assertThat(work.refracted()).isEqualTo(through > 0 ? 2 * met : 0);
+        assertThat(work.hits()).isEqualTo(through > 0 ? 2 * met : met);
+        assertThat(work.shadows()).as("no light").isZero();
+        assertThat(tracer.rays()).isEqualTo(work.primary() + work.reflected() + work.refracted());
     }
 }
