@@ -159,5 +159,7 @@ class GeometryTest {
         double length = Math.scalb(1.0, power);
         Affine back = turn.after(Affine.scaling(new Vec3(length, 1, 1 / length))).inverse();
         assertThat(back.point(A)).isEqualTo(Affine.scaling(new Vec3(1 / length, 1, length)).point(turn.inverse().point(A)));
+        double longer = Math.scalb(1.0, 2 * power);
+        assertThat(Affine.scaling(Vec3.ONE.times(longer)).inverse().point(A)).as("though nobody can say how much room that takes").isEqualTo(A.times(1 / longer));
     }
 }
