@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.edit.Alignment;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.CutPlane;
@@ -17,13 +18,18 @@ import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.motion.OnionSkin;
 import cz.paprsek.fx.view.motion.TimelinePane;
+import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
 import cz.paprsek.fx.view.section.SectionSkin;
+import cz.paprsek.fx.view.shell.AddPalette;
+import cz.paprsek.fx.view.shell.AddPalette.Place;
 import cz.paprsek.fx.view.shell.PaneGrid;
 import cz.paprsek.fx.view.shell.TitledView;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -325,6 +331,17 @@ final class Views {
     Sight sight() {
         Sight gaze = Sight.of(model.state());
         return active.map(pane -> pane.sight(gaze.point())).orElse(gaze);
+    }
+
+    /** Lets what is dragged out of the palette be put into each view: in the camera's on what is under the mouse, from above on what is below, else where it is dropped. */
+    void acceptThings(AddPalette palette) {
+        projections.forEach(pane -> palette.dropOn(pane, event -> {
+            boolean isFromAbove = pane == projections.get(0);
+            double top = Alignment.with(model.state(), List.of()).others().stream().mapToDouble(Bounds::maxY).reduce(0, Math::max);
+            return new Place(pane.sightAt(event.getX(), event.getY(), isFromAbove ? Vec3.Y.times(top) : Sight.of(model.state()).point()), isFromAbove);
+        }));
+        List.of(camera, free).forEach(pane -> palette.dropOn(pane, event -> new Place(pane.pointAt(event.getX(), event.getY()).flatMap(PicturePoint::pick)
+                .map(pick -> Sight.at(pick.point(), pane.camera().lens().heightAt(pick.distance()))).orElseGet(() -> Sight.of(model.state())), true)));
     }
 
     boolean isPictureComplete() {

@@ -107,12 +107,17 @@ public final class Falling {
                 break;
             }
             Optional<Gap.Touch> touch = way.gap.touch(false, from.map(by -> by - support.raised).orElse(0.0), Double.POSITIVE_INFINITY);
-            OptionalDouble found = touch.isPresent() ? OptionalDouble.of(touch.get().by() + support.raised) : work.isOver() ? byBoxes(support, box) : OptionalDouble.empty();
+            OptionalDouble found = touch.isPresent() ? OptionalDouble.of(touch.get().by() + support.raised) : work.isOver() || isOnEdge(box) ? byBoxes(support, box) : OptionalDouble.empty();
             if (found.isPresent() && found.getAsDouble() > highest.orElse(Double.NEGATIVE_INFINITY)) {
                 highest = found;
             }
         }
         return highest;
+    }
+
+    /** Whether no line from below meets it. */
+    private static boolean isOnEdge(Bounds box) {
+        return Math.min(box.maxX() - box.minX(), box.maxZ() - box.minZ()) <= RIM * (box.maxY() - box.minY());
     }
 
     private static OptionalDouble byBoxes(Support support, Bounds box) {

@@ -46,6 +46,8 @@ final class CameraHand {
         final double x;
         final double y;
         final Vec3 pivot;
+        /** Whether the mouse has gone far enough for more than a click, also with a camera that is locked. */
+        boolean hasGone;
         Viewpoint.@Nullable Move move;
 
         Drag(Kind kind, double x, double y, Vec3 pivot) {
@@ -73,11 +75,10 @@ final class CameraHand {
         dragged(event);
         Drag ended = drag;
         drag = null;
-        if (ended == null || ended.move == null) {
-            return false;
+        if (ended != null && ended.move != null) {
+            ended.move.commit();
         }
-        ended.move.commit();
-        return true;
+        return ended != null && ended.hasGone;
     }
 
     /** Forgets a button held down: somebody else has made use of it. */
@@ -104,7 +105,8 @@ final class CameraHand {
         double down = event.getY() - now.y;
         Viewpoint.Move move = now.move;
         if (move == null) {
-            if (Math.hypot(right, down) < CLICK_SLACK || isLocked()) {
+            now.hasGone = now.hasGone || Math.hypot(right, down) >= CLICK_SLACK;
+            if (!now.hasGone || isLocked()) {
                 return;
             }
             move = view.begin();

@@ -284,13 +284,8 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         objects.ifPresent(known -> known.draw(g));
     }
 
-    /** Where in the model's scene stands what is seen at a point. */
-    private Optional<ScenePath> place(PicturePoint point) {
-        return point.place().map(visible::original);
-    }
-
     public Optional<BodyAt> body(PicturePoint point) {
-        return place(point).filter(BodyAt.class::isInstance).map(BodyAt.class::cast);
+        return point.place().map(visible::original).filter(BodyAt.class::isInstance).map(BodyAt.class::cast);
     }
 
     /** Shows a menu where the right button is clicked, or at the corner for a key. */
@@ -323,6 +318,11 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     /** The point of the picture at shares of its width and height; empty as long as there is no picture. */
     public Optional<PicturePoint> at(double across, double down) {
         return picture.atShare(across, down);
+    }
+
+    /** The point of the picture at a point of this view; empty beside it. */
+    public Optional<PicturePoint> pointAt(double x, double y) {
+        return picture.at(x, y);
     }
 
     /** Whether the picture is that of the model's scene, with all its samples. */
@@ -365,7 +365,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
             return;
         }
         boolean more = event.isShiftDown() || event.isShortcutDown();
-        Optional<ScenePath> seen = place(point.get());
+        Optional<ScenePath> seen = point.get().place().map(visible::original);
         if (seen.isPresent()) {
             select(seen.get() instanceof BodyAt innermost && !event.isAltDown() ? more ? innermost.object() : deeper(innermost) : seen.get(), more);
         } else if (!more) {

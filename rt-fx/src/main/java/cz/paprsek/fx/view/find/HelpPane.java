@@ -20,7 +20,7 @@ import javafx.scene.layout.StackPane;
 /** What keys there are, what the mouse does, and what the symbols of explanations mean: above everything, until Escape or a click beside it. */
 public final class HelpPane extends StackPane {
     /** What is done in views by mouse and keys, which no menu says: each has the keys "hand.…" and "hand.….does". */
-    private static final List<String> HANDS = List.of("hand.select", "hand.more", "hand.move", "hand.free", "hand.straight", "hand.handles", "hand.zoom", "hand.pan",
+    private static final List<String> HANDS = List.of("hand.select", "hand.more", "hand.move", "hand.free", "hand.straight", "hand.add", "hand.handles", "hand.zoom", "hand.pan",
             "hand.orbit", "hand.camera-pan", "hand.dolly", "hand.inner", "hand.part", "hand.cut", "hand.regions", "hand.escape");
     /** Symbols, each with the keys "glossary.…" and "glossary.….means". */
     private static final List<String> SYMBOLS = List.of("glossary.kd", "glossary.ks", "glossary.n", "glossary.kr", "glossary.kt", "glossary.eta", "glossary.f", "glossary.vectors",

@@ -125,6 +125,11 @@ public final class ProjectionPane extends Region {
         return Sight.at(axes.vector(view.centreU(), view.centreV()).plus(axes.inDepth(depth)), getHeight() / view.scale());
     }
 
+    /** Where something is that is put at a point of this view, at some depth. */
+    public Sight sightAt(double x, double y, Vec3 depth) {
+        return Sight.at(axes.vector(view.u(x), view.v(y)).plus(axes.inDepth(depth)), getHeight() / view.scale());
+    }
+
     /** The two coordinates of a point that this projection shows, to a pixel: "x 1.25   z −3". */
     public String describe(Vec3 point, Locale locale) {
         return axes.right().letter() + " " + view.text(axes.right().of(point), locale) + "   "

@@ -1,16 +1,23 @@
 package cz.paprsek.fx.view.shell;
 
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Places;
+import cz.paprsek.fx.model.contact.Falling;
 import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Examples;
+import cz.paprsek.fx.model.edit.LightMoves;
+import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Shape;
@@ -19,29 +26,50 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
+import javafx.application.Platform;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.css.PseudoClass;
+import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.Tooltip;
+import javafx.scene.input.ClipboardContent;
+import javafx.scene.input.DataFormat;
+import javafx.scene.input.DragEvent;
+import javafx.scene.input.Dragboard;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.input.TransferMode;
 import javafx.scene.layout.FlowPane;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**
  * Buttons and menu items that add every kind of object and lights, and that make one solid of several. By keyboard the buttons are one stop:
- * arrows walk among them, Enter or the space bar presses. A click leaves the keyboard where it is.
+ * arrows walk among them, Enter or the space bar presses. A click leaves the keyboard where it is. What is added can be dragged into a view.
  */
 public final class AddPalette extends FlowPane {
     private static final PseudoClass CURRENT = PseudoClass.getPseudoClass("current");
 
-    /** A row of both: its name in ids, its text, its icon, when it makes sense, what it does. */
-    private record Entry(String id, String text, String icon, BooleanBinding possible, Runnable action) {}
+    /** What is dragged, by the id of its button. */
+    private static final DataFormat DRAGGED = new DataFormat("application/x-paprsek-kind");
+
+    /** A row of both: its name in ids, its text, its icon, when it makes sense, what it does, and what it does where it is dropped. */
+    private record Entry(String id, String text, String icon, BooleanBinding possible, Runnable action, Consumer<Place> put) {}
+
+    /**
+     * Where something is dropped.
+     *
+     * @param sight the point, and how large it is to be there
+     * @param falls whether the point is on or above what it is put on; else it is its middle
+     */
+    public record Place(Sight sight, boolean falls) {}
 
     private final List<Entry> adding = new ArrayList<>();
     private final List<Entry> combining = new ArrayList<>();
@@ -62,23 +90,24 @@ public final class AddPalette extends FlowPane {
                 Sight now = sight.get();
                 Examples.ofSize(now.size()).stream().filter(example -> example.getClass() == kind.getClass()).findFirst()
                         .ifPresent(example -> edits.add(example, now));
-            }));
+            }, at -> Examples.ofSize(at.sight().size()).stream().filter(example -> example.getClass() == kind.getClass()).findFirst()
+                    .ifPresent(example -> put(edits, example, texts.kind(example), at))));
         }
         Mesh unread = Mesh.of("mesh");
-        adding.add(new Entry("add-mesh", texts.of("palette.mesh", texts.kind(unread)), Icons.of(unread), always, () -> mesh.accept(sight.get())));
+        adding.add(new Entry("add-mesh", texts.of("palette.mesh", texts.kind(unread)), Icons.of(unread), always, () -> mesh.accept(sight.get()), at -> mesh.accept(at.sight())));
         HeightField relief = HeightField.of("picture", Vec3.ONE);
-        adding.add(new Entry("add-height-field", texts.of("palette.height-field", texts.kind(relief)), Icons.of(relief), always, () -> heights.accept(sight.get())));
+        adding.add(new Entry("add-height-field", texts.of("palette.height-field", texts.kind(relief)), Icons.of(relief), always, () -> heights.accept(sight.get()), at -> heights.accept(at.sight())));
         for (Light kind : Adding.LIGHTS) {
-            adding.add(new Entry("add-" + kind.kind(), texts.kind(kind), Icons.of(kind), always, () -> edits.add(kind, sight.get())));
+            adding.add(new Entry("add-" + kind.kind(), texts.kind(kind), Icons.of(kind), always, () -> edits.add(kind, sight.get()), at -> put(edits, kind, texts.kind(kind), at)));
         }
         BooleanBinding several = when(model, items -> Places.outermost(items).size() > 1);
         for (Csg.Operation operation : Csg.Operation.values()) {
             String word = operation.name().toLowerCase(Locale.ROOT);
-            combining.add(new Entry("combine-" + word, texts.of("object." + word), Icons.of(word), several, () -> edits.combine(operation)));
+            combining.add(new Entry("combine-" + word, texts.of("object." + word), Icons.of(word), several, () -> edits.combine(operation), at -> {}));
         }
         BooleanBinding any = when(model, items -> !Places.bodies(items).isEmpty());
-        combining.add(new Entry("dissolve", texts.of("object.dissolve"), Icons.DISSOLVE, any, edits::dissolve));
-        adding.forEach(entry -> getChildren().add(button(entry, texts.of("palette.add", entry.text()))));
+        combining.add(new Entry("dissolve", texts.of("object.dissolve"), Icons.DISSOLVE, any, edits::dissolve, at -> {}));
+        adding.forEach(entry -> getChildren().add(draggable(entry, button(entry, texts.of("palette.add", entry.text())))));
         combining.forEach(entry -> getChildren().add(button(entry, entry.text())));
         setFocusTraversable(true);
         addEventHandler(KeyEvent.KEY_PRESSED, this::pressed);
@@ -88,6 +117,78 @@ public final class AddPalette extends FlowPane {
     /** What is added, as a menu; what combines stands in the menu of objects. */
     public List<MenuItem> menuItems() {
         return adding.stream().map(AddPalette::menuItem).toList();
+    }
+
+    /**
+     * Takes what is dragged out of the palette over a view.
+     *
+     * @param place where that is at the mouse
+     */
+    public void dropOn(Node view, Function<DragEvent, Place> place) {
+        view.addEventHandler(DragEvent.DRAG_OVER, event -> {
+            if (dragged(event).isPresent()) {
+                event.acceptTransferModes(TransferMode.COPY);
+                event.consume();
+            }
+        });
+        view.addEventHandler(DragEvent.DRAG_DROPPED, event -> dragged(event).ifPresent(entry -> {
+            Place at = place.apply(event);
+            // What asks for a file is not to hold up the end of the drag.
+            Platform.runLater(() -> entry.put().accept(at));
+            event.setDropCompleted(true);
+            event.consume();
+        }));
+    }
+
+    private Optional<Entry> dragged(DragEvent event) {
+        return event.getDragboard().hasContent(DRAGGED) ? entry(String.valueOf(event.getDragboard().getContent(DRAGGED))) : Optional.empty();
+    }
+
+    private Optional<Entry> entry(String id) {
+        return adding.stream().filter(entry -> entry.id().equals(id)).findFirst();
+    }
+
+    /** Puts what a button adds somewhere, as a drag does. */
+    void put(String id, Place at) {
+        entry(id).ifPresent(entry -> entry.put().accept(at));
+    }
+
+    private static Button draggable(Entry entry, Button button) {
+        button.setOnDragDetected(event -> {
+            Dragboard board = button.startDragAndDrop(TransferMode.COPY);
+            ClipboardContent content = new ClipboardContent();
+            content.put(DRAGGED, entry.id());
+            board.setContent(content);
+            board.setDragView(button.snapshot(null, null));
+            event.consume();
+        });
+        return button;
+    }
+
+    /** A body, in one step with its fall. */
+    private static void put(Edits edits, Shape shape, String name, Place at) {
+        Bounds box = shape.bounds();
+        boolean falls = at.falls() && box.isFinite();
+        Vec3 middle = at.sight().point().plus(Vec3.Y.times(falls ? (box.maxY() - box.minY()) / 2 : 0));
+        put(edits, name, state -> {
+            EditorState added = Adding.shape(state, shape, name, new Sight(middle, at.sight().size()));
+            return falls ? Falling.onFloor(added, added.selection()) : added;
+        });
+    }
+
+    /** A light where it is dropped; not on, but above what is there. */
+    private static void put(Edits edits, Light light, String name, Place at) {
+        Vec3 place = at.sight().point().plus(Vec3.Y.times(at.falls() ? at.sight().size() : 0));
+        put(edits, name, state -> {
+            EditorState added = Adding.light(state, light, name, at.sight());
+            List<Light> lights = added.scene().lights();
+            return light instanceof SunLight ? added
+                    : added.withScene(Moves.translated(added.scene(), added.selection(), place.minus(LightMoves.place(lights.get(lights.size() - 1)))));
+        });
+    }
+
+    private static void put(Edits edits, String name, UnaryOperator<EditorState> change) {
+        edits.attempt(() -> edits.model().editState(Label.of(Label.Edit.ADD, name), change));
     }
 
     private void pressed(KeyEvent event) {

@@ -13,6 +13,7 @@ import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Plane;
+import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
 import java.util.List;
 import java.util.Set;
@@ -63,6 +64,15 @@ class FallingTest {
         assertThat(down(cube.at(0, 5, 0), cube.at(1, 2, 0))).isEqualTo(new Vec3(0, 0.5, 0));
         assertThat(down(cube.at(0, 5, 0), cube.at(0.3, 8, 0))).isEqualTo(new Vec3(0, 0.5, 0));
         assertThat(down(cube.at(0, 5, 0), ball(9, 0, 6, 0))).isEqualTo(new Vec3(0, 0.5, 0));
+    }
+
+    /** Lines from below miss what is flat and stands upright: its box counts. */
+    @Test
+    void whatIsFlatStandsOnItsEdge() {
+        SceneObject picture = SceneObject.of(new Rectangle(-1, 0, 1, 2)).at(0.3, 8, 0.2);
+        SceneObject table = SceneObject.of(new Block(new Vec3(-1, 0, -1), new Vec3(1, 2, 1)));
+        assertThat(down(picture, table).y()).isCloseTo(2, within(NEAR));
+        assertThat(down(picture.rotated(90, 0, 0), table).y()).as("lying").isCloseTo(2, within(NEAR));
     }
 
     /** Of a stack of balls beside each other's middles, which all fall by the same. */

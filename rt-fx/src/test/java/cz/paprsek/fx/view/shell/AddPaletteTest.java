@@ -4,14 +4,20 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Examples;
+import cz.paprsek.fx.model.edit.LightMoves;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.math.Bounds;
+import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
 import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Shape;
 import java.util.List;
@@ -52,6 +58,29 @@ class AddPaletteTest {
             gui.act(model::undo);
         }
         assertThat(model.scene()).isSameAs(Scene.EMPTY);
+    }
+
+    /** Out of the palette into the camera's picture: onto a table, or a ball; in the air from the front. */
+    @Test
+    void whatIsDroppedStandsOnWhatIsThereInOneStep() {
+        SceneObject table = SceneObject.of(new Block(new Vec3(-2, 0, -2), new Vec3(2, 3, 2)));
+        Scene before = Scene.EMPTY.plus(table);
+        gui.act(() -> model.edit(Label.of(Label.Edit.ADD), scene -> before));
+        AddPalette shown = Objects.requireNonNull(palette.get());
+        for (Shape kind : Examples.ofSize(1)) {
+            gui.act(() -> shown.put("add-" + kind.kind(), new AddPalette.Place(new Sight(new Vec3(0.5, 3, -0.5), 1), true)));
+            Bounds box = ScenePath.body(1).placed(model.scene()).bounds();
+            assertThat(!box.isFinite() || Math.abs(box.minY() - 3) < 1e-5).as("%s in %s", kind.kind(), box).isTrue();
+            assertThat(model.selection()).containsExactly(ScenePath.body(1));
+            gui.act(model::undo);
+            assertThat(model.scene()).isEqualTo(before);
+        }
+        gui.act(() -> shown.put("add-sphere", new AddPalette.Place(new Sight(new Vec3(0.5, 7, 0), 1), false)));
+        assertThat(model.scene().objects().get(1).placement().position()).isEqualTo(new Vec3(0.5, 7, 0));
+        gui.act(() -> shown.put("add-point-light", new AddPalette.Place(new Sight(new Vec3(1, 3, 0), 1), true)));
+        assertThat(LightMoves.place(model.scene().lights().get(0))).isEqualTo(new Vec3(1, 4, 0));
+        gui.act(() -> shown.put("add-sun-light", new AddPalette.Place(new Sight(new Vec3(1, 3, 0), 1), true)));
+        assertThat(model.scene().lights()).hasSize(2);
     }
 
     @Test
