@@ -100,12 +100,14 @@ public final class Faces {
         Pairs colored = new Pairs();
         int at = 0;
         for (int f = 0; f < sizes.size(); f++) {
+            if (sizes.get(f) == 3 && !areFacesColored) {
+                triangle(builder, f, at);
+                at += 3;
+                continue;
+            }
             polygon.clear();
             for (int k = 0; k < sizes.get(f); k++) {
-                int vertex = corners.get(at++);
-                if (vertex >= vertexCount) {
-                    throw FormatFault.in("face " + f, "a corner is vertex " + vertex + ", but vertices have numbers from 0 to " + (vertexCount - 1));
-                }
+                int vertex = corner(f, at++);
                 polygon.add(areFacesColored ? colored(builder, colored, vertex, f) : vertex, places.get(3 * vertex), places.get(3 * vertex + 1), places.get(3 * vertex + 2));
             }
             polygon.cut((a, b, c) -> {
@@ -122,6 +124,24 @@ public final class Faces {
             throw FormatFault.in("the end", "no face of this file has three corners");
         }
         return builder.build();
+    }
+
+    private void triangle(Triangles.Builder builder, int face, int at) throws FormatFault {
+        int a = corner(face, at);
+        int b = corner(face, at + 1);
+        int c = corner(face, at + 2);
+        if (a != b && b != c && a != c) {
+            builder.triangle(a, b, c);
+        }
+    }
+
+    /** A corner of a face, by its place among those of all. */
+    private int corner(int face, int at) throws FormatFault {
+        int vertex = corners.get(at);
+        if (vertex >= places.size() / 3) {
+            throw FormatFault.in("face " + face, "a corner is vertex " + vertex + ", but vertices have numbers from 0 to " + (places.size() / 3 - 1));
+        }
+        return vertex;
     }
 
     /** The vertex that has a vertex's place and the colour of a face. */

@@ -25,6 +25,7 @@ public final class TextLines {
     private boolean isAfterReturn;
     private long line;
     private long ended;
+    private final Decimal decimal = new Decimal();
 
     /** @param areJoined whether a backslash at the end of a line joins it to the next */
     public TextLines(InputStream input, boolean areJoined) throws IOException {
@@ -214,6 +215,12 @@ public final class TextLines {
     }
 
     private double number(int from, String what) throws IOException {
+        wordStart = from;
+        double usual = decimal.read(buffer, from, lineEnd);
+        if (!Double.isNaN(usual)) {
+            wordEnd = decimal.end;
+            return usual;
+        }
         byte[] bytes = buffer;
         int end = lineEnd;
         int at = from;
@@ -233,7 +240,6 @@ public final class TextLines {
             read -= power;
             at = past;
         }
-        wordStart = from;
         if (at < end && !isBlank(bytes[at])) {
             wordEnd = endOfWord(at);
             power += exponent(at, what);
@@ -355,22 +361,6 @@ public final class TextLines {
         wordStart = at;
         wordEnd = at;
         return at < lineEnd;
-    }
-
-    /** The word that begins here as a number, if it has from one to seven digits and nothing else; −1 if not, and then it is still to be read. */
-    public int digits() {
-        int at = wordEnd;
-        if (at + Digits.MOST > buffer.length) {
-            return -1;
-        }
-        long word = Digits.word(buffer, at);
-        int count = Digits.count(word);
-        int end = at + count;
-        if (count == 0 || count == Digits.MOST || end > lineEnd || (end < lineEnd && !isBlank(buffer[end]))) {
-            return -1;
-        }
-        wordEnd = end;
-        return (int) Digits.value(word, count);
     }
 
     /** A letter after what has been read of the line, or 0 if there is none. */

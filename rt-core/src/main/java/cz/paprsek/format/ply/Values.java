@@ -42,11 +42,8 @@ abstract class Values {
                     throw new EOFException();
                 }
             }
-            int plain = kind.isFraction() ? -1 : lines.digits();
-            if (plain >= 0) {
-                return plain;
-            }
-            int letter = lines.ahead(lines.ahead(0) == '-' ? 1 : 0) | 32;
+            int first = lines.ahead(0);
+            int letter = (first == '-' ? lines.ahead(1) : first) | 32;
             if (letter == 'n' && lines.word() && (lines.is("nan") || lines.is("-nan"))) {
                 return Double.NaN;
             }
