@@ -27,8 +27,11 @@ final class Sizes {
         }
     }
 
-    /** Gives a window a size in pixels, as far as its screen has room, and a place if it has one, when it is shown for the first time. Some window managers make it as small as can be if that is told before. */
+    /** Gives a window a size in pixels, as far as its screen has room, and a place if it has one, when it is shown for the first time. What is told before makes its first picture the whole one rather than one of a corner; some window managers make it as small as can be nevertheless, until they are told again. */
     static void opened(Stage stage, double width, double height, Optional<Rectangle2D> place) {
+        Rectangle2D before = screen(place).getVisualBounds();
+        stage.setWidth(Math.min(width, before.getWidth()));
+        stage.setHeight(Math.min(height, before.getHeight()));
         stage.addEventHandler(WindowEvent.WINDOW_SHOWN, new EventHandler<>() {
             @Override
             public void handle(WindowEvent event) {
