@@ -10,6 +10,7 @@ import cz.paprsek.material.Pattern.Lay;
 import cz.paprsek.math.Require;
 import cz.paprsek.scene.Scene.Sky;
 import cz.paprsek.shape.Disc;
+import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Plane;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Shape;
@@ -39,7 +40,12 @@ final class PovPictures {
             case CYLINDER -> 2;
         };
         String map = map(picture.file(), type, picture.filter() != Filter.NEAREST, transmit) + (type == 0 ? "" : TURNED);
-        return map + PovPatterns.laid(picture.lay()) + (isByShape ? stretched(shape) : "");
+        return (isByShape && hasMap(shape) ? "uv_mapping " : "") + map + PovPatterns.laid(picture.lay()) + (isByShape ? stretched(shape) : "");
+    }
+
+    /** Whether POV-Ray is told where in a picture each corner lies. */
+    private static boolean hasMap(Shape shape) {
+        return shape instanceof Mesh mesh && mesh.isRead() && mesh.triangles().hasMap();
     }
 
     /** From the square between 0 and 1 to where a flat shape has it. */
@@ -98,12 +104,12 @@ final class PovPictures {
     /** What POV-Ray will show otherwise, in words that follow the name of the object. */
     static List<String> lost(Pattern.Picture picture, Shape shape) {
         List<String> lost = new ArrayList<>();
-        boolean isFlat = shape instanceof Rectangle || shape instanceof Disc || shape instanceof Plane;
+        boolean isKnown = shape instanceof Rectangle || shape instanceof Disc || shape instanceof Plane || hasMap(shape);
         if (picture.filter() == Filter.SMOOTH) {
             lost.add("POV-Ray mixes the four nearest points of " + picture.file() + ", whatever a pixel covers");
         }
         if (picture.mapping() == Pattern.Mapping.BOX
-                || (picture.mapping() == Pattern.Mapping.UV && !isFlat && !(shape instanceof Sphere && picture.lay().equals(Lay.NONE)))) {
+                || (picture.mapping() == Pattern.Mapping.UV && !isKnown && !(shape instanceof Sphere && picture.lay().equals(Lay.NONE)))) {
             lost.add("POV-Ray does not know how " + picture.file() + " lies on it, and is told that it lies on a plane");
         }
         if (ImageFormat.ofFile(picture.file()).map(WORDS::get).isEmpty()) {

@@ -114,6 +114,23 @@ class PovFilesTest {
         assertThat(turned).isEqualTo(from.isEmpty() ? List.of() : List.of("object 1: POV-Ray turns its bumps round where they are met from " + from));
     }
 
+    /** As its corners have it: POV-Ray, told so, showed the picture on the wall of the room from glTF where we do. */
+    @Test
+    void aPictureLiesOnAMeshAsItsCornersHaveIt() throws Exception {
+        Triangles.Builder square = Triangles.builder().part("wall");
+        for (int v = 0; v < 4; v++) {
+            square.vertex(v & 1, v >> 1, 0);
+            square.map(v, v & 1, v >> 1);
+        }
+        square.triangle(0, 1, 3);
+        square.triangle(0, 3, 2);
+        Material picture = Material.DEFAULT.withPattern(new Pattern.Picture("hill.png", Pattern.Filter.NEAREST, Pattern.Mapping.UV, Lay.NONE));
+        Mesh wall = Mesh.of("wall.obj").read(new Mesh.Whole("wall.obj", square.build(), Map.of("wall", picture)));
+        StringBuilder said = new StringBuilder();
+        assertThat(PovFiles.write(Scene.EMPTY.plus(SceneObject.of(wall)), said)).isEmpty();
+        assertThat(said).contains("pigment { uv_mapping image_map { png \"hill.png\" gamma srgb map_type 0 } }", "uv_vectors { 4,");
+    }
+
     /** Also where the object is part of another, and where a body's picture is laid over what it is made of. */
     @Test
     void picturesOfAFilesPartsAreSaidToLieOtherwise() throws Exception {
