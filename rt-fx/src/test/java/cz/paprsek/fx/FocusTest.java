@@ -193,6 +193,7 @@ class FocusTest {
         editor.gui.keys(KeyCode.valueOf(key));
         assertThat(editor.model().scene().camera()).isEqualTo(before);
         assertThat(Gui.on(editor::status)).contains("locked");
+        assertThat(editor.model().selection()).as("a drag is no click").containsExactly(ScenePath.camera());
     }
 
     /** Where the keyboard is at first, and after each of some presses of keys. */
