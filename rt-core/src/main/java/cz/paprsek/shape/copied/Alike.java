@@ -10,33 +10,24 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** Knows equal operations for one: each is looked at once, whatever lies within it. */
-public final class Alike {
+/** Knows operations for one that are equal but for names and pivots, which nobody sees: each is looked at once, whatever lies within it. */
+final class Alike {
     private final Map<Key, One> all = new HashMap<>();
     /** By what has been asked for before. */
     private final IdentityHashMap<Csg, One> seen = new IdentityHashMap<>();
     private final @Nullable Alike base;
-    /** Whether it is for pictures: then it remembers all that it has been asked for, and what nobody sees may differ. */
-    private final boolean isForPictures;
 
-    private Alike(@Nullable Alike base, boolean isForPictures) {
+    Alike() {
+        this(null);
+    }
+
+    private Alike(@Nullable Alike base) {
         this.base = base;
-        this.isForPictures = isForPictures;
-    }
-
-    /** For which only those are equal that are so in all they say; it forgets those that are equal to others, so that nothing is kept of them. */
-    public static Alike inAll() {
-        return new Alike(null, false);
-    }
-
-    /** For which names and pivots do not count; it remembers all that it has been asked for, and answers sooner if the same comes again. */
-    static Alike inPictures() {
-        return new Alike(null, true);
     }
 
     /** Another one that knows all that this one does, and leaves it alone. */
     Alike more() {
-        return new Alike(this, isForPictures);
+        return new Alike(this);
     }
 
     /** An operation: of equal ones the first that was asked for. */
@@ -73,11 +64,6 @@ public final class Alike {
         }
     }
 
-    /** Of equal operations always the same one, but for small ones, which may stay as they are: finding out would take longer than it saves. */
-    public Csg only(Csg csg) {
-        return Repeated.isLarge(csg) ? of(csg).csg : csg;
-    }
-
     /** How many hashes there are among the operations that differ: for tests. */
     int hashes() {
         return (int) all.keySet().stream().mapToInt(Key::hashCode).distinct().count();
@@ -87,15 +73,13 @@ public final class Alike {
         One one = known(csg);
         if (one == null) {
             List<One> within = csg.operands().stream().map(Operand::solid).filter(Csg.class::isInstance).map(inner -> of((Csg) inner)).toList();
-            Key key = new Key(csg, within, !isForPictures);
+            Key key = new Key(csg, within);
             one = known(key);
             if (one == null) {
                 one = new One(csg, within);
                 all.put(key, one);
-                seen.put(csg, one);
-            } else if (isForPictures) {
-                seen.put(csg, one);
             }
+            seen.put(csg, one);
         }
         return one;
     }
@@ -110,38 +94,46 @@ public final class Alike {
         return one == null && base != null ? base.known(key) : one;
     }
 
+    /** A number that equal operations have in common, and most others do not: of their first and last operands only. */
+    static int quick(Csg csg) {
+        List<Operand> operands = csg.operands();
+        long sum = mixed(mixed(csg.operation().name().hashCode() + 31L * operands.size(), operands.get(0)), operands.get(operands.size() - 1));
+        return (int) (sum ^ sum >>> 32);
+    }
+
+    /** But for the operations within, and for what nobody sees. */
+    private static long mixed(long before, Operand operand) {
+        long sum = mixed(before, operand.solid() instanceof Csg ? 1 : operand.solid().hashCode());
+        sum = mixed(sum, operand.hidden() ? 1 : 0);
+        sum = mixed(sum, operand.material().hashCode());
+        Placement placement = operand.placement();
+        return mixed(mixed(mixed(sum, placement.position()), placement.rotation()), placement.scale());
+    }
+
+    private static long mixed(long sum, Vec3 v) {
+        return mixed(mixed(mixed(sum, Double.doubleToLongBits(v.x())), Double.doubleToLongBits(v.y())), Double.doubleToLongBits(v.z()));
+    }
+
+    /** All bits count: those of whole numbers differ only in the highest. */
+    private static long mixed(long sum, long more) {
+        long product = (sum ^ more) * 0x9E3779B97F4A7C15L;
+        return product ^ product >>> 29;
+    }
+
     /** What an operation is, but for those within it, which are known by themselves. */
     private static final class Key {
         private final Csg csg;
         private final List<One> within;
-        private final boolean countsAll;
         private final int hash;
 
-        /** @param countsAll whether names and pivots count */
-        Key(Csg csg, List<One> within, boolean countsAll) {
+        Key(Csg csg, List<One> within) {
             this.csg = csg;
             this.within = within;
-            this.countsAll = countsAll;
             long sum = mixed(csg.operation().hashCode(), within.hashCode());
             for (Operand operand : csg.operands()) {
-                sum = mixed(sum, operand.solid() instanceof Csg ? 1 : operand.solid().hashCode());
-                sum = countsAll ? mixed(mixed(sum, operand.name().hashCode()), operand.pivot().hashCode()) : sum;
-                sum = mixed(sum, operand.hidden() ? 1 : 0);
-                sum = mixed(sum, operand.material().hashCode());
-                Placement placement = operand.placement();
-                sum = mixed(mixed(mixed(sum, placement.position()), placement.rotation()), placement.scale());
+                sum = mixed(sum, operand);
             }
             hash = (int) (sum ^ sum >>> 32);
-        }
-
-        private static long mixed(long sum, Vec3 v) {
-            return mixed(mixed(mixed(sum, Double.doubleToLongBits(v.x())), Double.doubleToLongBits(v.y())), Double.doubleToLongBits(v.z()));
-        }
-
-        /** All bits count: those of whole numbers differ only in the highest. */
-        private static long mixed(long sum, long more) {
-            long product = (sum ^ more) * 0x9E3779B97F4A7C15L;
-            return product ^ product >>> 29;
         }
 
         @Override
@@ -163,10 +155,10 @@ public final class Alike {
             return true;
         }
 
-        private boolean areAlike(Operand one, Operand other) {
+        private static boolean areAlike(Operand one, Operand other) {
             boolean areOperations = one.solid() instanceof Csg && other.solid() instanceof Csg;
             return (areOperations || one.solid().equals(other.solid())) && one.placement().equals(other.placement()) && one.hidden() == other.hidden()
-                    && one.material().equals(other.material()) && (!countsAll || (one.name().equals(other.name()) && one.pivot().equals(other.pivot())));
+                    && one.material().equals(other.material());
         }
     }
 }

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.stream.LongStream;
 
 /**
  * Which operations of a scene stand in so many places that they are placed once: those that are equal but for names and pivots, have {@value #SMALLEST} primitives or more, and
@@ -22,7 +23,7 @@ import java.util.function.Supplier;
  */
 public final class Repeated {
     /** Solids of fewer primitives are met faster than a ray is taken into their space. */
-    static final int SMALLEST = 8;
+    static final int SMALLEST = 4;
     /** As operands so many spheres take about 60 MB. */
     static final int MANY = 1 << 16;
 
@@ -35,11 +36,11 @@ public final class Repeated {
 
     private Repeated(Collection<? extends Shape> shapes, int many, Alike alike) {
         this.many = many;
-        long most = primitives(shapes, many);
+        long most = Math.min(primitives(shapes, many), new Crowds().most(shapes));
         IdentityHashMap<One, Long> places = most < many ? new IdentityHashMap<>() : places(shapes, alike);
         this.once = places.isEmpty() ? Set.of() : once(places);
         this.left = once.isEmpty() ? left(places, most < many ? many - most : many) : 0;
-        this.alike = once.isEmpty() ? Alike.inPictures() : alike;
+        this.alike = once.isEmpty() ? new Alike() : alike;
     }
 
     /**
@@ -53,7 +54,7 @@ public final class Repeated {
 
     /** As the other, of which {@code many} primitives in all places together are enough. */
     static Repeated in(Collection<? extends Shape> shapes, int many) {
-        return new Repeated(shapes, many, Alike.inPictures());
+        return new Repeated(shapes, many, new Alike());
     }
 
     private Repeated(Repeated same, Alike alike) {
@@ -81,6 +82,39 @@ public final class Repeated {
     /** Whether one of some shapes is placed once, or has something within that is. */
     public boolean areWithin(Collection<? extends Shape> shapes) {
         return !once.isEmpty() && reached(shapes.stream().filter(Csg.class::isInstance).map(csg -> alike.of((Csg) csg)).toList()).stream().anyMatch(once::contains);
+    }
+
+    /** Finds how many primitives operations can have, at most, that are equal: told apart by the little that is looked at first. */
+    private static final class Crowds {
+        private static final int ROOM = 1 << 12;
+        /** If there are more to be walked through, all may be equal. */
+        private static final long LONGEST_WALK = 1 << 23;
+
+        private final long[] sums = new long[ROOM];
+        private long walked;
+
+        long most(Collection<? extends Shape> shapes) {
+            for (Shape shape : shapes) {
+                if (shape instanceof Csg csg && walked <= LONGEST_WALK) {
+                    add(csg);
+                }
+            }
+            return walked > LONGEST_WALK ? Long.MAX_VALUE : LongStream.of(sums).max().orElse(0);
+        }
+
+        private long add(Csg csg) {
+            long size = 0;
+            for (Operand operand : csg.operands()) {
+                if (walked <= LONGEST_WALK) {
+                    size += operand.solid() instanceof Csg inner ? add(inner) : 1;
+                }
+            }
+            walked += 1 + csg.operands().size();
+            if (size >= SMALLEST) {
+                sums[Alike.quick(csg) & ROOM - 1] += size;
+            }
+            return size;
+        }
     }
 
     /** Those added that are not the same as one removed, as those of what has only been moved are. */
@@ -112,11 +146,6 @@ public final class Repeated {
             sum += operand.solid() instanceof Csg inner ? primitives(inner, most - sum) : 1;
         }
         return sum;
-    }
-
-    /** Whether an operation has enough primitives to be placed once. */
-    static boolean isLarge(Csg csg) {
-        return primitives(csg, SMALLEST) >= SMALLEST;
     }
 
     /** Whether a solid is to be placed once. */

@@ -11,7 +11,7 @@ import cz.paprsek.shape.Placement;
 import cz.paprsek.shape.Placement.Pivot;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Solid;
-import cz.paprsek.shape.copied.Alike;
+import cz.paprsek.shape.copied.Recent;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -23,7 +23,7 @@ final class ShapeReader {
     private final double[] room;
     private final MaterialReader materials;
     /** Copies of one definition are one: as many as there are need no room for each. */
-    private final Alike alike = Alike.inAll();
+    private final Recent recent = new Recent();
     /** Of the shape read last: mostly there are many of a kind in a row. */
     private int latest;
 
@@ -53,7 +53,7 @@ final class ShapeReader {
 
     private Shape shape(ShapeForm form, Object[] values, Inside inside) {
         Shape shape = form.maker().make(values, inside.operands);
-        return shape instanceof Csg csg ? alike.only(csg) : shape;
+        return shape instanceof Csg csg ? recent.only(csg) : shape;
     }
 
     private ShapeForm form() {
