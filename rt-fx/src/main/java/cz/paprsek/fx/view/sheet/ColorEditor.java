@@ -43,6 +43,8 @@ final class ColorEditor implements PropertyEditor {
         for (String channel : CHANNELS) {
             Property part = new Property(property.target(), property.part(channel).path(), double.class, channel());
             NumberField field = new NumberField(part, edit, texts);
+            // Colours of metals are computed, and have more decimals than there is room for, or than can be seen.
+            field.round();
             Label letter = new Label(channel.substring(0, 1).toUpperCase(Locale.ROOT));
             letter.getStyleClass().addAll("axis", "axis-" + channel);
             field.dragBy(letter);

@@ -24,6 +24,7 @@ import javafx.scene.input.MouseEvent;
  */
 final class NumberField extends TextField implements PropertyEditor {
     private static final double PIXELS_PER_STEP = 4;
+    private static final double HUNDRED = 100;
     /** Of a formula. */
     private static final PseudoClass MADE = PseudoClass.getPseudoClass("made");
 
@@ -35,6 +36,7 @@ final class NumberField extends TextField implements PropertyEditor {
     private Optional<String> formula = Optional.empty();
     private String shown = "";
     private double arrows;
+    private boolean isRounded;
 
     /** How a number is written: the property itself, or with others in step. */
     @FunctionalInterface
@@ -94,6 +96,11 @@ final class NumberField extends TextField implements PropertyEditor {
             setTooltip(made.map(text -> new Tooltip(TypedFormula.SIGN + text)).orElse(null));
             reset();
         }
+    }
+
+    /** Has hundredths shown only; the number stays as it is until another one is typed. */
+    void round() {
+        isRounded = true;
     }
 
     /** Lets the number be dragged to and fro by a node, such as its label. */
@@ -178,7 +185,7 @@ final class NumberField extends TextField implements PropertyEditor {
 
     /** The formula for who is about to change it, else what it comes to. */
     private void reset() {
-        String number = value.map(known -> texts.number(Steps.text(known))).orElse("");
+        String number = value.map(known -> texts.number(Steps.text(isRounded ? Math.rint(HUNDRED * known) / HUNDRED : known))).orElse("");
         shown = formula.isEmpty() ? number : isFocused() ? TypedFormula.SIGN + formula.get() : "\u0192 " + number;
         setText(shown);
     }

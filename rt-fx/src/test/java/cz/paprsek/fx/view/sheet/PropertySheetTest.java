@@ -190,6 +190,11 @@ class PropertySheetTest {
     void colourChannelsAreNumbers() {
         type("#pattern-color-green", "100");
         assertThat(((Pattern.Plain) material().pattern()).color()).isEqualTo(new Rgb(255, 100, 255));
+        type("#pattern-color-green", "100.256");
+        assertThat(shown("#pattern-color-green")).as("as many decimals as have room").isEqualTo("100.26");
+        gui.click("#pattern-color-green");
+        gui.click("#pattern-color-red");
+        assertThat(((Pattern.Plain) material().pattern()).color()).as("it is only shown so").isEqualTo(new Rgb(255, 100.256, 255));
         type("#pattern-color-green", "300");
         assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("green must be a number from 0 to 255, but is 300.0");
     }
