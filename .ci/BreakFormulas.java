@@ -102,7 +102,7 @@ public class BreakFormulas {
             new Break("the pattern's smallest share for its greatest", "material/Material.java", "mapToDouble(channel::of).max().orElse(1)", "mapToDouble(channel::of).min().orElse(1)"));
 
     /** The quick ones first. */
-    private static final List<String> TESTS = List.of("ReferenceSceneTest", "TextbookTest", "AbsorptionTest", "SlopeTest", "ClosedFormTest", "FresnelTest", "ReliefTest",
+    private static final List<String> TESTS = List.of("ReferenceSceneTest", "TextbookTest", "EyeTest", "AbsorptionTest", "SlopeTest", "ClosedFormTest", "FresnelTest", "ReliefTest",
             "PictureTest", "LensTest", "LightsTest", "PatternTest", "StrewingTest", "RoughTest", "MetamorphicTest", "CrossCheckTest", "RendererTest", "CsgTest", "ShapeContractTest");
 
     public static void main(String[] words) throws IOException, InterruptedException {
