@@ -24,9 +24,9 @@ class EntriesTest {
                     entries.remove(at);
                     kept.remove(at);
                 } else {
-                    // Three kinds: a leaf anywhere, a leaf in a box, a node in a box.
-                    int kind = random.nextInt(3);
-                    Entry entry = new Entry(kind == 2 ? 1 + i : -1 - i, kind == 0 ? Entries.ANYWHERE : 8 * i, random.nextDouble());
+                    // Four kinds: a leaf anywhere, a leaf in a box, a node in a box, and the root, which is a node anywhere.
+                    int kind = random.nextInt(4);
+                    Entry entry = new Entry(kind == 3 ? 0 : kind == 2 ? 1 + i : -1 - i, kind % 3 == 0 ? Entries.ANYWHERE : 8 * i, random.nextDouble());
                     entries.add(entry.node, entry.box, entry.near);
                     kept.add(entry);
                     kept.sort(Comparator.comparingDouble(Entry::near));
