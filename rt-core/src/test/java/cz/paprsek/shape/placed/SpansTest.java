@@ -156,6 +156,25 @@ class SpansTest {
         assertThat(spans.reaches(2, ray)).as("beyond what is hit").isFalse();
     }
 
+    @Test
+    void whoStartsOnABodyLeavesWhatIsNearestAndLeadsItsWay() {
+        push(new double[] {-9}, LEFT);
+        push(new double[] {-3, 1e-13, 2, 5}, RIGHT);
+        spans.leaveFrom(1, false);
+        assertThat(result(0)).as("out of it").containsExactly(-9, 2, 5);
+        spans.release(1);
+        push(new double[] {-3, -1, 1e-13, 4}, RIGHT);
+        spans.leaveFrom(1, true);
+        assertThat(result(0)).as("into it").containsExactly(-9, Double.NEGATIVE_INFINITY, 4);
+        spans.release(1);
+        push(new double[] {-1e-13, -1e-14, 3, 4}, RIGHT);
+        spans.leaveFrom(1, true);
+        assertThat(result(0)).as("into what is thinner than rounding").containsExactly(-9, Double.NEGATIVE_INFINITY, 0, 3, 4);
+        spans.release(1);
+        spans.leaveFrom(1, true);
+        assertThat(result(0)).as("nothing there").containsExactly(-9);
+    }
+
     private static List<List<Number>> boundaries(Spans of) {
         return IntStream.range(0, of.size()).mapToObj(i -> List.<Number>of(of.t(i), of.part(i), of.face(i))).toList();
     }
