@@ -14,7 +14,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Solids of outlines in POV-Ray's words: curves as Bézier curves where POV-Ray makes them thick, in straight pieces where it turns them. */
+/** Solids of outlines in POV-Ray's words, curves as Bézier curves. */
 final class PovOutlines {
     private static final int LINES = 200;
     private static final int STEPS = 8;
@@ -109,7 +109,8 @@ final class PovOutlines {
         if (polygons.size() > 1) {
             throw new IllegalArgumentException("a scene for POV-Ray cannot hold a lathe of " + polygons.size() + " contours: there it has one");
         }
-        String whole = "lathe { linear_spline " + polygons.get(0).size() + ", " + points(polygons.get(0)) + " sturm";
+        List<Vec3> points = outline.isStraight() ? polygons.get(0) : outline.curves();
+        String whole = "lathe { " + (outline.isStraight() ? "linear" : "bezier") + "_spline " + points.size() + ", " + points(points) + " sturm";
         if (lathe.angle() == 360) {
             return whole;
         }

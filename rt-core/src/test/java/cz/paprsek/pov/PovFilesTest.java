@@ -12,6 +12,7 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Examples;
+import cz.paprsek.shape.Lathe;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Shape;
 import cz.paprsek.shape.Sphere;
@@ -161,5 +162,12 @@ class PovFilesTest {
 
     private static List<String> warnings(SceneObject object) throws IOException {
         return PovFiles.write(Scene.EMPTY.plus(object), new StringBuilder());
+    }
+
+    @Test
+    void curvesOnTheLatheAreTold() throws IOException {
+        StringBuilder text = new StringBuilder();
+        PovFiles.write(Scene.EMPTY.plus(SceneObject.of(new Lathe("M 0 0 L 0.6 0 Q 0.2 0.5 0.4 1 L 0 1 Z", "", 360)), SceneObject.of(new Lathe("", "0 0 0.5 0 0.5 1", 360))), text);
+        assertThat(text.toString()).contains("lathe { bezier_spline 16, <0, 0>").contains("lathe { linear_spline 4, ");
     }
 }
