@@ -141,6 +141,18 @@ class ReliefTest {
         assertThat(image.green(1, 1)).isEqualTo(1f);
     }
 
+    /** The same on a floor: all is turned by a quarter. */
+    @Test
+    void aMirroredRayStaysAboveTheFloorItCameFrom() {
+        Scene scene = Scenes.empty().withSettings(new RenderSettings(3, 3, 5, 1)).withBackground(new Rgb(0, 255, 0))
+                .withCamera(Camera.looking(new Vec3(0, 8, 6), new Vec3(0, -0.8, -0.6)).withLens(new Lens.Orthographic(1e-6)))
+                .plus(SceneObject.of(new Rectangle(-1, -1, 1, 1)).rotated(-90, 0, 0).madeOf(Material.DEFAULT.withDiffusion(0).withReflection(1).withRelief(new Bump(-20, BLACK_TO_WHITE))))
+                .plus(SceneObject.of(new Rectangle(-9, -9, 9, 9)).at(0, -1, 0).rotated(-90, 0, 0).madeOf(Material.color(Rgb.BLACK).withEmission(new Rgb(255, 0, 0), 1)));
+        Image image = Renderer.render(scene);
+        assertThat(image.red(1, 1)).isZero();
+        assertThat(image.green(1, 1)).isEqualTo(1f);
+    }
+
     private static Scene obliquely(Material material) {
         return Scenes.empty().plus(SceneObject.of(new Rectangle(-1, -1, 1, 1)).madeOf(material.withRelief(new Bump(-20, BLACK_TO_WHITE)))).withSettings(new RenderSettings(3, 3, 5, 1))
                 .withCamera(Camera.looking(new Vec3(0, -6, 8), new Vec3(0, 0.6, -0.8)).withLens(new Lens.Orthographic(1e-6)));
