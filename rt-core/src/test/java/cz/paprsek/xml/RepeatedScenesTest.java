@@ -35,12 +35,20 @@ class RepeatedScenesTest {
         "Brick, 36d0dbb3c1bb361413731c7691c35c3b0416deaea9634aaaa493af42a2691f5e",
         "Castle, 6d4a53f3d51dd129378386c5c31ebecf762160797b125bb83b7ec79a24910c64",
         "Chess set, ec2c9653ff6c2088a984fd376b32873d1aa5090cfa07bcd56242e8f3268614bc",
+        "Double helix, 92d9ad6e093268c50132452efc2af23c2a25b6c319d4945b2609520bacc53a68",
         "Drawing board, 5e607e7eff834e8c945204a6fb586021f54a8b3d498069c701b7f03c08caceda",
         "Evening sun, b8b82543a0ed68f3e4fddef7302155164391801f5f585f417aa960a82a47a8cf",
         "Gears, 8f80d48b247fdf6d12e5cd5485bb6274e898adf8320014c03b759d393f77e7c3",
         "Iced water, df1e67f521b17d6beefbaaae83ebbb4a3dc0b54706869d4a9b578ac1381a461d",
+        "Menger sponge, 7735503b27433745e16fbf616e29e56e23c1ffb148e77898812bc9df9b4f5982",
+        "Newton's cradle, 97aeb1b62eb3275c3a65c32a71750ad45956c0917bf757faf82cfcc04dd0c3fe",
+        "Pearls, c583928392a87dac29c299c1d952a59d1f7ed1daf675391a341bb2bc7ade8de8",
+        "Prism, 98fcde592ccb903db54f57431eba3881cd890f07c6ee9974337396e06ca8c410",
         "Puzzle cube, a97ece540ba488c4372fd4f2e40c5fd20f04ac23893c3d7f0f136d51e1aeeb87",
-        "Temple, 93620349dcfe26b9304a534436b12f6a4b0a8b9a7c4dd4d889f551ea9ab05c4e"})
+        "Rainbow discs, 9a38309436b65a75b2b4c660c06676587da0b1c6a93e1cbb6227faf5965eded4",
+        "Stone circle, 9cd9103bc60abc108629f1f237c5994865ff4dbeb126cab8b12c3599d79f039f",
+        "Temple, 93620349dcfe26b9304a534436b12f6a4b0a8b9a7c4dd4d889f551ea9ab05c4e",
+        "Test scene, 3740f4834ec628988958e88dfb4617c66ecbc4fb8fa1166a5705f48d44b5291b"})
     void thePictureIsTheSameToTheLastBit(String name, String digest) throws Exception {
         Scene scene = DATABASE.get(name);
         assertThat(scene.recipe().isNone()).isFalse();
