@@ -1,0 +1,242 @@
+package cz.paprsek.render.integrate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import cz.paprsek.asset.Assets;
+import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFiles;
+import cz.paprsek.image.ImageFormat;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.film.Film;
+import cz.paprsek.render.sample.PixelSums;
+import cz.paprsek.render.sample.Sampling;
+import cz.paprsek.render.surface.Level;
+import cz.paprsek.render.surface.World;
+import cz.paprsek.render.texture.Textures;
+import cz.paprsek.scene.AreaLight;
+import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.RenderSettings;
+import cz.paprsek.scene.RenderSettings.PixelFilter;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.SphereLight;
+import cz.paprsek.scene.SunLight;
+import cz.paprsek.shape.Block;
+import cz.paprsek.shape.Rectangle;
+import cz.paprsek.shape.Sphere;
+import cz.paprsek.shape.placed.Spans;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.Map;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What becomes of a ray on its way: where it goes on, what it counts, when it stops, what it sees of lamps; each by itself. */
+class FollowedRaysTest {
+    private static final Material CLEAR = Material.color(Rgb.BLACK).withDiffusion(0).withHighlight(0, 1);
+    private static final Material MIRROR = CLEAR.withReflection(1);
+
+    private static World world(Scene scene) {
+        return new World(scene, new Textures(Assets.none()), () -> false);
+    }
+
+    private static Whitted tracer(Scene scene, int depth) {
+        Whitted tracer = new Whitted(world(scene), depth, Sampling.grid(1));
+        tracer.begin(() -> false);
+        return tracer;
+    }
+
+    private static Level traced(Whitted tracer, Vec3 origin, Vec3 direction) {
+        tracer.startAlone(origin, direction.normalized());
+        tracer.traceAlone();
+        return tracer.alone();
+    }
+
+    private static SceneObject wall(double z, Material material) {
+        return SceneObject.of(new Rectangle(-9, -9, 9, 9)).at(0, 0, z).madeOf(material);
+    }
+
+    private static SceneObject slab(double from, double to, Material material) {
+        return SceneObject.of(new Block(new Vec3(-50, -50, from), new Vec3(50, 50, to))).madeOf(material);
+    }
+
+    /** N = (2, 3, 6)/7. A direction on the wrong side of a bent surface has its part along N turned round: d − 2(d·N)N. */
+    @ParameterizedTest
+    @CsvSource({"true, 0.6, 0, 0.8", "false, -0.6, 0, -0.8", "true, 0.48, -0.6, 0.64", "true, -0.48, -0.6, -0.64", "false, 0.48, 0.6, 0.64"})
+    void aRayThatLeavesABentSurfaceIsFoldedToItsSide(boolean isThrough, double x, double y, double z) {
+        World world = world(Scene.EMPTY.plus(wall(0, CLEAR.withTransparency(1, 1.5))));
+        Level level = new Level(new Spans());
+        level.ray.start(2, 3, 9, -0.6, 0, -0.8);
+        level.ray.accept(5, world.parts().firstOf(0), 0);
+        level.hit.px = 1;
+        level.hit.py = 2;
+        level.hit.pz = 4;
+        level.hit.unitNormal(2.0 / 7, 3.0 / 7, 6.0 / 7);
+        level.hit.bend(0, 0, 1);
+        level.isBent = true;
+        Level next = new Level(new Spans());
+        Offspring offspring = new Offspring(world);
+        Vec3 n = new Vec3(2.0 / 7, 3.0 / 7, 6.0 / 7);
+        Vec3 d = new Vec3(x, y, z);
+        if (isThrough) {
+            offspring.on(level, next, world.parts().finish(level.ray.part), x, y, z);
+        } else {
+            offspring.back(level, next, x, y, z);
+        }
+        boolean isOnItsSide = d.dot(n) < 0 == isThrough;
+        Vec3 expected = isOnItsSide ? d : d.minus(n.times(2 * d.dot(n)));
+        assertThat(new Vec3(next.ray.dx, next.ray.dy, next.ray.dz).minus(expected).length()).isLessThan(1e-15);
+        assertThat(new double[] {next.ray.ox, next.ray.oy, next.ray.oz}).containsExactly(1, 2, 4);
+        assertThat(next.beyond).isEqualTo(isThrough);
+        assertThat(offspring.refracted - offspring.reflected).isEqualTo(isThrough ? 1 : -1);
+        level.isBent = false;
+        offspring.on(level, next, world.parts().finish(level.ray.part), x, y, z);
+        assertThat(new double[] {next.ray.dx, next.ray.dy, next.ray.dz}).as("as it is where nothing is bent").containsExactly(x, y, z);
+    }
+
+    /** The eye touches glass of index n: neighbouring rays are 1/n as far apart there, as those of a lens with tan(fovy/2)/n are in air. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 1.5, 2})
+    void neighboursOfARayAreBentAsItIs(double index) throws IOException {
+        Image edge = new Image(64, 64);
+        for (int i = 0; i < 64 * 64; i++) {
+            double light = i % 64 < 32 ? 0 : 1;
+            edge.set(i % 64, i / 64, light, light, light);
+        }
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        ImageFiles.write(edge, png, ImageFormat.PNG);
+        Assets assets = Assets.of(Map.of("p", png.toByteArray()));
+        Material picture = Material.DEFAULT.withDiffusion(0).withHighlight(0, 1).withPattern(Pattern.Picture.of("p"));
+        Scene air = Scene.EMPTY.withAmbient(Rgb.WHITE).plus(SceneObject.of(new Rectangle(-2, -2, 2, 2)).at(0, 0, -4).madeOf(picture));
+        double tangent = Math.tan(Math.toRadians(8));
+        double through = smooth(air.plus(slab(-5, 0, CLEAR.withTransparency(1, index))), assets, tangent);
+        assertThat(through).isBetween(0.55, 0.95);
+        assertThat(through).isCloseTo(smooth(air, assets, tangent / index), within(5e-3));
+    }
+
+    private static double smooth(Scene scene, Assets assets, double tangent) {
+        Whitted tracer = new Whitted(new World(scene, new Textures(assets), () -> false), 4, Sampling.grid(1));
+        tracer.begin(() -> false);
+        Camera camera = Camera.looking(new Vec3(0.1, 0, 1e-6), new Vec3(0, 0, -1)).withFovy(2 * Math.toDegrees(Math.atan(tangent)));
+        tracer.startAlone(Eye.of(camera, 1, 1), 0.5, 0.5);
+        tracer.traceAlone();
+        return tracer.alone().red;
+    }
+
+    /** Through a pane to a mirror and back to the sky: four rays each. Of 64 rays one asks whether to stop. */
+    @Test
+    void everyKindOfRayCounts() {
+        Scene scene = Scene.EMPTY.withBackground(Rgb.WHITE).plus(wall(0, CLEAR.withTransparency(1, 1))).plus(wall(-1, MIRROR));
+        Whitted tracer = tracer(scene, 5);
+        int[] asked = {0};
+        tracer.begin(() -> ++asked[0] == 2);
+        for (int i = 1; i <= 32; i++) {
+            assertThat(traced(tracer, new Vec3(0, 0, 5), new Vec3(0, 0.1, -1)).red).isEqualTo(i == 32 ? 0 : 1);
+            assertThat(asked[0]).isEqualTo(i / 16);
+        }
+    }
+
+    /** From within glass into more of the same that touches it, at an angle of which nothing would get out into air: straight on, to what shines there. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void betweenSlabsThatTouchNothingIsMirrored(boolean isNearFirst) {
+        Material glass = CLEAR.withTransparency(1, 1.5);
+        SceneObject near = slab(-1, 0, glass);
+        SceneObject far = slab(-2, -1, glass);
+        Scene scene = Scene.EMPTY.plus(wall(-1.5, CLEAR.withEmission(Rgb.WHITE, 0.7)));
+        Whitted tracer = tracer(isNearFirst ? scene.plus(near).plus(far) : scene.plus(far).plus(near), 8);
+        assertThat(traced(tracer, new Vec3(0, 0, -0.5), new Vec3(0.9, 0, -0.4)).red).isEqualTo(0.7);
+        assertThat(new long[] {tracer.work().reflected(), tracer.work().refracted(), tracer.work().hits()}).as("the one entered, the other left").containsExactly(0, 2, 3);
+    }
+
+    /** What a ray sees of a lamp that is a ball, whose normals are on the ray's side: from outside its radiance I·D²/r², from inside nothing. */
+    @Test
+    void aBallOfLightIsAsBrightFromEverySide() {
+        Whitted tracer = tracer(Scene.EMPTY.plus(SphereLight.of(new Vec3(1, 2, 3), 0.5).withIntensity(0.3).withVisible(true)), 2);
+        Random random = new Random(5);
+        for (int i = 0; i < 100; i++) {
+            Vec3 away = new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5).normalized();
+            Vec3 aside = new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5).times(0.4);
+            Vec3 middle = new Vec3(1, 2, 3).plus(aside);
+            Level level = traced(tracer, middle.plus(away.times(7)), away.times(-1));
+            assertThat(level.red).isCloseTo(1.2, within(1e-12));
+            assertThat(level.hit.nx * away.x() + level.hit.ny * away.y() + level.hit.nz * away.z()).isPositive();
+            level = traced(tracer, middle, away);
+            assertThat(level.red).isZero();
+            assertThat(level.hit.nx * away.x() + level.hit.ny * away.y() + level.hit.nz * away.z()).as("turned to who sees it").isNegative();
+        }
+    }
+
+    /** A rectangle shines to one side only. */
+    @Test
+    void aRectangleOfLightIsBlackFromBehind() {
+        Whitted tracer = tracer(Scene.EMPTY.plus(AreaLight.rectangle(Vec3.ZERO, 2, 1).withVisible(true)), 2);
+        double[] seen = {traced(tracer, new Vec3(0, 0, 5), new Vec3(0.01, 0.02, -1)).red, traced(tracer, new Vec3(0, 0, -5), new Vec3(0.01, 0.02, 1)).red};
+        assertThat(Math.min(seen[0], seen[1])).isZero();
+        assertThat(Math.max(seen[0], seen[1])).isCloseTo(Math.PI / 2, within(1e-12));
+    }
+
+    /** I/sin²(angle/2) within the disc, the background beside it; the background, too, where the sun was looked for already. */
+    @Test
+    void theDiscOfASunIsSeenUnlessItWasLookedFor() {
+        Scene scene = Scene.EMPTY.withBackground(Rgb.WHITE).plus(SunLight.along(0, 0, -1).withDisc(60, true).withIntensity(0.5));
+        Whitted tracer = tracer(scene, 2);
+        assertThat(traced(tracer, Vec3.ZERO, new Vec3(0.5, 0, 1)).red).isCloseTo(2, within(1e-12));
+        assertThat(traced(tracer, Vec3.ZERO, new Vec3(0.6, 0, 1)).red).isEqualTo(1);
+        tracer.startAlone(Vec3.ZERO, Vec3.Z);
+        tracer.findAlone();
+        tracer.alone().isLit = true;
+        tracer.shade(tracer.alone(), 0);
+        assertThat(tracer.alone().red).isEqualTo(1);
+        tracer.alone().isLit = false;
+        tracer.shade(tracer.alone(), 0);
+        assertThat(tracer.alone().red).isCloseTo(2, within(1e-12));
+    }
+
+    /** Rays of a block are traced together; so are those that a pixel gets at first, and those it gets beyond. It makes no difference to any bit. */
+    @ParameterizedTest
+    @CsvSource({"2, 0, MITCHELL", "2, 6, BOX", "1, 0, BOX", "2, 4, GAUSS"})
+    void raysBringTheSameTogetherAndAlone(int least, int most, PixelFilter filter) {
+        RenderSettings settings = RenderSettings.DEFAULT.withSize(8, 6).withMaxDepth(3).withFilter(filter);
+        settings = most == 0 ? settings.withSamples(least) : settings.withSamples(least, most);
+        Scene scene = balls().withSettings(settings);
+        Sampling sampling = Sampling.of(settings, false);
+        Whitted tracer = new Whitted(world(scene), 3, sampling);
+        tracer.begin(() -> false);
+        Eye eye = Eye.of(scene.camera(), 8, 6);
+        Image image = new Image(8, 6);
+        tracer.block(eye, 0, 0, 8, 6, new Film(image, 0, 0));
+        int beyond = 0;
+        for (int i = 0; i < 48; i++) {
+            PixelSums sums = tracer.pixel(eye, i % 8, i / 8);
+            double[] together = {sums.red, sums.green, sums.blue};
+            int count = sums.count();
+            assertThat(new float[] {image.red(i % 8, i / 8), image.green(i % 8, i / 8), image.blue(i % 8, i / 8)})
+                    .containsExactly((float) together[0], (float) together[1], (float) together[2]);
+            assertThat(tracer.eachAlone(eye, i % 8, i / 8)).isEqualTo(count);
+            sums.mean();
+            assertThat(new double[] {sums.red, sums.green, sums.blue}).as("pixel %d", i).containsExactly(together);
+            beyond += count > sampling.rays() ? 1 : 0;
+        }
+        assertThat(beyond > 0).isEqualTo(most > least);
+    }
+
+    private static Scene balls() {
+        Random random = new Random(3);
+        Scene scene = Scene.EMPTY.withBackground(new Rgb(60, 90, 140)).withCamera(Camera.looking(new Vec3(0, 0, 5), new Vec3(0, 0, -1)))
+                .plus(SphereLight.of(new Vec3(0, 4, 3), 0.5).withSamples(3).withReferenceDistance(4)).plus(SphereLight.of(new Vec3(4, 0, 3), 1).withSamples(1));
+        for (int i = 0; i < 60; i++) {
+            Material material = i % 3 == 0 ? Material.DEFAULT : Material.color(200, 90, 3 * i).withReflection(0.3).withRoughness(i % 3 == 1 ? 0.5 : 0);
+            scene = scene.plus(SceneObject.of(new Sphere(0.1)).at(3 * random.nextDouble() - 2, 2 * random.nextDouble() - 1.5, random.nextDouble()).madeOf(material));
+        }
+        return scene;
+    }
+}
