@@ -68,6 +68,24 @@ class MistakesWindowTest {
         }
     }
 
+    /** A large window has large pictures; the pixels are those of the picture in full there, too. */
+    @Test
+    void picturesGrowWithTheWindow() {
+        EditorGui editor = new EditorGui(folder, BALL.withSettings(BALL.settings().withSize(960, 600)));
+        try {
+            editor.menu("render-menu-mistakes");
+            Gui gui = Gui.open(() -> editor.editor.mistakes().stage().orElseThrow());
+            gui.act(() -> gui.stage().setWidth(1590));
+            gui.until("the right picture is larger", () -> picture(gui, "right") != null && picture(gui, "right").getWidth() == 400);
+            gui.until("so is where it is shown", () -> gui.node("#mistakes-right").getLayoutBounds().getWidth() == 400);
+            gui.pulse();
+            gui.click(gui.node("#mistakes-right"), 50.5, 30.5);
+            assertThat(Gui.on(() -> ((TextArea) gui.node("#mistakes-numbers")).getText())).contains("pixel 121,73");
+        } finally {
+            editor.close();
+        }
+    }
+
     @Test
     void whatThePlainTracerDoesNotKnowIsNamed() {
         EditorGui editor = new EditorGui(folder, BALL.plus(SceneObject.of(new Torus(1, 0.2))));

@@ -20,6 +20,8 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javafx.animation.PauseTransition;
 import javafx.application.Platform;
 import javafx.collections.ListChangeListener;
 import javafx.scene.control.Label;
@@ -31,15 +33,21 @@ import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
+import javafx.util.Duration;
 
 /** A list of mistakes, and of those chosen the wrong picture beside the right one, where they differ, and the numbers of a pixel that is clicked. */
 public final class MistakesPane extends BorderPane {
-    /** Pictures are no wider and no higher, so that each mistake shows at once. */
-    private static final int LARGEST = 320;
+    /** Pictures that are no wider and no higher come first, so that each mistake shows at once. */
+    private static final int FIRST = 320;
+    /** By how much pictures become larger where the window has room, rather than with each pixel of it. */
+    private static final int STEP = 80;
+    private static final double LIST_WIDTH = 230;
+    /** What stands beside three pictures in a row, and what stands above and below them, in pixels. */
+    private static final double BESIDE = LIST_WIDTH + 45;
+    private static final double ABOVE_AND_BELOW = 300;
     private static final double TOLERANCE = 2;
 
     private final Scene scene;
-    private final RenderSettings settings;
     private final Texts texts;
     private final ExecutorService worker = Worker.named("mistakes");
     private final ListView<Mistake> list = new ListView<>();
@@ -50,13 +58,15 @@ public final class MistakesPane extends BorderPane {
     private final TextArea numbers = new TextArea();
     /** Counts what has been chosen. */
     private final AtomicInteger turn = new AtomicInteger();
+    private final PauseTransition resized = new PauseTransition(Duration.millis(150));
+    /** How large pictures are shown. */
+    private RenderSettings shown;
 
     /** Of a scene as it is now. */
     public MistakesPane(Scene scene, Texts texts) {
         this.scene = scene;
         this.texts = texts;
-        double scale = Math.min(1, LARGEST / (double) Math.max(scene.settings().width(), scene.settings().height()));
-        this.settings = scene.settings().withSize(Math.max(1, (int) (scale * scene.settings().width())), Math.max(1, (int) (scale * scene.settings().height()))).withSamples(1);
+        this.shown = within(FIRST);
         setId("mistakes-pane");
         lines.setId("mistakes-lines");
         lines.setWrapText(true);
@@ -69,7 +79,7 @@ public final class MistakesPane extends BorderPane {
                 captioned(texts.of("mistakes.difference"), difference));
         VBox content = new VBox(10, lines, pictures, numbers);
         content.setStyle("-fx-padding: 10");
-        List<String> unknown = PlainTracer.unknown(scene, settings);
+        List<String> unknown = PlainTracer.unknown(scene, shown);
         if (!unknown.isEmpty()) {
             lines.setText(texts.of("mistakes.unknown", unknown.stream().map(texts.words()::name).collect(Collectors.joining(", "))));
             content.getChildren().setAll(lines);
@@ -80,12 +90,36 @@ public final class MistakesPane extends BorderPane {
         setLeft(list);
         setCenter(content);
         fillList();
-        worker.execute(() -> compute(turn.get(), List.of()));
+        compute(List.of());
+        resized.setOnFinished(event -> fit());
+        widthProperty().addListener(property -> resized.playFromStart());
+        heightProperty().addListener(property -> resized.playFromStart());
+    }
+
+    /** The scene's pictures with one ray for each pixel, and no side longer than this. */
+    private RenderSettings within(int side) {
+        RenderSettings full = scene.settings();
+        double scale = Math.min(1, side / (double) Math.max(full.width(), full.height()));
+        return full.withSize(Math.max(1, (int) (scale * full.width())), Math.max(1, (int) (scale * full.height()))).withSamples(1);
+    }
+
+    /** Makes the pictures as large as three of them have room beside each other. */
+    private void fit() {
+        RenderSettings full = scene.settings();
+        double longer = Math.max(full.width(), full.height());
+        double side = Math.min((getWidth() - BESIDE) / 3 * longer / full.width(), (getHeight() - ABOVE_AND_BELOW) * longer / full.height());
+        int steps = (int) (side / STEP);
+        RenderSettings now = within(Math.max(FIRST, steps * STEP));
+        if (now.width() != shown.width() || now.height() != shown.height()) {
+            shown = now;
+            List.of(right, wrong, difference).forEach(view -> view.setFitWidth(now.width()));
+            compute(List.copyOf(list.getSelectionModel().getSelectedItems()));
+        }
     }
 
     private void fillList() {
         list.setId("mistakes-list");
-        list.setPrefWidth(230);
+        list.setPrefWidth(LIST_WIDTH);
         list.setCellFactory(view -> new MistakeCell(texts));
         list.getSelectionModel().setSelectionMode(SelectionMode.MULTIPLE);
         list.getItems().setAll(Mistake.values());
@@ -95,21 +129,27 @@ public final class MistakesPane extends BorderPane {
 
     /** Ends what is being computed. */
     public void close() {
+        resized.stop();
         turn.incrementAndGet();
         worker.shutdown();
     }
 
     private void choose(List<Mistake> made) {
-        int mine = turn.incrementAndGet();
         Words words = texts.words();
         lines.setText(made.stream().map(mistake -> mistake.meaning(words) + ":   " + mistake.wrong(words) + "   (" + words.of("beside.right") + ":   " + mistake.right(words) + ")")
                 .collect(Collectors.joining("\n")));
         numbers.clear();
-        worker.execute(() -> compute(mine, made));
+        compute(made);
+    }
+
+    private void compute(List<Mistake> made) {
+        int mine = turn.incrementAndGet();
+        List<RenderSettings> sizes = Stream.of(within(FIRST), shown).distinct().toList();
+        worker.execute(() -> sizes.forEach(settings -> compute(mine, made, settings)));
     }
 
     /** On the worker's thread; gives up as soon as something else has been chosen. */
-    private void compute(int mine, List<Mistake> made) {
+    private void compute(int mine, List<Mistake> made, RenderSettings settings) {
         try {
             Image good = PlainTracer.of(scene, settings, Mistakes.NONE).render(() -> turn.get() != mine);
             Image bad = made.isEmpty() ? good : PlainTracer.of(scene, settings, Mistakes.of(made)).render(() -> turn.get() != mine);
@@ -139,6 +179,7 @@ public final class MistakesPane extends BorderPane {
     private ImageView view(String id) {
         ImageView view = new ImageView();
         view.setId(id);
+        view.setPreserveRatio(true);
         view.setOnMouseClicked(event -> tell((int) event.getX(), (int) event.getY()));
         return view;
     }
@@ -146,10 +187,10 @@ public final class MistakesPane extends BorderPane {
     /** The numbers are those of the pixel of the full picture that lies there, as the command line has them. */
     private void tell(int column, int row) {
         List<Mistake> made = list.getSelectionModel().getSelectedItems();
-        if (column >= 0 && row >= 0 && column < settings.width() && row < settings.height()) {
+        if (column >= 0 && row >= 0 && column < shown.width() && row < shown.height()) {
             RenderSettings full = scene.settings().withSamples(1);
-            int fullColumn = (int) ((column + 0.5) * full.width() / settings.width());
-            int fullRow = (int) ((row + 0.5) * full.height() / settings.height());
+            int fullColumn = (int) ((column + 0.5) * full.width() / shown.width());
+            int fullRow = (int) ((row + 0.5) * full.height() / shown.height());
             numbers.setText(String.join("\n", new Beside(scene, full, Mistakes.of(made), fullColumn, fullRow).lines(texts.words())));
         }
     }
