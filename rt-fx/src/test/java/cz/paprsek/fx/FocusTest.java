@@ -23,6 +23,7 @@ import javafx.scene.Node;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
 import javafx.scene.control.TextField;
+import javafx.scene.control.TitledPane;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -96,9 +97,28 @@ class FocusTest {
         focus("#projection-top");
         List<String> there = walk(7, KeyCode.TAB);
         assertThat(there).startsWith("projection-top", "live-picture", "projection-front", "projection-right", "tree-find", "tree-list", "add-palette");
-        assertThat(there.get(7)).contains("sheet-section");
+        assertThat(there.get(7)).isEqualTo("name");
         List<String> back = walk(7, KeyCode.SHIFT, KeyCode.TAB);
         assertThat(back).endsWith("projection-top");
+    }
+
+    @Test
+    void inTheSheetTabGoesFromFieldToFieldAndToWhatIsFolded() {
+        editor.gui.act(() -> editor.model().select(ScenePath.body(0)));
+        editor.gui.click("#shape-radius");
+        assertThat(walk(3, KeyCode.TAB)).noneMatch(owner -> owner.contains("sheet-section"));
+        editor.gui.click("#shape-radius");
+        editor.gui.keys(KeyCode.CONTROL, KeyCode.UP);
+        assertThat(owner()).contains("sheet-section");
+        editor.gui.keys(KeyCode.SPACE);
+        editor.gui.pulse();
+        assertThat(Gui.on(() -> editor.gui.stage().getScene().getFocusOwner() instanceof TitledPane pane && !pane.isExpanded() && pane.isFocusTraversable())).isTrue();
+        String next = walk(1, KeyCode.TAB).get(1);
+        assertThat(walk(1, KeyCode.SHIFT, KeyCode.TAB)).first().isEqualTo(next);
+        assertThat(owner()).as("what is folded is a stop").contains("sheet-section");
+        editor.gui.keys(KeyCode.SPACE);
+        editor.gui.pulse();
+        assertThat(walk(1, KeyCode.TAB)).last().isEqualTo("shape-radius");
     }
 
     @Test

@@ -21,7 +21,7 @@ import javafx.scene.layout.StackPane;
 public final class HelpPane extends StackPane {
     /** What is done in views by mouse and keys, which no menu says: each has the keys "hand.…" and "hand.….does". */
     private static final List<String> HANDS = List.of("hand.select", "hand.more", "hand.move", "hand.free", "hand.straight", "hand.add", "hand.handles", "hand.zoom", "hand.pan",
-            "hand.orbit", "hand.camera-pan", "hand.dolly", "hand.inner", "hand.part", "hand.cut", "hand.regions", "hand.escape");
+            "hand.orbit", "hand.camera-pan", "hand.dolly", "hand.inner", "hand.part", "hand.cut", "hand.regions", "hand.title", "hand.escape");
     /** Symbols, each with the keys "glossary.…" and "glossary.….means". */
     private static final List<String> SYMBOLS = List.of("glossary.kd", "glossary.ks", "glossary.n", "glossary.kr", "glossary.kt", "glossary.eta", "glossary.f", "glossary.vectors",
             "glossary.theta", "glossary.linear", "glossary.ambient", "glossary.whitted", "glossary.paths", "glossary.ggx");

@@ -86,6 +86,7 @@ final class MakersPane extends VBox {
             rows.getChildren().add(hint);
         }
         TitledPane pane = new TitledPane(title(maker), rows);
+        PropertySheet.passOpenTitle(pane);
         pane.setAnimated(false);
         pane.getStyleClass().add("sheet-section");
         return pane;

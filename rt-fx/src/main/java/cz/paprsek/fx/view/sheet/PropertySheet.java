@@ -2,6 +2,7 @@ package cz.paprsek.fx.view.sheet;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
+import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.motion.Clock;
 import cz.paprsek.fx.model.property.Section;
 import cz.paprsek.fx.model.property.Sections;
@@ -25,6 +26,8 @@ import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TitledPane;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.VBox;
 
@@ -76,6 +79,8 @@ public final class PropertySheet extends BorderPane {
         setTop(heading);
         setCenter(scroll);
         UndoKeys.reach(model, this);
+        List.of(parameters, materials, ready).forEach(PropertySheet::passOpenTitle);
+        addEventFilter(KeyEvent.KEY_PRESSED, this::toTitle);
         model.stateProperty().addListener(new WeakInvalidationListener(onChange));
         WeakInvalidationListener weak = new WeakInvalidationListener(onTime);
         clock.secondsProperty().addListener(weak);
@@ -139,8 +144,29 @@ public final class PropertySheet extends BorderPane {
         if (state.selection().isEmpty()) {
             content.getChildren().add(materials);
         }
-        content.getChildren().add(ready);
+        // Lights and cameras have none.
+        if (state.selection().isEmpty() || !Places.bodies(state.selection()).isEmpty()) {
+            content.getChildren().add(ready);
+        }
         focused.ifPresent(this::goOnAt);
+    }
+
+    /** Tab goes from field to field; it stops at the title of what is folded only, which could not be opened otherwise. */
+    static void passOpenTitle(TitledPane pane) {
+        pane.focusTraversableProperty().bind(pane.expandedProperty().not());
+    }
+
+    /** From within what can be folded, Ctrl+Up goes to its title, where Space folds it. */
+    private void toTitle(KeyEvent event) {
+        if (event.getCode() == KeyCode.UP && event.isShortcutDown() && !event.isAltDown() && !event.isShiftDown() && event.getTarget() instanceof Node from) {
+            for (Node node = from; node != null && node != this; node = node.getParent()) {
+                if (node instanceof TitledPane pane) {
+                    pane.requestFocus();
+                    event.consume();
+                    return;
+                }
+            }
+        }
     }
 
     /** Whoever was at a field goes on there: choosing another pattern, say, changes what is below the choice. */
@@ -177,6 +203,7 @@ public final class PropertySheet extends BorderPane {
         SectionPane(String title, Section section, Editors factory) {
             setText(title);
             setAnimated(false);
+            passOpenTitle(this);
             getStyleClass().add("sheet-section");
             rows.getStyleClass().add("sheet-rows");
             section.properties().stream().map(factory::entry).forEach(entry -> {

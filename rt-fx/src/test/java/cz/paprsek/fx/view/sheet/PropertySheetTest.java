@@ -66,6 +66,13 @@ class PropertySheetTest {
         gui.close();
     }
 
+    @Test
+    void readyMaterialsAreForBodiesAndForTheScene() {
+        assertThat(gui.stage().getScene().lookup("#ready-materials")).isNotNull();
+        select(ScenePath.light(0));
+        gui.until("a light has none", () -> gui.stage().getScene().lookup("#ready-materials") == null);
+    }
+
     /** What is typed after a click takes the place of the number; after a second one it goes between its digits. */
     @Test
     void theFirstClickIntoANumberTakesAllOfIt() {
