@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.present.PresenterPane;
+import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.ScenePath;
 import java.lang.ref.WeakReference;
 import java.nio.file.Path;
@@ -16,9 +17,11 @@ import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.DialogPane;
 import javafx.scene.control.Labeled;
 import javafx.scene.text.Text;
 import javafx.stage.Stage;
+import javafx.stage.Window;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -114,12 +117,41 @@ class LanguageTest {
         }
     }
 
+    /** In both languages, folded and not: whole words, and details as far from the edges as the text above them. */
+    @Test
+    void theDialogOfAFaultIsWhole() {
+        for (Locale language : Texts.LANGUAGES) {
+            try (EditorGui editor = new EditorGui(folder, Templates.read("test"))) {
+                editor.gui.act(() -> new SystemDialogs(editor.gui.stage(), () -> Texts.in(language)).fault(new IllegalStateException("an example"), () -> {}));
+                DialogPane pane = Gui.on(() -> Window.getWindows().stream().map(window -> window.getScene().getRoot()).filter(DialogPane.class::isInstance).map(DialogPane.class::cast).findFirst().orElseThrow());
+                editor.gui.pulse();
+                assertThat(Gui.on(() -> cutIn(pane))).as("folded").isEmpty();
+                editor.gui.act(() -> pane.setExpanded(true));
+                editor.gui.until("the details are there", () -> pane.getExpandableContent().isVisible() && pane.getExpandableContent().getLayoutBounds().getHeight() > 100);
+                editor.gui.pulse();
+                assertThat(Gui.on(() -> cutIn(pane))).as("with details").isEmpty();
+                Bounds details = Gui.on(() -> {
+                    Node area = pane.getExpandableContent().lookup(".text-area");
+                    return area.localToScene(area.getLayoutBounds());
+                });
+                assertThat(details.getMinX()).isBetween(12.0, 16.0);
+                assertThat(pane.getWidth() - details.getMaxX()).isBetween(12.0, 16.0);
+                assertThat(details.getMinY()).isGreaterThan(60);
+                editor.gui.act(() -> pane.getScene().getWindow().hide());
+            }
+        }
+    }
+
     private static List<String> cut(EditorGui editor) {
         for (int i = 0; i < 2; i++) {
             editor.gui.pulse();
         }
-        return Gui.on(() -> all(editor.gui.stage().getScene().getRoot()).filter(Labeled.class::isInstance).map(Labeled.class::cast)
-                .filter(labeled -> isSeen(labeled) && isCut(labeled)).map(labeled -> labeled + " in " + labeled.getParent()).toList());
+        return Gui.on(() -> cutIn(editor.gui.stage().getScene().getRoot()));
+    }
+
+    private static List<String> cutIn(Parent root) {
+        return all(root).filter(Labeled.class::isInstance).map(Labeled.class::cast)
+                .filter(labeled -> isSeen(labeled) && isCut(labeled)).map(labeled -> labeled + " in " + labeled.getParent()).toList();
     }
 
     private static boolean isCut(Labeled labeled) {

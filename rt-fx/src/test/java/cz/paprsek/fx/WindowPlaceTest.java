@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.model.file.Settings;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import javafx.geometry.Rectangle2D;
 import javafx.scene.Scene;
 import javafx.scene.layout.StackPane;
+import javafx.stage.Screen;
 import javafx.stage.Stage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -46,6 +49,29 @@ class WindowPlaceTest {
         AtomicBoolean unknown = new AtomicBoolean();
         open(unknown).close();
         assertThat(unknown.get()).isTrue();
+    }
+
+    /** A window that has its size before it is shown is painted whole at first, and not a corner of it. */
+    @Test
+    void aWindowHasItsSizeBeforeItIsShown() {
+        Rectangle2D room = Gui.on(() -> Screen.getPrimary().getVisualBounds());
+        List<Double> known = Gui.on(() -> {
+            settings().set("window", "60 40 700 500");
+            Stage stage = new Stage();
+            WindowPlace.keep(stage, settings(), "window", () -> {});
+            return List.of(stage.getWidth(), stage.getHeight());
+        });
+        assertThat(known).containsExactly(700.0, 500.0);
+        assertThat(Gui.on(() -> {
+            Stage stage = new Stage();
+            Sizes.mostOfTheScreen(stage, 640, 480);
+            return List.of(stage.getWidth(), stage.getHeight());
+        })).containsExactly(0.85 * room.getWidth(), 0.85 * room.getHeight());
+        assertThat(Gui.on(() -> {
+            Stage stage = new Stage();
+            Sizes.mostOfTheScreen(stage, 4000, 480);
+            return List.of(stage.getWidth(), stage.getHeight(), stage.isMaximized());
+        })).containsExactly(0.85 * room.getWidth(), 480.0, true);
     }
 
     @Test
