@@ -107,7 +107,7 @@ final class MainWindow {
         });
         SceneMeshes meshes = editor.meshes(edits);
         AddPalette palette = new AddPalette(model, texts, views::sight, edits, meshes::choose, meshes::chooseHeights);
-        views.acceptThings(palette);
+        views.acceptThings(palette, editor.snapping());
         FinderPane finder = new FinderPane(() -> findable(edits), texts.of("find.prompt"), texts.of("find.nothing"));
         HelpPane help = new HelpPane(texts, () -> MenuItems.of(menuBar().getMenus()));
         Menus menus = new Menus(editor, views, palette, commands, finder::open, help::open);

@@ -2,7 +2,7 @@ package cz.paprsek.fx;
 
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
-import cz.paprsek.fx.model.edit.Alignment;
+import cz.paprsek.fx.model.contact.Dropping;
 import cz.paprsek.fx.model.edit.Arranging.Axis;
 import cz.paprsek.fx.model.edit.Cameras;
 import cz.paprsek.fx.model.edit.CutPlane;
@@ -28,7 +28,6 @@ import cz.paprsek.fx.view.shell.PaneGrid;
 import cz.paprsek.fx.view.shell.TitledView;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
-import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import java.util.List;
 import java.util.Locale;
@@ -333,15 +332,20 @@ final class Views {
         return active.map(pane -> pane.sight(gaze.point())).orElse(gaze);
     }
 
-    /** Lets what is dragged out of the palette be put into each view: in the camera's on what is under the mouse, from above on what is below, else where it is dropped. */
-    void acceptThings(AddPalette palette) {
+    /** Lets what is dragged out of the palette be put into each view: in the camera's on what is under the mouse, from above on what is below, in a room on its floor, else where it is dropped. */
+    void acceptThings(AddPalette palette, BooleanProperty snapping) {
         projections.forEach(pane -> palette.dropOn(pane, event -> {
             boolean isFromAbove = pane == projections.get(0);
-            double top = Alignment.with(model.state(), List.of()).others().stream().mapToDouble(Bounds::maxY).reduce(0, Math::max);
-            return new Place(pane.sightAt(event.getX(), event.getY(), isFromAbove ? Vec3.Y.times(top) : Sight.of(model.state()).point()), isFromAbove);
+            Sight at = pane.sightAt(event.getX(), event.getY(), Sight.of(model.state()).point());
+            double top = Dropping.top(model.state(), at.point().x(), at.point().z());
+            return isFromAbove ? new Place(new Sight(new Vec3(at.point().x(), top, at.point().z()), at.size()), Vec3.Y) : new Place(at, Vec3.ZERO);
         }));
-        List.of(camera, free).forEach(pane -> palette.dropOn(pane, event -> new Place(pane.pointAt(event.getX(), event.getY()).flatMap(PicturePoint::pick)
-                .map(pick -> Sight.at(pick.point(), pane.camera().lens().heightAt(pick.distance()))).orElseGet(() -> Sight.of(model.state())), true)));
+        List.of(camera, free).forEach(pane -> palette.dropOn(pane, event -> pane.pointAt(event.getX(), event.getY()).flatMap(point -> seen(pane, point, snapping))
+                .orElseGet(() -> new Place(Sight.of(model.state()), Vec3.Y))));
+    }
+
+    private static Optional<Place> seen(CameraPane pane, PicturePoint point, BooleanProperty snapping) {
+        return point.pick().map(pick -> new Place(Sight.chosen(pick.point(), point.side(), pane.camera().lens().heightAt(pick.distance()), snapping.get()), point.side()));
     }
 
     boolean isPictureComplete() {

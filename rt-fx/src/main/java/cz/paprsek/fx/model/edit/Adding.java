@@ -45,6 +45,15 @@ public final class Adding {
         Camera camera = state.camera();
         Vec3 away = camera.right().times(-1).plus(Vec3.Y.times(2)).minus(camera.forward()).times(sight.size());
         Vec3 place = Sight.at(sight.point().plus(away), 4 * sight.size()).point();
+        return lightAt(state, kind, name, place, sight);
+    }
+
+    /**
+     * Adds a light of a kind at a place.
+     *
+     * @param sight what it shines at, as brightly as its intensity says, and how large it is to be
+     */
+    public static EditorState lightAt(EditorState state, Light kind, String name, Vec3 place, Sight sight) {
         return Structure.add(state, light(kind, place, sight).named(name));
     }
 

@@ -34,9 +34,21 @@ public record Sight(Vec3 point, double size) {
      * @param height what of the world the view shows from top to bottom there, scene units
      */
     public static Sight at(Vec3 point, double height) {
+        return chosen(point, Vec3.ZERO, height, true);
+    }
+
+    /**
+     * A view of a point that a hand has chosen.
+     *
+     * @param side the normal of the surface that the point is to stay on, of length 1; 0 if there is none
+     * @param height what of the world the view shows from top to bottom there, scene units
+     * @param snaps whether it keeps to a grid, else it is only rounded
+     */
+    public static Sight chosen(Vec3 point, Vec3 side, double height, boolean snaps) {
         double size = round(height * SHARE);
-        double grid = size / 4;
-        return new Sight(new Vec3(snap(point.x(), grid), snap(point.y(), grid), snap(point.z(), grid)), size);
+        double grid = size / (snaps ? 4 : 1000);
+        Vec3 near = new Vec3(snap(point.x(), grid), snap(point.y(), grid), snap(point.z(), grid));
+        return new Sight(near.plus(side.times(point.minus(near).dot(side))), size);
     }
 
     /** The box around all bounded objects; empty if there are none. */

@@ -69,7 +69,7 @@ final class CameraHand {
         wheelRest.setOnFinished(event -> endWheel());
     }
 
-    /** Ends a drag; whether it was one, rather than a click. */
+    /** Ends a drag; whether it was one, or began elsewhere, rather than a click. */
     boolean release(MouseEvent event) {
         // A quick hand on a busy machine may be told of only here.
         dragged(event);
@@ -78,7 +78,7 @@ final class CameraHand {
         if (ended != null && ended.move != null) {
             ended.move.commit();
         }
-        return ended != null && ended.hasGone;
+        return ended == null || ended.hasGone;
     }
 
     /** Forgets a button held down: somebody else has made use of it. */

@@ -1,7 +1,9 @@
 package cz.paprsek.fx.view.picture;
 
+import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderScene;
 import cz.paprsek.render.RenderScene.Pick;
+import cz.paprsek.render.explain.TracedRay;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.ScenePath;
 import java.util.Optional;
@@ -34,6 +36,12 @@ public record PicturePoint(RenderScene scene, RenderSettings settings, double x,
     /** What is seen there; empty for the background. */
     public Optional<Pick> pick() {
         return Pick.at(scene, settings, x, y);
+    }
+
+    /** The normal of the surface that is seen there, of length 1, on the side that is seen; towards the eye where a light is seen, and upwards where nothing is. */
+    public Vec3 side() {
+        TracedRay ray = scene.explainPoint(settings.withMaxDepth(1), x, y);
+        return ray.encounter().map(met -> met.place().towardsViewer()).or(() -> ray.seen().map(light -> ray.direction().negated())).orElse(Vec3.Y);
     }
 
     /** Where in the scene stands what is seen there: the object, or the operand that the surface belongs to, or the light. */

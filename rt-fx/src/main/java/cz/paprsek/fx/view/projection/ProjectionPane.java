@@ -125,9 +125,9 @@ public final class ProjectionPane extends Region {
         return Sight.at(axes.vector(view.centreU(), view.centreV()).plus(axes.inDepth(depth)), getHeight() / view.scale());
     }
 
-    /** Where something is that is put at a point of this view, at some depth. */
+    /** Where something is that is put at a point of this view, at some depth; on the grid if drags keep to it. */
     public Sight sightAt(double x, double y, Vec3 depth) {
-        return Sight.at(axes.vector(view.u(x), view.v(y)).plus(axes.inDepth(depth)), getHeight() / view.scale());
+        return Sight.chosen(axes.vector(view.u(x), view.v(y)).plus(axes.inDepth(depth)), Vec3.ZERO, getHeight() / view.scale(), snaps());
     }
 
     /** The two coordinates of a point that this projection shows, to a pixel: "x 1.25   z −3". */

@@ -4,20 +4,16 @@ import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.model.Places;
-import cz.paprsek.fx.model.contact.Falling;
+import cz.paprsek.fx.model.contact.Dropping;
 import cz.paprsek.fx.model.edit.Adding;
 import cz.paprsek.fx.model.edit.Examples;
-import cz.paprsek.fx.model.edit.LightMoves;
-import cz.paprsek.fx.model.edit.Moves;
 import cz.paprsek.fx.model.edit.Sight;
 import cz.paprsek.fx.view.command.Edits;
 import cz.paprsek.fx.view.look.Icons;
 import cz.paprsek.fx.view.texts.Texts;
-import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.Light;
 import cz.paprsek.scene.ScenePath;
-import cz.paprsek.scene.SunLight;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Mesh;
 import cz.paprsek.shape.Shape;
@@ -67,9 +63,9 @@ public final class AddPalette extends FlowPane {
      * Where something is dropped.
      *
      * @param sight the point, and how large it is to be there
-     * @param falls whether the point is on or above what it is put on; else it is its middle
+     * @param side the normal of the surface that it is put on, of length 1; 0 if the point is its middle
      */
-    public record Place(Sight sight, boolean falls) {}
+    public record Place(Sight sight, Vec3 side) {}
 
     private final List<Entry> adding = new ArrayList<>();
     private final List<Entry> combining = new ArrayList<>();
@@ -167,24 +163,12 @@ public final class AddPalette extends FlowPane {
 
     /** A body, in one step with its fall. */
     private static void put(Edits edits, Shape shape, String name, Place at) {
-        Bounds box = shape.bounds();
-        boolean falls = at.falls() && box.isFinite();
-        Vec3 middle = at.sight().point().plus(Vec3.Y.times(falls ? (box.maxY() - box.minY()) / 2 : 0));
-        put(edits, name, state -> {
-            EditorState added = Adding.shape(state, shape, name, new Sight(middle, at.sight().size()));
-            return falls ? Falling.onFloor(added, added.selection()) : added;
-        });
+        put(edits, name, state -> Dropping.body(state, shape, name, at.sight(), at.side()));
     }
 
-    /** A light where it is dropped; not on, but above what is there. */
+    /** A light where it is dropped; not on, but before what is there. */
     private static void put(Edits edits, Light light, String name, Place at) {
-        Vec3 place = at.sight().point().plus(Vec3.Y.times(at.falls() ? at.sight().size() : 0));
-        put(edits, name, state -> {
-            EditorState added = Adding.light(state, light, name, at.sight());
-            List<Light> lights = added.scene().lights();
-            return light instanceof SunLight ? added
-                    : added.withScene(Moves.translated(added.scene(), added.selection(), place.minus(LightMoves.place(lights.get(lights.size() - 1)))));
-        });
+        put(edits, name, state -> Dropping.light(state, light, name, at.sight(), at.side()));
     }
 
     private static void put(Edits edits, String name, UnaryOperator<EditorState> change) {

@@ -68,18 +68,18 @@ class AddPaletteTest {
         gui.act(() -> model.edit(Label.of(Label.Edit.ADD), scene -> before));
         AddPalette shown = Objects.requireNonNull(palette.get());
         for (Shape kind : Examples.ofSize(1)) {
-            gui.act(() -> shown.put("add-" + kind.kind(), new AddPalette.Place(new Sight(new Vec3(0.5, 3, -0.5), 1), true)));
+            gui.act(() -> shown.put("add-" + kind.kind(), new AddPalette.Place(new Sight(new Vec3(0.5, 3, -0.5), 1), Vec3.Y)));
             Bounds box = ScenePath.body(1).placed(model.scene()).bounds();
             assertThat(!box.isFinite() || Math.abs(box.minY() - 3) < 1e-5).as("%s in %s", kind.kind(), box).isTrue();
             assertThat(model.selection()).containsExactly(ScenePath.body(1));
             gui.act(model::undo);
             assertThat(model.scene()).isEqualTo(before);
         }
-        gui.act(() -> shown.put("add-sphere", new AddPalette.Place(new Sight(new Vec3(0.5, 7, 0), 1), false)));
+        gui.act(() -> shown.put("add-sphere", new AddPalette.Place(new Sight(new Vec3(0.5, 7, 0), 1), Vec3.ZERO)));
         assertThat(model.scene().objects().get(1).placement().position()).isEqualTo(new Vec3(0.5, 7, 0));
-        gui.act(() -> shown.put("add-point-light", new AddPalette.Place(new Sight(new Vec3(1, 3, 0), 1), true)));
+        gui.act(() -> shown.put("add-point-light", new AddPalette.Place(new Sight(new Vec3(1, 3, 0), 1), Vec3.Y)));
         assertThat(LightMoves.place(model.scene().lights().get(0))).isEqualTo(new Vec3(1, 4, 0));
-        gui.act(() -> shown.put("add-sun-light", new AddPalette.Place(new Sight(new Vec3(1, 3, 0), 1), true)));
+        gui.act(() -> shown.put("add-sun-light", new AddPalette.Place(new Sight(new Vec3(1, 3, 0), 1), Vec3.Y)));
         assertThat(model.scene().lights()).hasSize(2);
     }
 
