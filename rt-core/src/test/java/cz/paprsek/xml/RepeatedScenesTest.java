@@ -33,6 +33,7 @@ class RepeatedScenesTest {
     @ParameterizedTest
     @CsvSource({
         "Brick, 36d0dbb3c1bb361413731c7691c35c3b0416deaea9634aaaa493af42a2691f5e",
+        "Buckyball, bb5ce7f868bdf853a3955fa3e8c447bd6b46cfe72c907eb9d5d31dd29a0f6586",
         "Castle, 6d4a53f3d51dd129378386c5c31ebecf762160797b125bb83b7ec79a24910c64",
         "Chess set, ec2c9653ff6c2088a984fd376b32873d1aa5090cfa07bcd56242e8f3268614bc",
         "Double helix, 92d9ad6e093268c50132452efc2af23c2a25b6c319d4945b2609520bacc53a68",
@@ -46,6 +47,7 @@ class RepeatedScenesTest {
         "Prism, 98fcde592ccb903db54f57431eba3881cd890f07c6ee9974337396e06ca8c410",
         "Puzzle cube, a97ece540ba488c4372fd4f2e40c5fd20f04ac23893c3d7f0f136d51e1aeeb87",
         "Rainbow discs, 9a38309436b65a75b2b4c660c06676587da0b1c6a93e1cbb6227faf5965eded4",
+        "Sphereflake, 148361cb9e0454afdf62446945c910e907fa612a53109171d27f66d94a46e796",
         "Stone circle, 9cd9103bc60abc108629f1f237c5994865ff4dbeb126cab8b12c3599d79f039f",
         "Temple, 93620349dcfe26b9304a534436b12f6a4b0a8b9a7c4dd4d889f551ea9ab05c4e",
         "Test scene, 3740f4834ec628988958e88dfb4617c66ecbc4fb8fa1166a5705f48d44b5291b"})
