@@ -11,6 +11,8 @@ import cz.paprsek.material.Material;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.RenderScene;
+import cz.paprsek.render.explain.LightTerm;
 import cz.paprsek.render.eye.Eye;
 import cz.paprsek.render.film.Film;
 import cz.paprsek.render.sample.PixelSums;
@@ -20,6 +22,7 @@ import cz.paprsek.render.surface.World;
 import cz.paprsek.render.texture.Textures;
 import cz.paprsek.scene.AreaLight;
 import cz.paprsek.scene.Camera;
+import cz.paprsek.scene.Light;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.RenderSettings.PixelFilter;
 import cz.paprsek.scene.Scene;
@@ -106,6 +109,25 @@ class FollowedRaysTest {
     @ParameterizedTest
     @ValueSource(doubles = {1, 1.5, 2})
     void neighboursOfARayAreBentAsItIs(double index) throws IOException {
+        Assets assets = edge();
+        double tangent = Math.tan(Math.toRadians(8));
+        double through = smooth(pictureAt(-4).plus(slab(-5, 0, CLEAR.withTransparency(1, index))), assets, 0, tangent);
+        assertThat(through).isBetween(0.55, 0.95);
+        assertThat(through).isCloseTo(smooth(pictureAt(-4), assets, 0, tangent / index), within(5e-3));
+    }
+
+    /** In a flat mirror a picture is as smooth as from afar. */
+    @Test
+    void neighboursOfARayAreMirroredAsItIs() throws IOException {
+        Assets assets = edge();
+        double tangent = Math.tan(Math.toRadians(8));
+        double mirrored = smooth(pictureAt(3).plus(wall(0, MIRROR)), assets, 1, tangent);
+        assertThat(mirrored).isBetween(0.55, 0.95);
+        assertThat(mirrored).isCloseTo(smooth(pictureAt(-4), assets, 0, tangent), within(5e-3));
+    }
+
+    /** Black on the left, white on the right. */
+    private static Assets edge() throws IOException {
         Image edge = new Image(64, 64);
         for (int i = 0; i < 64 * 64; i++) {
             double light = i % 64 < 32 ? 0 : 1;
@@ -113,19 +135,18 @@ class FollowedRaysTest {
         }
         ByteArrayOutputStream png = new ByteArrayOutputStream();
         ImageFiles.write(edge, png, ImageFormat.PNG);
-        Assets assets = Assets.of(Map.of("p", png.toByteArray()));
-        Material picture = Material.DEFAULT.withDiffusion(0).withHighlight(0, 1).withPattern(Pattern.Picture.of("p"));
-        Scene air = Scene.EMPTY.withAmbient(Rgb.WHITE).plus(SceneObject.of(new Rectangle(-2, -2, 2, 2)).at(0, 0, -4).madeOf(picture));
-        double tangent = Math.tan(Math.toRadians(8));
-        double through = smooth(air.plus(slab(-5, 0, CLEAR.withTransparency(1, index))), assets, tangent);
-        assertThat(through).isBetween(0.55, 0.95);
-        assertThat(through).isCloseTo(smooth(air, assets, tangent / index), within(5e-3));
+        return Assets.of(Map.of("p", png.toByteArray()));
     }
 
-    private static double smooth(Scene scene, Assets assets, double tangent) {
+    private static Scene pictureAt(double z) {
+        Material picture = Material.DEFAULT.withDiffusion(0).withHighlight(0, 1).withPattern(Pattern.Picture.of("p"));
+        return Scene.EMPTY.withAmbient(Rgb.WHITE).plus(SceneObject.of(new Rectangle(-2, -2, 2, 2)).at(0, 0, z).madeOf(picture));
+    }
+
+    private static double smooth(Scene scene, Assets assets, double z, double tangent) {
         Whitted tracer = new Whitted(new World(scene, new Textures(assets), () -> false), 4, Sampling.grid(1));
         tracer.begin(() -> false);
-        Camera camera = Camera.looking(new Vec3(0.1, 0, 1e-6), new Vec3(0, 0, -1)).withFovy(2 * Math.toDegrees(Math.atan(tangent)));
+        Camera camera = Camera.looking(new Vec3(0.1, 0, z + 1e-6), new Vec3(0, 0, -1)).withFovy(2 * Math.toDegrees(Math.atan(tangent)));
         tracer.startAlone(Eye.of(camera, 1, 1), 0.5, 0.5);
         tracer.traceAlone();
         return tracer.alone().red;
@@ -142,6 +163,8 @@ class FollowedRaysTest {
             assertThat(traced(tracer, new Vec3(0, 0, 5), new Vec3(0, 0.1, -1)).red).isEqualTo(i == 32 ? 0 : 1);
             assertThat(asked[0]).isEqualTo(i / 16);
         }
+        assertThat(tracer.work()).isEqualTo(new Integrator.Work(32, 32, 64, 0, 96));
+        assertThat(tracer.rays()).isEqualTo(128);
     }
 
     /** From within glass into more of the same that touches it, at an angle of which nothing would get out into air: straight on, to what shines there. */
@@ -155,6 +178,99 @@ class FollowedRaysTest {
         Whitted tracer = tracer(isNearFirst ? scene.plus(near).plus(far) : scene.plus(far).plus(near), 8);
         assertThat(traced(tracer, new Vec3(0, 0, -0.5), new Vec3(0.9, 0, -0.4)).red).isEqualTo(0.7);
         assertThat(new long[] {tracer.work().reflected(), tracer.work().refracted(), tracer.work().hits()}).as("the one entered, the other left").containsExactly(0, 2, 3);
+    }
+
+    /** d − 2(d·N)N, of a ball about the origin. */
+    @Test
+    void aBallMirrorsAboutItsNormal() {
+        Whitted tracer = tracer(Scene.EMPTY.plus(SceneObject.of(new Sphere(1)).madeOf(MIRROR)), 1);
+        Random random = new Random(8);
+        for (int i = 0; i < 50; i++) {
+            Vec3 n = new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5).normalized();
+            Vec3 from = n.times(2).plus(new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5));
+            Vec3 d = n.minus(from).normalized();
+            Level level = traced(tracer, from, d);
+            Vec3 expected = d.minus(n.times(2 * d.dot(n)));
+            assertThat(new double[] {level.mirrorX, level.mirrorY, level.mirrorZ}).containsExactly(new double[] {expected.x(), expected.y(), expected.z()}, within(1e-12));
+            assertThat(level.cosine).isCloseTo(-d.dot(n), within(1e-12));
+        }
+    }
+
+    /** What lies in one place with a mirror, and counts after it, does not hide what is mirrored. */
+    @Test
+    void whatTouchesAMirrorIsNotSeenInIt() {
+        Whitted tracer = tracer(Scene.EMPTY.withBackground(Rgb.WHITE).plus(wall(0, MIRROR)).plus(wall(0, CLEAR)), 8);
+        assertThat(traced(tracer, new Vec3(0.1, 0.2, 5), new Vec3(0.1, 0.2, -1)).red).isEqualTo(1);
+    }
+
+    /** Each of two panes in one place is gone through once. */
+    @Test
+    void panesInOnePlaceAreMetOnceEach() {
+        Material pane = CLEAR.withTransparency(0.5, 1);
+        Whitted tracer = tracer(Scene.EMPTY.withBackground(Rgb.WHITE).plus(wall(0, pane)).plus(wall(0, pane)), 8);
+        assertThat(traced(tracer, new Vec3(0, 0, 5), new Vec3(0.1, 0.2, -1)).red).isEqualTo(0.25);
+        assertThat(tracer.work().refracted()).isEqualTo(2);
+    }
+
+    /** A lamp shines through three panes: the product of their shares, the smallest first, whatever the order they stand in. */
+    @ParameterizedTest
+    @CsvSource({"0.1, 0.3, 0.7", "0.7, 0.3, 0.1", "0.3, 0.7, 0.1", "0.7, 0.1, 0.3", "0.1, 0.7, 0.3", "0.3, 0.1, 0.7"})
+    void sharesOfPanesAreMultipliedFromTheSmallestOn(double one, double two, double three) {
+        Scene scene = Scene.EMPTY.plus(SunLight.along(0, 0, -1)).plus(wall(0, CLEAR.withPattern(new Pattern.Plain(Rgb.WHITE)).withDiffusion(1)));
+        double z = 1;
+        for (double share : new double[] {one, two, three}) {
+            scene = scene.plus(wall(z++, CLEAR.withTransparency(share, 1)));
+        }
+        assertThat(traced(tracer(scene, 1), new Vec3(0, 0, 0.5), new Vec3(0, 0, -1)).red).isEqualTo(0.1 * 0.3 * 0.7);
+    }
+
+    /** Nothing of the scene is between the floor and a lamp, but another lamp, which has a body. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void theBodyOfALampHidesOtherLamps(boolean isVisible) {
+        Scene scene = Scene.EMPTY.withCamera(Camera.looking(new Vec3(0, 0, 5), new Vec3(0, 0, -1)))
+                .plus(Light.at(0, 3, 3)).plus(SphereLight.of(new Vec3(0, 1.5, 1.5), 0.2).withIntensity(1e-9).withVisible(isVisible))
+                .plus(wall(0, CLEAR.withPattern(new Pattern.Plain(Rgb.WHITE)).withDiffusion(1)));
+        double light = tracer(scene, 1).pixel(Eye.of(scene.camera(), 1, 1), 0, 0).red;
+        assertThat(light).isCloseTo(isVisible ? 0 : Math.sqrt(0.5), within(1e-6));
+    }
+
+    /** Beside its lobe, of which all channels are alike, a rough surface has the diffuse part of every other: kD·C·I·cos θ, from before only. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, -1})
+    void aRoughSurfaceIsDiffuseToo(double side) {
+        Material rough = Material.color(Rgb.ofLinear(0.2, 0.4, 0.8)).withHighlight(0, 1).withReflection(0.5).withRoughness(0.5);
+        double[] lobe = lit(rough.withDiffusion(0), side);
+        double[] both = lit(rough.withDiffusion(0.6), side);
+        for (int i = 0; i < 3; i++) {
+            double color = 0.2 * (1 << i);
+            assertThat(lobe[i]).isEqualTo(lobe[0]);
+            assertThat(both[i] - lobe[i]).isCloseTo(side > 0 ? 0.6 * color * 0.8 : 0, within(1e-12));
+        }
+        assertThat(lobe[0] > 0).isEqualTo(side > 0);
+    }
+
+    private static double[] lit(Material material, double side) {
+        Scene scene = Scene.EMPTY.plus(SunLight.along(-0.6, 0, -0.8 * side)).plus(wall(0, material));
+        Level level = traced(tracer(scene, 1), new Vec3(0, 0, 1), new Vec3(0, 0, -1));
+        return new double[] {level.red, level.green, level.blue};
+    }
+
+    /** A lamp behind a rough pane: what stands before it hides it. */
+    @Test
+    void throughARoughPaneALampIsHiddenByWhatStandsBehindIt() {
+        Scene scene = Scene.EMPTY.plus(Light.at(0.2, 0.1, -4)).plus(wall(0, CLEAR.withTransparency(0.9, 1).withRoughness(0.6)));
+        assertThat(traced(tracer(scene, 1), new Vec3(0, 0, 3), new Vec3(0, 0, -1)).red).isPositive();
+        assertThat(traced(tracer(scene.plus(wall(-2, CLEAR)), 1), new Vec3(0, 0, 3), new Vec3(0, 0, -1)).red).isZero();
+    }
+
+    /** A lamp that a rough surface turns away from is told, too: with its cosine, and that nothing of it comes. */
+    @Test
+    void aLampBehindARoughSurfaceIsTold() {
+        Scene scene = Scene.EMPTY.plus(Light.at(0, 3, -4)).plus(wall(0, Material.DEFAULT.withReflection(0.3).withRoughness(0.5)));
+        LightTerm term = RenderScene.of(scene).explainRay(new Vec3(0, 0, 1), new Vec3(0, 0, -1), 1).encounter().orElseThrow().lights().get(0);
+        assertThat(term.rays()).singleElement().satisfies(ray -> assertThat(ray.facing()).isCloseTo(-0.8, within(1e-12)));
+        assertThat(term.added().red()).isZero();
     }
 
     /** What a ray sees of a lamp that is a ball, whose normals are on the ray's side: from outside its radiance I·D²/r², from inside nothing. */
@@ -203,11 +319,11 @@ class FollowedRaysTest {
 
     /** Rays of a block are traced together; so are those that a pixel gets at first, and those it gets beyond. It makes no difference to any bit. */
     @ParameterizedTest
-    @CsvSource({"2, 0, MITCHELL", "2, 6, BOX", "1, 0, BOX", "2, 4, GAUSS"})
-    void raysBringTheSameTogetherAndAlone(int least, int most, PixelFilter filter) {
+    @CsvSource({"2, 0, MITCHELL, 1", "2, 6, BOX, 1", "1, 0, BOX, 1e6", "2, 4, GAUSS, 1e-6"})
+    void raysBringTheSameTogetherAndAlone(int least, int most, PixelFilter filter, double scale) {
         RenderSettings settings = RenderSettings.DEFAULT.withSize(8, 6).withMaxDepth(3).withFilter(filter);
         settings = most == 0 ? settings.withSamples(least) : settings.withSamples(least, most);
-        Scene scene = balls().withSettings(settings);
+        Scene scene = balls(scale).withSettings(settings);
         Sampling sampling = Sampling.of(settings, false);
         Whitted tracer = new Whitted(world(scene), 3, sampling);
         tracer.begin(() -> false);
@@ -229,13 +345,14 @@ class FollowedRaysTest {
         assertThat(beyond > 0).isEqualTo(most > least);
     }
 
-    private static Scene balls() {
+    private static Scene balls(double scale) {
         Random random = new Random(3);
-        Scene scene = Scene.EMPTY.withBackground(new Rgb(60, 90, 140)).withCamera(Camera.looking(new Vec3(0, 0, 5), new Vec3(0, 0, -1)))
-                .plus(SphereLight.of(new Vec3(0, 4, 3), 0.5).withSamples(3).withReferenceDistance(4)).plus(SphereLight.of(new Vec3(4, 0, 3), 1).withSamples(1));
+        Scene scene = Scene.EMPTY.withBackground(new Rgb(60, 90, 140)).withCamera(Camera.looking(new Vec3(0, 0, 5 * scale), new Vec3(0, 0, -1)))
+                .plus(SphereLight.of(new Vec3(0, 4, 3).times(scale), 0.5 * scale).withSamples(3).withReferenceDistance(4 * scale))
+                .plus(SphereLight.of(new Vec3(4, 0, 3).times(scale), scale).withSamples(1).withReferenceDistance(scale));
         for (int i = 0; i < 60; i++) {
             Material material = i % 3 == 0 ? Material.DEFAULT : Material.color(200, 90, 3 * i).withReflection(0.3).withRoughness(i % 3 == 1 ? 0.5 : 0);
-            scene = scene.plus(SceneObject.of(new Sphere(0.1)).at(3 * random.nextDouble() - 2, 2 * random.nextDouble() - 1.5, random.nextDouble()).madeOf(material));
+            scene = scene.plus(SceneObject.of(new Sphere(0.1 * scale)).at((3 * random.nextDouble() - 2) * scale, (2 * random.nextDouble() - 1.5) * scale, random.nextDouble() * scale).madeOf(material));
         }
         return scene;
     }
