@@ -14,6 +14,12 @@ final class WideProbe {
     private static final double FAR = 1e30;
     /** More than what rounding to a float changes, relatively. */
     private static final float ROUNDING = 1.2e-7f;
+    /** The longest part of a direction whose reciprocal is from 1/{@value} to {@value} is taken as it is. */
+    private static final double ORDINARY = 1 << 20;
+    /** If it is less than one over 2 to this power, or as much more, all boxes are taken as met. */
+    private static final int EXTREME = 500;
+    private static final int LEAST = upper(1 / ORDINARY);
+    private static final int MOST = upper(ORDINARY);
 
     float nearX;
     float nearY;
@@ -30,6 +36,7 @@ final class WideProbe {
     int firstX;
     int firstY;
     int firstZ;
+    /** What values of t are multiplied by: a power of two. */
     private double scale = 1;
 
     /** Nodes and leaves to visit, the nearest on top: where the line enters, and in the lower half its name. */
@@ -46,12 +53,28 @@ final class WideProbe {
 
     /** Takes over the line, as seen in the space of a tree. */
     void set(WideNodes nodes, double ox, double oy, double oz, double reciprocalX, double reciprocalY, double reciprocalZ, double min, double max) {
-        scale = nodes.scale;
+        int least = Math.min(upper(reciprocalX), Math.min(upper(reciprocalY), upper(reciprocalZ)));
+        if (least >= LEAST && least <= MOST) {
+            set(nodes, ox, oy, oz, reciprocalX, reciprocalY, reciprocalZ, nodes.scale, min, max);
+            return;
+        }
+        // In the space of something placed very large or small a direction is so short or long that floats hold neither its reciprocals nor t.
+        int exponent = (least >> 20) - Double.MAX_EXPONENT;
+        if (Math.abs(exponent) > EXTREME) {
+            meetAll();
+            return;
+        }
+        double unit = Math.scalb(1.0, -exponent);
+        set(nodes, ox, oy, oz, reciprocalX * unit, reciprocalY * unit, reciprocalZ * unit, nodes.scale * unit, min, max);
+    }
+
+    private void set(WideNodes nodes, double ox, double oy, double oz, double reciprocalX, double reciprocalY, double reciprocalZ, double unit, double min, double max) {
+        scale = unit;
         begin = Math.max(0, order(min));
         end = order(max);
-        double x = (ox - nodes.centreX) * scale;
-        double y = (oy - nodes.centreY) * scale;
-        double z = (oz - nodes.centreZ) * scale;
+        double x = (ox - nodes.centreX) * nodes.scale;
+        double y = (oy - nodes.centreY) * nodes.scale;
+        double z = (oz - nodes.centreZ) * nodes.scale;
         if (!(Math.abs(x) + Math.abs(y) + Math.abs(z) < FAR)) {
             meetAll();
             return;
@@ -113,6 +136,11 @@ final class WideProbe {
         begin = 0;
         end = Integer.MAX_VALUE - SLACK;
         top = 0;
+    }
+
+    /** The upper half of a number without its sign: in the order of numbers. */
+    private static int upper(double x) {
+        return (int) (Double.doubleToRawLongBits(x) >>> 32) & Integer.MAX_VALUE;
     }
 
     private static float finite(double r) {

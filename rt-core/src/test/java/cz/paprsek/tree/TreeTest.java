@@ -56,6 +56,40 @@ class TreeTest {
         assertThat(found).isGreaterThan(100);
     }
 
+    /** In the space of a mesh that is placed very large or small, directions are as short or long, and t as large or small. */
+    @ParameterizedTest
+    @CsvSource({
+        "1, 1e-45", "1, 1e-40", "1, 1e-37", "1, 1e-30", "1, 1e-7", "1, 1e-6", "1, 1e7", "1, 1e30", "1, 1e37", "1, 1e40", "1, 1e45", "1, 1e-160", "1, 1e160",
+        "1e45, 1e-45", "1e45, 1e45", "1e-45, 1e-45", "1e-45, 1e45"
+    })
+    void howLongADirectionIsMakesNoDifference(double size, double length) {
+        Random random = new Random(3);
+        Boxes boxes = new Boxes(random, 3000, size, 0);
+        Tree tree = boxes.build();
+        Finder finder = new Finder(boxes);
+        int found = 0;
+        for (int i = 0; i < 200; i++) {
+            Line plain = Line.through(random, boxes, size, 0, i % 3 == 0 ? 1e6 : 1, i % 4);
+            Line line = new Line(plain.x, plain.y, plain.z, plain.dx * length, plain.dy * length, plain.dz * length, plain.end / length);
+            BitSet expected = new BitSet();
+            double nearest = line.end;
+            for (int k = 0; k < 3000; k++) {
+                double t = line.enter(boxes.box, 6 * k);
+                if (t < line.end) {
+                    expected.set(k);
+                    nearest = Math.min(nearest, t);
+                }
+            }
+            assertThat(finder.all(tree, line, tree.whole())).as("all that line %d meets", i).isEqualTo(expected);
+            assertThat(finder.nearest(tree, line, tree.whole())).as("the first that line %d meets", i).isEqualTo(nearest);
+            found += expected.cardinality();
+        }
+        assertThat(found).isGreaterThan(100);
+        if (Math.abs(Math.log10(length)) < 100) {
+            assertThat(finder.visits()).as("not everything is asked").isLessThan(200_000);
+        }
+    }
+
     @Test
     void fewNodesAreVisited() {
         Random random = new Random(1);
