@@ -54,7 +54,7 @@ public final class Origins {
     private static String digest(Scene scene) {
         long bodies = 0;
         for (int i = 0; i < scene.objects().size(); i++) {
-            bodies += Body.of(scene.objects().get(i)).primitives(MOST_DIGESTED);
+            bodies += Body.of(scene.objects().get(i)).primitives(MOST_DIGESTED + 1);
             if (bodies > MOST_DIGESTED) {
                 return "";
             }
