@@ -32,6 +32,10 @@ public final class SceneRules {
     /** The longest name, in characters of Java. */
     public static final int LONGEST_NAME = 200;
 
+    /** How deep operations may be nested: as elements in files, and safe for every recursion in the program. */
+    private static final int DEEPEST = 250;
+    private static final String TOO_DEEP = "the operations of this object are nested deeper than the " + DEEPEST + " levels that they may be";
+
     /** Refuses a scene with the first rule that is broken. */
     static final Report REFUSE = (culprit, attribute, sentence) -> {
         throw new IllegalArgumentException(sentence);
@@ -205,18 +209,27 @@ public final class SceneRules {
         void checkMade(SceneObject object) {
             checkMaterial(object.material(), object.shape(), object, materials, report);
             if (object.shape() instanceof Csg csg) {
-                Reach all = Reach.NONE.with(object.placement(), check(csg));
+                Reach own = check(csg, 1);
+                Reach all = Reach.NONE.with(object.placement(), own);
                 if (all.primitives > Original.MOST) {
                     report.broken(object, "", Original.TOO_MANY);
+                } else if (own.height > DEEPEST) {
+                    report.broken(object, "", TOO_DEEP);
                 } else if (!all.isSane()) {
                     checkPlacements(csg, object.placement().toParent());
+                }
+                if (own.height > DEEPEST) {
+                    // What is deepest was not looked at, and may not be too deep elsewhere.
+                    known.clear();
                 }
             }
         }
 
-        private Reach check(Csg csg) {
+        private Reach check(Csg csg, int level) {
             Reach all = known.get(csg);
-            if (all == null) {
+            if (level > DEEPEST) {
+                return Reach.TOO_DEEP;
+            } else if (all == null) {
                 all = Reach.NONE;
                 Set<String> names = new HashSet<>();
                 boolean hasOperations = false;
@@ -224,7 +237,7 @@ public final class SceneRules {
                     checkName("operand", operand.name(), operand, names, report);
                     checkMaterial(operand.material(), operand.solid(), operand, materials, report);
                     hasOperations |= operand.solid() instanceof Csg;
-                    all = all.with(operand.placement(), operand.solid() instanceof Csg inner ? check(inner) : Reach.ONE);
+                    all = all.with(operand.placement(), operand.solid() instanceof Csg inner ? check(inner, level + 1) : Reach.ONE);
                 }
                 if (hasOperations) {
                     known.put(csg, all);
@@ -250,15 +263,17 @@ public final class SceneRules {
     /**
      * How far placements within one another may go together: bounds, so that those that need no closer look are known at once.
      *
+     * @param height how deep operations are nested, or more than {@link SceneRules#DEEPEST}
      * @param primitives how many primitives there are, or more than {@link Original#MOST}
      * @param least how small anything is made, at most 1
      * @param most how large, at least 1
      * @param bent how much larger one direction than another, at least 1
      * @param away how far anything is moved
      */
-    private record Reach(long primitives, double least, double most, double bent, double away) {
-        static final Reach NONE = new Reach(0, 1, 1, 1, 0);
-        static final Reach ONE = new Reach(1, 1, 1, 1, 0);
+    private record Reach(int height, long primitives, double least, double most, double bent, double away) {
+        static final Reach NONE = new Reach(0, 0, 1, 1, 1, 0);
+        static final Reach ONE = new Reach(0, 1, 1, 1, 1, 0);
+        static final Reach TOO_DEEP = new Reach(DEEPEST + 1, 1, 1, 1, 1, 0);
         private static final double EASY = 1e40;
         /** The volume of a block with edges of length 1 is at least 1 over the square. */
         private static final double EASILY_BENT = 1e5;
@@ -271,7 +286,7 @@ public final class SceneRules {
             double z = Math.abs(scale.z());
             double small = Math.min(x, Math.min(y, z));
             double large = Math.max(x, Math.max(y, z));
-            return new Reach(Math.min(Integer.MAX_VALUE, primitives + inner.primitives), Math.min(least, small * inner.least), Math.max(most, large * inner.most),
+            return new Reach(Math.max(height, 1 + inner.height), Math.min(Integer.MAX_VALUE, primitives + inner.primitives), Math.min(least, small * inner.least), Math.max(most, large * inner.most),
                     Math.max(bent, large / small * inner.bent), Math.max(away, placement.position().length() + large * inner.away));
         }
 

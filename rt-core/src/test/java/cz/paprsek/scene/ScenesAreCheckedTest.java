@@ -143,6 +143,37 @@ class ScenesAreCheckedTest {
                 .extracting(SceneObject::name).startsWith("ball 0", "ball 1", "ball 2", "ball 4", "ball 3");
     }
 
+    private static Solid nested(int levels) {
+        Solid nest = new Sphere(1);
+        for (int i = 0; i < levels; i++) {
+            nest = Csg.union(nest);
+        }
+        return nest;
+    }
+
+    @Test
+    void operationsAreNestedAsDeepAsInFilesAndNoDeeper() {
+        Scene deepest = Scene.EMPTY.plus(SceneObject.of(nested(250)));
+        assertThat(deepest.objects()).hasSize(1);
+        assertThat(Scene.EMPTY.plus(SceneObject.of(nested(250))).equals(deepest)).isTrue();
+        for (int levels : new int[] {251, 2000, 20_000}) {
+            Solid nest = nested(levels);
+            assertThatThrownBy(() -> Scene.EMPTY.plus(SceneObject.of(nest))).isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("the operations of this object are nested deeper than the 250 levels that they may be");
+        }
+        Solid shared = nested(200);
+        Solid around = Csg.union(Csg.union(shared), shared, Csg.union(Csg.union(shared)));
+        assertThat(Scene.EMPTY.plus(SceneObject.of(around)).objects()).hasSize(1);
+        List<String> broken = new ArrayList<>();
+        Solid tooDeep = nested(10);
+        Solid within = tooDeep;
+        for (int i = 0; i < 245; i++) {
+            within = Csg.union(within);
+        }
+        SceneRules.check(List.of(), Map.of(), List.of(SceneObject.of(within), SceneObject.of(tooDeep)), (culprit, attribute, sentence) -> broken.add(sentence));
+        assertThat(broken).hasSize(1).allMatch(sentence -> sentence.contains("deeper"));
+    }
+
     @Test
     void listsOfASceneCannotBeChanged() {
         Scene scene = many();
