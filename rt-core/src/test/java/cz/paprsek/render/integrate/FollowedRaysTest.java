@@ -235,17 +235,40 @@ class FollowedRaysTest {
         assertThat(light).isCloseTo(isVisible ? 0 : Math.sqrt(0.5), within(1e-6));
     }
 
-    /** Beside its lobe, of which all channels are alike, a rough surface has the diffuse part of every other: kD·C·I·cos θ, from before only. */
+    /** A ball of the scene, on any scale. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 1e6, 1e-6})
+    void aBallHidesALampOnAnyScale(double scale) {
+        Scene scene = Scene.EMPTY.withCamera(Camera.looking(new Vec3(0, 0, 5 * scale), new Vec3(0, 0, -1))).plus(Light.at(0, 3 * scale, 3 * scale).withReferenceDistance(scale))
+                .plus(SceneObject.of(new Rectangle(-9, -9, 9, 9)).scaled(scale, scale, scale).madeOf(CLEAR.withPattern(new Pattern.Plain(Rgb.WHITE)).withDiffusion(1)));
+        Eye eye = Eye.of(scene.camera(), 1, 1);
+        assertThat(tracer(scene, 1).pixel(eye, 0, 0).red).isPositive();
+        assertThat(tracer(scene.plus(SceneObject.of(new Sphere(0.2 * scale)).at(0, 1.5 * scale, 1.5 * scale)), 1).pixel(eye, 0, 0).red).isZero();
+    }
+
+    /** Tinted glass over the left half of a floor: nothing of it stays for the next pixel, whose light meets none. */
+    @Test
+    void whatTookLightOnOneWayTakesNoneOnTheNext() {
+        Scene scene = Scene.EMPTY.withCamera(Camera.looking(new Vec3(0, 0, 0.5), new Vec3(0, 0, -1)).withFovy(120)).plus(SunLight.along(0, 0, -1))
+                .plus(wall(0, CLEAR.withPattern(new Pattern.Plain(Rgb.WHITE)).withDiffusion(1)))
+                .plus(SceneObject.of(new Block(new Vec3(-5, -5, 1), new Vec3(-0.1, 5, 2))).madeOf(CLEAR.withTransparency(1, 1).withAttenuation(Rgb.ofLinear(0.5, 0.5, 0.5), 1)));
+        Whitted tracer = tracer(scene, 1);
+        Eye eye = Eye.of(scene.camera(), 2, 1);
+        assertThat(tracer.pixel(eye, 0, 0).red).isCloseTo(Math.exp(-0.5), within(1e-6));
+        assertThat(tracer.pixel(eye, 1, 0).red).isEqualTo(1);
+    }
+
+    /** Beside its lobe, of which all channels are alike, a rough surface has the diffuse part and the highlight of every other: kD·C·I·cos θ + kS·I·(R·L)², from before only. */
     @ParameterizedTest
     @ValueSource(doubles = {1, -1})
     void aRoughSurfaceIsDiffuseToo(double side) {
-        Material rough = Material.color(Rgb.ofLinear(0.2, 0.4, 0.8)).withHighlight(0, 1).withReflection(0.5).withRoughness(0.5);
-        double[] lobe = lit(rough.withDiffusion(0), side);
-        double[] both = lit(rough.withDiffusion(0.6), side);
+        Material rough = Material.color(Rgb.ofLinear(0.2, 0.4, 0.8)).withReflection(0.5).withRoughness(0.5);
+        double[] lobe = lit(rough.withDiffusion(0).withHighlight(0, 1), side);
+        double[] both = lit(rough.withDiffusion(0.6).withHighlight(0.3, 2), side);
         for (int i = 0; i < 3; i++) {
             double color = 0.2 * (1 << i);
             assertThat(lobe[i]).isEqualTo(lobe[0]);
-            assertThat(both[i] - lobe[i]).isCloseTo(side > 0 ? 0.6 * color * 0.8 : 0, within(1e-12));
+            assertThat(both[i] - lobe[i]).isCloseTo(side > 0 ? 0.6 * color * 0.8 + 0.3 * 0.64 : 0, within(1e-12));
         }
         assertThat(lobe[0] > 0).isEqualTo(side > 0);
     }
