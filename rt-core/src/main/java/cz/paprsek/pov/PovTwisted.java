@@ -41,8 +41,22 @@ final class PovTwisted {
         return new PovTwisted(extrude).triangles();
     }
 
-    private Triangles triangles() {
-        List<List<Vec3>> polygons = outline.polygons(Lathed.tolerance(outline));
+    /** By up to which share of its radius a mesh is off; of many turns its slices are thicker, and it is off by more. */
+    static double error(Extrude extrude) {
+        PovTwisted twisted = new PovTwisted(extrude);
+        Cuts cuts = twisted.cuts(twisted.outline.polygons(Lathed.tolerance(twisted.outline)));
+        return FINENESS * cuts.coarser * cuts.coarser;
+    }
+
+    /**
+     * How the sides are cut.
+     *
+     * @param step between slices, radians, and width, in units of the outline, if there need not be too many
+     * @param coarser what both are multiplied by, since there would be
+     */
+    private record Cuts(double step, double width, double coarser) {}
+
+    private Cuts cuts(List<List<Vec3>> polygons) {
         double around = 0;
         double radius = 0;
         for (List<Vec3> polygon : polygons) {
@@ -54,10 +68,15 @@ final class PovTwisted {
         // Two triangles between slices are off by a quarter of their width times the turn.
         double step = Math.min(STEP, Math.abs(twist));
         double width = 4 * FINENESS * radius / step;
-        double coarser = Math.max(1, Math.sqrt(around / width * Math.abs(twist) / step / MOST_SIDES));
-        int slices = (int) Math.ceil(Math.abs(twist) / step / coarser);
+        return new Cuts(step, width, Math.max(1, Math.sqrt(around / width * Math.abs(twist) / step / MOST_SIDES)));
+    }
+
+    private Triangles triangles() {
+        List<List<Vec3>> polygons = outline.polygons(Lathed.tolerance(outline));
+        Cuts cuts = cuts(polygons);
+        int slices = (int) Math.ceil(Math.abs(twist) / cuts.step / cuts.coarser);
         for (List<Vec3> polygon : polygons) {
-            contour(corners(polygon), width * coarser);
+            contour(corners(polygon), cuts.width * cuts.coarser);
         }
         for (int column = 0; column < feet.size(); column++) {
             for (int slice = 0; slice <= slices; slice++) {

@@ -201,12 +201,17 @@ final class PovWarnings {
         } else if (shape instanceof Text text && text.isRead() && PovOutlines.areOver(text)) {
             sentences.add(name + " has letters, or parts of them, that lie over each other; POV-Ray has holes there");
         } else if (shape instanceof Extrude extrude && extrude.twist() != 0) {
-            sentences.add(name + " is twisted, as nothing is that POV-Ray sweeps; it is told a mesh instead, off by up to about 1/2000 of its radius");
+            sentences.add(name + " is twisted, as nothing is that POV-Ray sweeps; it is told a mesh instead, off by up to about " + error(extrude));
         } else if (shape instanceof HeightField field) {
             PovPictures.lost(field).forEach(lost -> sentences.add(name + ": " + lost));
         } else if (given == Inherited.INHERITED && shape instanceof Mesh mesh && mesh.isRead() && !PovMesh.isTold(mesh)) {
             sentences.add(name + ": POV-Ray is told the colours of corners only over one colour, and up to white");
         }
+    }
+
+    private static String error(Extrude twisted) {
+        double error = PovTwisted.error(twisted);
+        return error > 0.5 ? "its radius, since it has so many turns" : "1/" + Math.round(1 / error) + " of its radius";
     }
 
     private void checkMaterials(String name, SceneObject object) {

@@ -5,7 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -19,7 +22,9 @@ class GltfDoubtsTest {
         "'buffers':[{}] | buffers[0]: here must be \"byteLength\"",
         "'buffers':[7] | buffers[0]: this must be an object in { }",
         "'buffers':[{'byteLength':0}] | buffers[0].byteLength: this must be 1 or more, but is 0",
-        "'buffers':[{'byteLength':9,'uri':'data:,x'}] | buffers[0].uri: data must be in base64",
+        "'buffers':[{'byteLength':9,'uri':'data:,x'}] | " + NOTHING,
+        "'buffers':[{'byteLength':4,'uri':'data:,xxxx'}],'bufferViews':[{'buffer':0,'byteLength':4}],'accessors':[{'bufferView':0,'componentType':5126,'count':1,'type':'SCALAR'}] "
+            + "| buffers[0].uri: data must be in base64",
         "'buffers':[{'byteLength':9,'uri':'data:x/y;base64,AAAA'}] | buffers[0].byteLength: these are to be 9 bytes, but are 3",
         "'buffers':[{'byteLength':9}] | " + NOTHING,
         "'buffers':[{'byteLength':9}],'bufferViews':[{'buffer':0,'byteOffset':6,'byteLength':4}] | bufferViews[0]: this reaches to byte 10, but the buffer has 9",
@@ -32,14 +37,19 @@ class GltfDoubtsTest {
         "'accessors':[{'componentType':5126,'count':1,'type':'VEC5'}] | accessors[0].type: this must be one of SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3, MAT4, but is \"VEC5\"",
         "'accessors':[{'componentType':5126,'count':1,'type':'VEC3','byteOffset':4}] | accessors[0].byteOffset: this needs \"bufferView\" beside it",
         "'accessors':[{'componentType':5126,'count':1,'type':'SCALAR','normalized':true}] | accessors[0].normalized: this is for whole numbers of one or two bytes",
-        "'accessors':[{'componentType':5126,'count':1,'type':'SCALAR','min':[1]}] | accessors[0]: number 0 of element 0 is 0.0, which is beyond what \"min\" and \"max\" say",
+        "'accessors':[{'componentType':5126,'count':1,'type':'SCALAR','min':[1]}] | accessors[0]: number 0 of element 0 is 0, which is beyond what \"min\" and \"max\" say",
         "'materials':[{'alphaMode':'GLASS'}] | materials[0].alphaMode: this must be one of OPAQUE, MASK, BLEND, but is \"GLASS\"",
         "'materials':[{'normalTexture':{'index':0}}] | materials[0].normalTexture.index: there is no textures[0], but 0 of them",
         "'materials':[{'extensions':{'KHR_materials_ior':{}}}] | materials[0].extensions.KHR_materials_ior: an extension must be in the list \"extensionsUsed\"",
         "'extensionsUsed':['KHR_materials_ior'],'extensions':{'KHR_materials_ior':{}} | extensions.KHR_materials_ior: this extension has no place here",
         "'extensionsUsed':['X','X'] | extensionsUsed: \"X\" stands here twice",
         "'cameras':[{'type':'perspective'}] | cameras[0]: here must be \"perspective\"",
-        "'cameras':[{'type':'orthographic','orthographic':{'xmag':1,'ymag':0,'znear':0,'zfar':1}}] | cameras[0].orthographic.ymag: this must be above 0, but is 0.0",
+        "'cameras':[{'type':'orthographic','orthographic':{'xmag':1,'ymag':0,'znear':0,'zfar':1}}] | cameras[0].orthographic.ymag: this must not be 0",
+        "'cameras':[{'type':'orthographic','orthographic':{'xmag':-1,'ymag':1,'znear':0,'zfar':1}}] | " + NOTHING,
+        "'scene':-1 | scene: this must be a whole number from 0 to 2147483647, but is -1",
+        "'meshes':[{'primitives':[{'mode':0,'attributes':{'X_y:Z':0}}]}],'accessors':[{'componentType':5126,'count':1,'type':'SCALAR'}],'extensionsUsed':['X_y'] | " + NOTHING,
+        "'meshes':[{'primitives':[{'mode':0,'attributes':{'X_y:Z':0}}]}],'accessors':[{'componentType':5126,'count':1,'type':'SCALAR'}] "
+            + "| meshes[0].primitives[0].attributes: \"X_y:Z\" is no attribute of vertices",
         "'cameras':[{'type':'perspective','perspective':{'yfov':1,'znear':2,'zfar':1}}] | cameras[0].perspective.zfar: this must be above znear",
         "'images':[{}] | images[0]: here must be one of \"uri\" and \"bufferView\"",
         "'scene':0 | scene: there is no scenes[0], but 0 of them",
@@ -55,7 +65,26 @@ class GltfDoubtsTest {
         "'materials':[{'name':'red'}],'nodes':[{'children':[1]},{'camera':0}],'cameras':[{'type':'perspective','perspective':{'yfov':1,'znear':1}}] | " + NOTHING,
     })
     void whatNothingShowsIsLookedInto(String json, String sentence) {
-        assertThat(Read.fault(ForeignFormat.GLTF, ("{'asset':{'version':'2.0'}," + json + "}").replace('\'', '"'))).isEqualTo(sentence);
+        assertThat(fault(json)).isEqualTo(sentence);
+    }
+
+    @Test
+    @Timeout(30)
+    void littleIsLookedIntoOfWhatIsSaidVeryOften() {
+        String many = "{'componentType':5126,'count':1000000,'type':'MAT4'},".repeat(5000);
+        assertThat(fault("'accessors':[" + many + "{'componentType':5126,'count':1000000,'type':'SCALAR','min':[1]}]"))
+                .isEqualTo("accessors[5000]: number 0 of element 0 is 0, which is beyond what \"min\" and \"max\" say");
+        String mesh = "{'primitives':[{'attributes':{'POSITION':0}}],'name':'%d'},";
+        String meshes = IntStream.range(0, 300).mapToObj(mesh::formatted).collect(Collectors.joining());
+        assertThat(fault("'meshes':[" + meshes + mesh.replace("},", "}") + "],'accessors':[{'componentType':5126,'count':999999,'type':'VEC3','min':[0,0,0],'max':[0,0,0]}]"))
+                .isEqualTo(NOTHING);
+        String views = "{'bufferView':0,'componentType':5121,'count':1000000,'type':'SCALAR'},".repeat(3000);
+        String bytes = "'buffers':[{'byteLength':1000000,'uri':'data:;base64," + "AAAA".repeat(333_334) + "'}],'bufferViews':[{'buffer':0,'byteLength':1000000}]";
+        assertThat(fault(bytes + ",'accessors':[" + views.substring(0, views.length() - 1) + "]")).isEqualTo(NOTHING);
+    }
+
+    private static String fault(String json) {
+        return Read.fault(ForeignFormat.GLTF, ("{'asset':{'version':'2.0'}," + json + "}").replace('\'', '"'));
     }
 
     @Test

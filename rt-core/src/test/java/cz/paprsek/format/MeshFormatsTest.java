@@ -199,6 +199,7 @@ class MeshFormatsTest {
         "PLY | ply\\nformat ascii 1.0\\nelement vertex 1\\nproperty int x\\nproperty int y\\nproperty int z\\nend_header\\n1 2 3 | the end: there is no face in this file, only 1 vertices",
         "PLY | ply\\nelement vertex 1\\nend_header\\n | line 3: before the end of the head must be a line \"format\"",
         "PLY | ply\\nformat ascii 1.0\\nelement face 1\\nproperty list float int vertex_index\\nend_header\\n | line 4: the length of a list must be a whole number",
+        "PLY | ply\\nformat ascii 1.0\\nelement vertex 2\\nproperty int x\\nproperty int y\\nproperty int z\\nend_header\\n1 2 3\\n1 2 | line 9: the file ends before all of its 2 times \"vertex\"",
         "PLY | plx\\n | line 1: a PLY file begins with the line \"ply\"",
         "OFF | OFF BINARY\\n | line 1: an OFF file that is text, and of three dimensions, begins with \"OFF\"",
         "OFF | 4OFF\\n | line 1: an OFF file that is text, and of three dimensions, begins with \"OFF\"",

@@ -84,6 +84,8 @@ class PovTwistedTest {
         Scene scene = Scene.EMPTY.plus(SceneObject.of(new Extrude(STAR, "", 2, 90, 1)).named("screw"));
         assertThat(PovFiles.write(scene, text))
                 .contains("\"screw\" is twisted, as nothing is that POV-Ray sweeps; it is told a mesh instead, off by up to about 1/2000 of its radius");
+        Scene turns = Scene.EMPTY.plus(SceneObject.of(new Extrude(STAR, "", 2, 36_000, 1)).named("screw"));
+        assertThat(PovFiles.write(turns, new StringBuilder())).anyMatch(sentence -> sentence.matches(".*, off by up to about 1/\\d{2,3} of its radius"));
         assertThat(text.toString()).contains("mesh2 {").contains("inside_vector").doesNotContain("prism");
     }
 }

@@ -1,6 +1,7 @@
 package cz.paprsek.format.gltf;
 
 import cz.paprsek.format.model.FormatFault;
+import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.Map;
@@ -9,7 +10,6 @@ import java.util.Map;
 final class Accessors {
     /** How many numbers may be without bytes: they would cost nothing in a file, and much in memory. */
     private static final long MOST_ZEROS = 50_000_000;
-    private static final int MOST_UNSEEN = 1_000_000;
     private static final Map<String, Integer> WIDTHS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4, "MAT4", 16);
 
     private final Tree document;
@@ -90,8 +90,18 @@ final class Accessors {
         return values;
     }
 
-    /** Whether all numbers can be read, and are within the limits that the document says. */
-    void check(int index) throws IOException {
+    /** How many numbers reading all of it takes. */
+    long size(int index) throws FormatFault {
+        return count(index) * (long) WIDTHS.getOrDefault(document.item("accessors", index).text("type", ""), 1);
+    }
+
+    /**
+     * Whether all numbers can be read, and are within the limits that the document says.
+     *
+     * @param most how many numbers may be read for that; of more it is not looked at each
+     * @return how many were
+     */
+    long check(int index, long most) throws IOException {
         Tree accessor = document.item("accessors", index);
         String type = accessor.text("type", "");
         Kind kind = Kind.of(accessor);
@@ -102,19 +112,26 @@ final class Accessors {
             throw accessor.fault("normalized", "this is for whole numbers of one or two bytes");
         }
         aligned(accessor, kind);
-        if (!WIDTHS.containsKey(type) || !(accessor.has("bufferView") ? fits(accessor, kind, type) : accessor.needed("count") <= MOST_UNSEEN)) {
-            return;
+        if (!WIDTHS.containsKey(type) || (accessor.has("bufferView") && !fits(accessor, kind, type))) {
+            return 0;
         }
         int width = width(accessor, type);
-        float[] values = floats(index, type);
+        boolean isNothing = !accessor.has("bufferView") && !accessor.has("sparse");
+        long size = isNothing ? width : size(index);
+        if (size > most) {
+            return 0;
+        }
+        // What has no bytes is zeros, of which one element tells as much as all.
+        float[] values = isNothing ? new float[width] : floats(index, type);
         double[] min = accessor.has("min") ? accessor.numbers("min", new double[width]) : new double[0];
         double[] max = accessor.has("max") ? accessor.numbers("max", new double[width]) : new double[0];
         for (int i = 0; i < values.length && !accessor.flag("normalized"); i++) {
             int k = i % width;
             if ((min.length > 0 && values[i] < (float) min[k]) || (max.length > 0 && values[i] > (float) max[k])) {
-                throw accessor.fault("number " + k + " of element " + i / width + " is " + values[i] + ", which is beyond what \"min\" and \"max\" say");
+                throw accessor.fault("number " + k + " of element " + i / width + " is " + Numbers.text(Double.parseDouble(Float.toString(values[i]))) + ", which is beyond what \"min\" and \"max\" say");
             }
         }
+        return size;
     }
 
     /** Whether its bytes are known; that they lie within their view is looked at in any case. */

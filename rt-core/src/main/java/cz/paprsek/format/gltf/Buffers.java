@@ -48,7 +48,7 @@ final class Buffers {
     ByteBuffer data(Tree owner, String uri) throws IOException {
         if (uri.startsWith("data:")) {
             int comma = uri.indexOf(',');
-            if (comma < 0 || !uri.substring(0, comma).endsWith(";base64")) {
+            if (!isBase64(uri)) {
                 throw owner.fault("uri", "data must be in base64");
             }
             try {
@@ -58,6 +58,11 @@ final class Buffers {
             }
         }
         return beside(owner, name(owner, uri));
+    }
+
+    private static boolean isBase64(String uri) {
+        int comma = uri.indexOf(',');
+        return comma >= 0 && uri.substring(0, comma).endsWith(";base64");
     }
 
     /** A file beside the document. */
@@ -97,9 +102,10 @@ final class Buffers {
         return document.item("buffers", index).has("uri") || (index == 0 && chunk.isPresent());
     }
 
-    /** Whether a buffer can be read. */
+    /** Whether a buffer can be read; of data in another form than ours that is asked when they are needed. */
     void check(int index) throws IOException {
-        if (isGiven(index)) {
+        String uri = document.item("buffers", index).text("uri", "");
+        if (isGiven(index) && (!uri.startsWith("data:") || isBase64(uri))) {
             buffer(index);
         }
     }

@@ -5,8 +5,11 @@ import cz.paprsek.format.model.Notes;
 import cz.paprsek.math.Affine;
 import java.io.IOException;
 import java.util.BitSet;
+import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Looks into everything that a document has, whether it is shown or not: for whoever sees nothing of a file wants to know what is wrong with it. A document of which something is
@@ -17,9 +20,15 @@ import java.util.Optional;
 final class Doubts {
     private static final Map<String, String> TYPES = Map.of("POSITION", "VEC3", "NORMAL", "VEC3", "TANGENT", "VEC4", "TEXCOORD_0", "VEC2", "JOINTS_0", "VEC4", "WEIGHTS_0", "VEC4");
 
+    /** How many numbers are read to look at them: a small file may name the same ones very often. */
+    private static final long MOST = 10_000_000;
+
     private final Tree document;
     private final Buffers buffers;
     private final Accessors accessors;
+    /** The primitives and weights of meshes that have been looked at. */
+    private final Set<List<List<?>>> seen = new HashSet<>();
+    private long left = MOST;
 
     Doubts(Tree document, Buffers buffers, Accessors accessors) {
         this.document = document;
@@ -41,7 +50,7 @@ final class Doubts {
             buffers.isKnown(i);
         }
         for (int i = 0; i < document.count("accessors"); i++) {
-            accessors.check(i);
+            left -= accessors.check(i, left);
         }
         for (int i = 0; i < document.count("cameras"); i++) {
             camera(document.item("cameras", i));
@@ -51,8 +60,13 @@ final class Doubts {
         }
         nodes();
         for (int i = 0; i < document.count("meshes"); i++) {
-            mesh(document.item("meshes", i));
-            new Meshes(document, accessors, materials, new Notes()).show(i, "", new Meshes.Pose(Affine.IDENTITY, Optional.empty()), new double[0]);
+            Tree mesh = document.item("meshes", i);
+            mesh(mesh);
+            long size = size(mesh);
+            if (size <= left && seen.add(List.of(mesh.list("primitives"), mesh.list("weights")))) {
+                left -= size;
+                new Meshes(document, accessors, materials, new Notes()).show(i, "", new Meshes.Pose(Affine.IDENTITY, Optional.empty()), new double[0]);
+            }
         }
         for (int i = 0; i < document.count("animations"); i++) {
             animation(document.item("animations", i));
@@ -69,8 +83,8 @@ final class Doubts {
             throw lens.fault("zfar", "this must be above znear");
         }
         for (String size : lens.names()) {
-            if ((size.equals("xmag") || size.equals("ymag")) && !(lens.number(size, 1) > 0)) {
-                throw lens.fault(size, "this must be above 0, but is " + lens.number(size, 1));
+            if ((size.equals("xmag") || size.equals("ymag")) && lens.number(size, 1) == 0) {
+                throw lens.fault(size, "this must not be 0");
             }
         }
     }
@@ -90,6 +104,10 @@ final class Doubts {
     private void nodes() throws FormatFault {
         int count = document.count("nodes");
         int[] parents = new int[count];
+        BitSet skinned = new BitSet();
+        for (int i = 0; i < document.count("meshes"); i++) {
+            skinned.set(i, isSkinned(document.item("meshes", i)));
+        }
         for (int i = 0; i < count; i++) {
             Tree node = document.item("nodes", i);
             if (node.has("matrix") && (node.has("translation") || node.has("rotation") || node.has("scale"))) {
@@ -99,7 +117,7 @@ final class Doubts {
             if (Math.abs(Math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]) - 1) > 0.005) {
                 throw node.fault("rotation", "the four numbers of a rotation must have the length 1 together");
             }
-            if (node.has("skin") && !isSkinned(document.item("meshes", node.needed("mesh")))) {
+            if (node.has("skin") && !skinned.get(node.needed("mesh"))) {
                 throw node.fault("skin", "no primitive of the mesh has JOINTS_0 and WEIGHTS_0");
             }
             for (int child : node.indexes("children", count)) {
@@ -109,19 +127,16 @@ final class Doubts {
                 parents[child] = i + 1;
             }
         }
-        BitSet known = new BitSet();
+        int[] known = new int[count];
         for (int i = 0; i < count; i++) {
-            BitSet above = new BitSet();
-            for (int at = i; !known.get(at); at = parents[at] - 1) {
-                if (above.get(at)) {
-                    throw document.item("nodes", at).fault("this node is within itself");
-                }
-                above.set(at);
-                if (parents[at] == 0) {
-                    break;
-                }
+            int at = i;
+            while (at >= 0 && known[at] == 0) {
+                known[at] = i + 1;
+                at = parents[at] - 1;
             }
-            known.or(above);
+            if (at >= 0 && known[at] == i + 1) {
+                throw document.item("nodes", at).fault("this node is within itself");
+            }
         }
         for (int i = 0; i < document.count("scenes"); i++) {
             Tree scene = document.item("scenes", i);
@@ -173,7 +188,7 @@ final class Doubts {
         for (String name : attributes.names()) {
             Tree accessor = document.item("accessors", attributes.needed(name));
             String type = TYPES.get(name);
-            boolean isKnown = name.startsWith("_") || name.matches("POSITION|NORMAL|TANGENT|(TEXCOORD|COLOR|JOINTS|WEIGHTS)_(0|[1-9]\\d*)");
+            boolean isKnown = name.startsWith("_") || isOfExtension(name) || name.matches("POSITION|NORMAL|TANGENT|(TEXCOORD|COLOR|JOINTS|WEIGHTS)_(0|[1-9]\\d*)");
             if (!isKnown) {
                 throw attributes.fault(FormatFault.quoted(name) + " is no attribute of vertices");
             }
@@ -192,6 +207,37 @@ final class Doubts {
             count = accessor.needed("count");
         }
         return count;
+    }
+
+    /** Extensions give their attributes names that begin with their own. */
+    private boolean isOfExtension(String attribute) throws FormatFault {
+        int end = attribute.indexOf(':');
+        return end > 0 && document.list("extensionsUsed").contains(attribute.substring(0, end));
+    }
+
+    /** How many numbers showing a mesh takes. */
+    private long size(Tree mesh) throws FormatFault {
+        long size = 0;
+        for (int i = 0; i < mesh.count("primitives"); i++) {
+            Tree primitive = mesh.item("primitives", i);
+            size += size(primitive, "indices") + sizes(primitive.childOrNothing("attributes"));
+            for (int k = 0; k < primitive.count("targets"); k++) {
+                size += sizes(primitive.item("targets", k));
+            }
+        }
+        return size;
+    }
+
+    private long sizes(Tree attributes) throws FormatFault {
+        long size = 0;
+        for (String name : attributes.names()) {
+            size += size(attributes, name);
+        }
+        return size;
+    }
+
+    private long size(Tree owner, String name) throws FormatFault {
+        return owner.has(name) ? accessors.size(owner.needed(name)) : 0;
     }
 
     private static void animation(Tree animation) throws FormatFault {

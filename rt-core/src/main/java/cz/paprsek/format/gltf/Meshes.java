@@ -26,6 +26,8 @@ final class Meshes {
     private final Triangles.Builder builder = Triangles.builder();
     private final Map<String, String> materialOf = new HashMap<>();
     private final Set<String> names = new HashSet<>();
+    /** From which number on there is no part of a name yet. */
+    private final Map<String, Integer> numbers = new HashMap<>();
 
     Meshes(Tree document, Accessors accessors, Materials materials, Notes notes) {
         this.document = document;
@@ -117,9 +119,11 @@ final class Meshes {
         String of = material < 0 ? "" : materials.name(material);
         String wanted = !name.isEmpty() && !names.contains(name) ? name : (name + " " + of).strip();
         String part = wanted;
-        for (int i = 2; !names.add(part); i++) {
-            part = (wanted + " " + i).strip();
+        int next = numbers.getOrDefault(wanted, 2);
+        for (; !names.add(part); next++) {
+            part = (wanted + " " + next).strip();
         }
+        numbers.put(wanted, next);
         if (!of.isEmpty()) {
             materialOf.put(part, of);
         }

@@ -82,6 +82,8 @@ final class Rules {
     private final Tree document;
     private final Map<String, List<Rule>> kinds = new HashMap<>();
     private final Set<String> extensions = new HashSet<>();
+    /** Those that the document says it uses. */
+    private final Set<Object> used;
 
     /** @param more of what it is, such as limits */
     private record Rule(String name, boolean isNeeded, String what, List<String> more, String with) {
@@ -99,8 +101,9 @@ final class Rules {
         }
     }
 
-    private Rules(Tree document) {
+    private Rules(Tree document) throws FormatFault {
         this.document = document;
+        used = new HashSet<>(document.list("extensionsUsed"));
         for (String line : TABLE.lines().toList()) {
             String kind = line.substring(0, line.indexOf(':'));
             List<Rule> rules = new ArrayList<>();
@@ -140,7 +143,7 @@ final class Rules {
         Tree all = object.childOrNothing("extensions");
         for (String name : all.names()) {
             Tree extension = all.child(name).orElse(Tree.NOTHING);
-            if (!document.list("extensionsUsed").contains(name)) {
+            if (!used.contains(name)) {
                 throw all.fault(name, "an extension must be in the list \"extensionsUsed\"");
             }
             if (extensions.contains(name) && !kinds.containsKey(name + " of " + kind)) {

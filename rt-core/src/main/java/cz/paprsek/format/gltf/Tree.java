@@ -1,6 +1,7 @@
 package cz.paprsek.format.gltf;
 
 import cz.paprsek.format.model.FormatFault;
+import cz.paprsek.text.Numbers;
 import java.nio.ByteBuffer;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -100,7 +101,7 @@ record Tree(String path, Map<String, Object> members) {
     double share(String name, double otherwise, double low, double high) throws FormatFault {
         double value = number(name, otherwise);
         if (!(value >= low && value <= high)) {
-            throw fault(name, "this must be a number from " + low + " to " + high + ", but is " + value);
+            throw fault(name, "this must be a number from " + Numbers.text(low) + " to " + Numbers.text(high) + ", but is " + Numbers.text(value));
         }
         return value;
     }
@@ -113,7 +114,7 @@ record Tree(String path, Map<String, Object> members) {
     int whole(String name, int otherwise) throws FormatFault {
         double value = number(name, otherwise);
         if (!(value >= 0 && value <= Integer.MAX_VALUE && value == Math.rint(value))) {
-            throw fault(name, "this must be a whole number from 0 to " + Integer.MAX_VALUE + ", but is " + members.get(name));
+            throw fault(name, "this must be a whole number from 0 to " + Integer.MAX_VALUE + ", but is " + Numbers.text(value));
         }
         return (int) value;
     }

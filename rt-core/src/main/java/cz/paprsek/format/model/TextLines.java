@@ -23,6 +23,8 @@ public final class TextLines {
     private int next;
     private int filled;
     private boolean isAfterReturn;
+    /** Whether the last line has no line end, and what is missing is missing there. */
+    private boolean isOpen;
     private long line;
     private long ended;
     private final Decimal decimal = new Decimal();
@@ -50,6 +52,7 @@ public final class TextLines {
         next = 0;
         filled = bytes.length;
         isAfterReturn = false;
+        isOpen = false;
         ended = linesBefore;
     }
 
@@ -119,8 +122,13 @@ public final class TextLines {
 
     private boolean lastLine(int end) {
         begin(end, end);
-        ended += end > start ? 1 : 0;
-        return end > start;
+        boolean isLine = end > start;
+        if (!isLine && isOpen) {
+            line = ended;
+        }
+        ended += isLine ? 1 : 0;
+        isOpen |= isLine;
+        return isLine;
     }
 
     private void begin(int end, int after) {
