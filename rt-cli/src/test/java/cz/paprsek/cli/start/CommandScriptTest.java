@@ -9,6 +9,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -118,14 +119,14 @@ class CommandScriptTest extends StartScript {
 
     /** What is said by this Java, without an archive. */
     private String said(int code, String... words) throws Exception {
-        Answer answer = call(folder, Map.of("JAVA_HOME", System.getProperty("java.home"), "XDG_CACHE_HOME", "/nonexistent"), words);
+        Answer answer = call(folder, Map.of("JAVA_HOME", System.getProperty("java.home"), "XDG_CACHE_HOME", Files.writeString(folder.resolve("in the way"), "").toString()), words);
         assertThat(answer.code()).isEqualTo(code);
         return answer.said();
     }
 
     private Path onlyArchive() throws Exception {
         assertThat(archives()).hasSize(1);
-        assertThat(archives().get(0).getFileName().toString()).matches("rt-cli-17\\.0\\.9-\\d+-\\d+\\.archive");
+        assertThat(archives().get(0).getFileName().toString()).matches("rt-cli-17\\.0\\.9-\\d+-\\d+[A-Z][a-z]{2}\\d+\\.archive");
         return archives().get(0);
     }
 
@@ -138,6 +139,14 @@ class CommandScriptTest extends StartScript {
         Path archive = onlyArchive();
         call("info");
         assertThat(Files.readString(log)).contains("call -XX:SharedArchiveFile=" + archive).containsOnlyOnce("training");
+    }
+
+    @Test
+    void whatCannotBeReadOrSaidIsNoMatterOfTheScript() throws Exception {
+        Path secret = Files.createFile(folder.resolve("secret.xml"), PosixFilePermissions.asFileAttribute(Set.of()));
+        assertThat(call("info", secret.toString())).isEqualTo(7);
+        assertThat(callClosed("2>&-", Map.of(), "bench")).isEqualTo(new Answer(7, ""));
+        assertThat(Files.readString(log)).contains("jdk.incubator.vector");
     }
 
     @ParameterizedTest

@@ -39,6 +39,12 @@ class EditorScriptTest extends StartScript {
     }
 
     @Test
+    void closedStreamsKeepNothingFromStarting() throws Exception {
+        assertThat(callClosed(">&-", Map.of("CODE", "5"))).isEqualTo(new Answer(5, "told\n"));
+        assertThat(callClosed(">&- 2>&-", Map.of("CODE", "6"))).isEqualTo(new Answer(6, ""));
+    }
+
+    @Test
     void theFirstCallMakesTheArchiveThatTheOthersUse() throws Exception {
         assertThat(call(folder, 0, "a scene.xml")).anyMatch(word -> word.startsWith("-XX:ArchiveClassesAtExit=")).contains("--add-modules", "-jar", "a scene.xml");
         Path archive = archives().get(0);

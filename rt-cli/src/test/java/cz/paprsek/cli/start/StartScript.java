@@ -83,7 +83,16 @@ abstract class StartScript {
 
     /** Calls the script of an installation. */
     final Answer call(Path installation, Map<String, String> environment, String... words) throws Exception {
-        ProcessBuilder builder = new ProcessBuilder(script(installation).toString()).redirectErrorStream(true);
+        return call(new ProcessBuilder(script(installation).toString()), environment, words);
+    }
+
+    /** Calls the script as a shell does that has closed some of its streams, such as {@code >&-}. */
+    final Answer callClosed(String closed, Map<String, String> environment, String... words) throws Exception {
+        return call(new ProcessBuilder("sh", "-c", "exec \"$0\" \"$@\" " + closed, script(folder).toString()), environment, words);
+    }
+
+    private Answer call(ProcessBuilder builder, Map<String, String> environment, String... words) throws Exception {
+        builder.redirectErrorStream(true);
         builder.command().addAll(List.of(words));
         builder.environment().put("JAVA_HOME", home.toString());
         builder.environment().put("XDG_CACHE_HOME", folder.resolve("a cache").toString());
@@ -147,6 +156,22 @@ abstract class StartScript {
     void withoutAFolderForItTheProgramStartsAllTheSame() throws Exception {
         Files.createFile(folder.resolve("a cache"));
         assertThat(run(folder)).doesNotContain(MAKES, USES).contains("-jar");
+    }
+
+    @Test
+    void theTimeZoneMakesNoDifference() throws Exception {
+        Files.setLastModifiedTime(jar, FileTime.from(Instant.parse("2024-05-05T23:30:00Z")));
+        Path archive = made(folder);
+        Files.deleteIfExists(log);
+        call(folder, Map.of("TZ", "EST-10", "CODE", "0"));
+        assertThat(Files.readString(log)).contains(USES + archive);
+    }
+
+    @Test
+    void whoHasNoHomeHasNoArchive() throws Exception {
+        call(folder, Map.of("HOME", "", "XDG_CACHE_HOME", "", "CODE", "0"));
+        Thread.sleep(1500);
+        assertThat(Files.readString(log)).contains("-jar").doesNotContain(MAKES, USES, "training");
     }
 
     @Test
