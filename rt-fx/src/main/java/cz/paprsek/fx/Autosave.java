@@ -47,17 +47,31 @@ final class Autosave {
         this.manuscript = manuscript;
         this.recovery = recovery;
         this.onFault = onFault;
+        document.model().unsavedProperty().addListener((property, old, now) -> {
+            if (!now) {
+                Platform.runLater(this::keepIfNew);
+            }
+        });
         timer.setCycleCount(Timeline.INDEFINITE);
         timer.play();
     }
 
-    /** Keeps a copy now if there is something unsaved that no copy has. */
+    /** Keeps a copy now if there is something unsaved that no copy has; forgets the copy if there is nothing unsaved any more, because it has been undone. */
     void keepIfNew() {
         Scene scene = document.model().scene();
         Optional<OriginalText> typed = document.model().state().typed();
         Optional<String> written = Optional.of(manuscript.page()).filter(Page::isHeld).map(Page::text);
         boolean isUnsaved = document.model().unsavedProperty().get() || written.isPresent();
-        if (!isUnsaved || document.model().gesturingProperty().get() || (scene.equals(kept) && typed.equals(keptTyped) && written.equals(keptText))) {
+        if (writer.isShutdown() || document.model().gesturingProperty().get()) {
+            return;
+        }
+        if (!isUnsaved && kept != null) {
+            kept = null;
+            discards.incrementAndGet();
+            Optional<SceneSource> undone = document.sourceProperty().get();
+            write(() -> recovery.discard(undone));
+        }
+        if (!isUnsaved || (scene.equals(kept) && typed.equals(keptTyped) && written.equals(keptText))) {
             return;
         }
         kept = scene;
@@ -66,13 +80,24 @@ final class Autosave {
         Optional<SceneSource> source = document.sourceProperty().get();
         KeptText text = document.text();
         int before = discards.get();
+        write(() -> {
+            if (before == discards.get()) {
+                recovery.keep(source, scene, text);
+                recovery.keepText(source, written);
+            }
+        });
+    }
+
+    @FunctionalInterface
+    private interface Work {
+        void run() throws IOException;
+    }
+
+    private void write(Work work) {
         writer.execute(() -> {
             try {
                 synchronized (copying) {
-                    if (before == discards.get()) {
-                        recovery.keep(source, scene, text);
-                        recovery.keepText(source, written);
-                    }
+                    work.run();
                 }
             } catch (IOException | IllegalArgumentException e) {
                 Platform.runLater(() -> onFault.accept(Failures.sentence(e)));

@@ -189,7 +189,7 @@ final class Menus {
 
     private Menu renderMenu() {
         return menu("menu.render", render.menuItem(), command("render-menu.ask", editor.renders()::ask).keys("Shortcut+Alt+R").menuItem(),
-                command("render-menu.region", this::drawRegion).keys("Shortcut+Alt+B").menuItem(), command("render.region.clear", () -> editor.renders().setRegion(Optional.empty())).disabledIf(noRegion()).menuItem(),
+                command("render-menu.region", this::drawRegion).keys("Shortcut+Shift+N").menuItem(), command("render.region.clear", () -> editor.renders().setRegion(Optional.empty())).disabledIf(noRegion()).menuItem(),
                 command("render-menu.pictures", editor.renders()::open).keys("Shortcut+P").menuItem(),
                 command("render-menu.mistakes", editor.mistakes()::show).menuItem());
     }

@@ -55,6 +55,7 @@ final class RenderWindow {
         this.framing = Bindings.createObjectBinding(() -> desk.framing(editor.model().scene().settings()), editor.model().stateProperty(), desk.saidProperty());
         // A part of one scene is none of another.
         editor.model().openingsProperty().addListener((property, old, now) -> setRegion(Optional.empty()));
+        editor.model().stateProperty().addListener((property, old, now) -> desk.follow(now.scene().settings()));
         this.theme = editor.followTheme();
     }
 

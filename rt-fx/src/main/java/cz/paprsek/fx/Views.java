@@ -18,6 +18,7 @@ import cz.paprsek.fx.view.explain.ExplainPane;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.motion.OnionSkin;
 import cz.paprsek.fx.view.motion.TimelinePane;
+import cz.paprsek.fx.view.picture.Framing;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.fx.view.projection.Axes;
 import cz.paprsek.fx.view.projection.ProjectionPane;
@@ -39,7 +40,9 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ChangeListener;
 import javafx.beans.value.ObservableValue;
+import javafx.beans.value.WeakChangeListener;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -75,6 +78,8 @@ final class Views {
     /** Held here, because the model, which may outlive the views, holds them weakly. */
     private final InvalidationListener onOpened = changed -> whole();
     private final InvalidationListener onState = changed -> aimFree();
+    /** Held here likewise: what was said of a part is past when there is none any more. */
+    private final ChangeListener<Framing> onFraming;
     private final Runnable present;
     private Node last;
     private Optional<ProjectionPane> active = Optional.empty();
@@ -112,6 +117,12 @@ final class Views {
             editor.renders().setRegion(part);
             editor.say(part.map(tile -> texts.of("view.region-done", tile.x(), tile.y(), tile.width(), tile.height())).orElse(""));
         });
+        onFraming = (property, old, now) -> {
+            if (old.part().isPresent() && now.part().isEmpty()) {
+                editor.say("");
+            }
+        };
+        editor.renders().framing().addListener(new WeakChangeListener<>(onFraming));
         projections.forEach(ProjectionPane::acceptMaterials);
         camera.setContextMenu(commands.contextMenu());
         projections.forEach(pane -> pane.setContextMenu(commands.contextMenu()));

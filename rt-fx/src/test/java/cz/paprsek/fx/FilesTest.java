@@ -127,6 +127,20 @@ class FilesTest {
         assertThat(SceneFiles.read(file)).isEqualTo(BALL);
     }
 
+    /** What has been undone is not offered after a crash. */
+    @Test
+    void theCopyOfWhatIsUndoneIsForgotten() throws IOException {
+        Path file = write("scene.xml", BALL);
+        editor.gui.act(() -> editor.editor.files().open(file));
+        editor.gui.until("the scene is there", () -> editor.gui.stage().getTitle().startsWith("scene.xml"));
+        moveBall();
+        editor.gui.act(() -> editor.editor.fault(new IllegalStateException("a crash")));
+        Path copy = new Recovery(folder.resolve("settings")).place(Optional.of(SceneSource.file(file)));
+        editor.gui.until("it is kept", () -> Files.exists(copy));
+        editor.gui.act(editor.model()::undo);
+        editor.gui.until("it is forgotten", () -> !Files.exists(copy));
+    }
+
     @Test
     void aModelOfAnotherProgramIsOpenedAndSavedWithItsMeshes() throws IOException, SceneFileException {
         Path model = Files.writeString(folder.resolve("thing.csg"), "cube(size=[1,1,1]);\nlinear_extrude(height=1,twist=0,scale=[2,1]) { square(size=[1,1]); }\n");

@@ -2,6 +2,7 @@ package cz.paprsek.fx;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
@@ -18,6 +19,7 @@ import javafx.scene.control.Labeled;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
 import javafx.scene.shape.Rectangle;
 import javafx.stage.Stage;
 import javafx.stage.Window;
@@ -80,7 +82,16 @@ class RendersInEditorTest {
             Node picture = editor.gui.node(".live-picture");
             Rectangle frame = (Rectangle) editor.gui.node(".picture-frame");
             double pixel = Gui.on(() -> frame.getWidth() / 64);
-            press(editor, KeyCode.B);
+            editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.N);
+            editor.gui.moveTo(picture, frame.getX() + 8.5 * pixel, frame.getY() + 4.5 * pixel);
+            editor.gui.press(MouseButton.PRIMARY);
+            editor.gui.moveTo(picture, frame.getX() + 23.5 * pixel, frame.getY() + 11.5 * pixel);
+            editor.gui.keys(KeyCode.ENTER);
+            editor.gui.moveTo(picture, frame.getX() + 20.5 * pixel, frame.getY() + 20.5 * pixel);
+            editor.gui.release(MouseButton.PRIMARY);
+            assertThat(editor.status()).as("Enter ends a drag").startsWith("Rendered alone from now on: 8, 4 · 16 × 8;");
+            assertThat(editor.model().scene()).isEqualTo(scene);
+            editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.N);
             assertThat(editor.status()).startsWith("Drag over the camera");
             editor.gui.drag(picture, frame.getX() + 8.5 * pixel, frame.getY() + 4.5 * pixel, frame.getX() + 39.5 * pixel, frame.getY() + 27.5 * pixel);
             assertThat(editor.text("#camera-pane .region-numbers")).isEqualTo("8, 4 · 32 × 24");
@@ -90,7 +101,7 @@ class RendersInEditorTest {
             editor.gui.until("it is asked", () -> pictures().lookup("#render-dialog").isVisible());
             assertThat(Gui.on(() -> List.of(field("#render-region-x"), field("#render-region-y"), field("#render-region-width"), field("#render-region-height")))).containsExactly("8", "4", "32", "24");
             editor.gui.act(() -> editor.gui.stage().requestFocus());
-            press(editor, KeyCode.B);
+            editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.N);
             editor.gui.keys(KeyCode.RIGHT);
             editor.gui.keys(KeyCode.SHIFT, KeyCode.DOWN);
             editor.gui.keys(KeyCode.ALT, KeyCode.LEFT);
@@ -104,6 +115,12 @@ class RendersInEditorTest {
             editor.gui.act(picture::requestFocus);
             editor.gui.keys(KeyCode.ESCAPE);
             assertThat(Gui.on(() -> editor.gui.stage().getScene().lookup("#camera-pane .region-band").getParent().isVisible())).isFalse();
+            assertThat(Gui.on(() -> pictures().lookup("#render-region-clear").isVisible())).isFalse();
+            editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.N);
+            editor.gui.keys(KeyCode.RIGHT);
+            editor.gui.keys(KeyCode.ENTER);
+            editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.CAMERA), old -> old.withSettings(new RenderSettings(48, 48, 3, 1))));
+            assertThat(editor.status()).as("a part of one size is none of another").isEmpty();
             assertThat(Gui.on(() -> pictures().lookup("#render-region-clear").isVisible())).isFalse();
         }
         assertThat(Files.readString(folder.resolve("editor.properties"))).doesNotContain("region");

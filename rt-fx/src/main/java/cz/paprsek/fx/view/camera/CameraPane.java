@@ -149,6 +149,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
 
     /** Waits for a click into the picture, which goes to a listener and selects nothing; Escape, or a click beside, ends that. */
     public void awaitClick(Consumer<PicturePoint> listener) {
+        regions.ifPresent(RegionHand::disarm);
         waiting = Optional.of(listener);
         picture.setCursor(Cursor.CROSSHAIR);
         picture.requestFocus();

@@ -31,6 +31,8 @@ final class RegionHand {
     private RegionBand band = new RegionBand(1, 1);
     private boolean isArmed;
     private boolean isDrawn;
+    /** Whether Enter has ended a drag whose button is still held down. */
+    private boolean isOver;
     private Point2D pressed = Point2D.ZERO;
 
     /**
@@ -62,7 +64,11 @@ final class RegionHand {
         picture.requestFocus();
     }
 
-    private void disarm() {
+    /** Has drags do again what they did; what is being drawn is given up. */
+    void disarm() {
+        if (band.isDragging()) {
+            band.giveUp();
+        }
         isArmed = false;
         isDrawn = false;
         picture.setCursor(Cursor.DEFAULT);
@@ -84,6 +90,7 @@ final class RegionHand {
     }
 
     private void pressed(MouseEvent event) {
+        isOver = isOver && event.getButton() != MouseButton.PRIMARY;
         if (isArmed && event.getButton() == MouseButton.PRIMARY) {
             picture.requestFocus();
             pressed = new Point2D(event.getSceneX(), event.getSceneY());
@@ -94,6 +101,9 @@ final class RegionHand {
     }
 
     private void dragged(MouseEvent event) {
+        if (isOver) {
+            event.consume();
+        }
         if (isArmed && band.isDragging()) {
             isDrawn = isDrawn || pressed.distance(event.getSceneX(), event.getSceneY()) > SLACK;
             if (isDrawn) {
@@ -104,15 +114,24 @@ final class RegionHand {
     }
 
     private void released(MouseEvent event) {
-        if (isArmed && event.getButton() == MouseButton.PRIMARY) {
+        if (isOver && event.getButton() == MouseButton.PRIMARY) {
+            isOver = false;
+            event.consume();
+        } else if (isArmed && event.getButton() == MouseButton.PRIMARY) {
             // A quick hand on a busy machine may be told of only here.
             dragged(event);
-            if (isDrawn && band.isDragging()) {
-                disarm();
-                onRegion.accept(band.regionProperty().get());
-            }
-            band.end();
+            take();
             event.consume();
+        }
+    }
+
+    /** Ends what is being drawn; if it is something, it counts from now on. */
+    private void take() {
+        boolean isTaken = isDrawn && band.isDragging();
+        band.end();
+        if (isTaken) {
+            disarm();
+            onRegion.accept(band.regionProperty().get());
         }
     }
 
@@ -125,7 +144,11 @@ final class RegionHand {
             case RIGHT -> nudge(event, 1, 0);
             case UP -> nudge(event, 0, -1);
             case DOWN -> nudge(event, 0, 1);
-            case ENTER -> disarm();
+            case ENTER -> {
+                isOver = band.isDragging();
+                take();
+                disarm();
+            }
             case ESCAPE -> {
                 if (band.isDragging()) {
                     band.giveUp();

@@ -57,7 +57,7 @@ public final class ColorBox extends ColorPicker {
         dialog.getDialogPane().lookupButton(take).disableProperty().bind(form.refused());
         // Once it is open.
         Platform.runLater(form::takeKeys);
-        if (Deaf.ask(dialog, getScene().getWindow()).filter(take::equals).isPresent()) {
+        if (Deaf.ask(dialog, getScene().getWindow()).filter(take::equals).isPresent() && form.isChanged()) {
             setValue(form.color());
             fireEvent(new ActionEvent());
         }

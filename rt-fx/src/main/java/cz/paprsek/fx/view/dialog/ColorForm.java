@@ -10,6 +10,7 @@ import java.util.List;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.beans.value.ObservableValue;
+import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.HBox;
@@ -23,17 +24,20 @@ import javafx.scene.shape.Rectangle;
 final class ColorForm extends GridPane {
     private static final double WIDTH = 132;
     private static final double HEIGHT = 40;
+    private static final double REFUSAL = 40;
 
     private final List<ColorStrip> strips = new ArrayList<>();
     private final HexField hex;
     private final Rectangle shown = ColorStrip.bordered(WIDTH, HEIGHT);
     private final BooleanBinding refused;
+    private final Tint first;
     private Tint tint;
     private boolean showing;
     private boolean typing;
 
     ColorForm(Color start, Texts texts) {
-        tint = Tint.of(start);
+        first = Tint.of(start);
+        tint = first;
         getStyleClass().add("color-form");
         getStylesheets().add(String.valueOf(ColorForm.class.getResource("dialog.css")));
         for (Part part : Part.values()) {
@@ -70,7 +74,13 @@ final class ColorForm extends GridPane {
         refusal.setId("color-refusal");
         refusal.getStyleClass().add("field-refusal");
         refusal.textProperty().bind(wanted);
-        add(refusal, 1, row + 2, 3, 1);
+        refusal.setWrapText(true);
+        // Room for two lines from the beginning: windows do not grow when something is told. Nor is it as wide as what it says.
+        refusal.setPrefWidth(WIDTH);
+        refusal.setMaxWidth(Double.MAX_VALUE);
+        refusal.setMinHeight(REFUSAL);
+        refusal.setAlignment(Pos.TOP_LEFT);
+        add(refusal, 0, row + 2, 4, 1);
         refused = Bindings.createBooleanBinding(() -> !wanted.getValue().isEmpty(), wanted);
         for (CheckedField field : fields) {
             field.focusedProperty().addListener((property, was, is) -> {
@@ -86,6 +96,11 @@ final class ColorForm extends GridPane {
     /** What has been chosen. */
     Color color() {
         return tint.color();
+    }
+
+    /** Whether that is another colour than at first. */
+    boolean isChanged() {
+        return !tint.equals(first);
     }
 
     /** Whether there is something in a field that is no number of a colour. */

@@ -82,6 +82,14 @@ public final class RenderDesk {
         }
         now.put(REGION, RegionFields.word(part.get(), size));
         said.set(now);
+        follow(asked);
+    }
+
+    /** Forgets the part if it is none of what the scene asks for now, such as a picture of another shape. */
+    public void follow(RenderSettings asked) {
+        if (said.answers().containsKey(REGION) && framing(asked).part().isEmpty()) {
+            said.forget(REGION);
+        }
     }
 
     private static String word(int columns, int rows) {

@@ -36,7 +36,7 @@ final class ColorEditor implements PropertyEditor {
         picker.setOnAction(event -> {
             if (!showing) {
                 Rgb picked = rgb(picker.getValue());
-                edit.change(scene -> property.write(scene, picked));
+                edit.change(scene -> property.write(scene, property.read(scene).map(old -> kept((Rgb) old, picked)).orElse(picked)));
             }
         });
         box.getChildren().add(picker);
@@ -76,6 +76,15 @@ final class ColorEditor implements PropertyEditor {
 
     private static Rgb rgb(Color color) {
         return new Rgb(Math.rint(color.getRed() * 255), Math.rint(color.getGreen() * 255), Math.rint(color.getBlue() * 255));
+    }
+
+    /** A colour that was picked, with the decimals of an old one where they are all that differs: a picker shows whole numbers. */
+    private static Rgb kept(Rgb old, Rgb picked) {
+        return new Rgb(kept(old.red(), picked.red()), kept(old.green(), picked.green()), kept(old.blue(), picked.blue()));
+    }
+
+    private static double kept(double old, double picked) {
+        return Math.abs(old - picked) <= 0.5 ? old : picked;
     }
 
     private static Trait channel() {

@@ -2,12 +2,13 @@ package cz.paprsek.fx.view.texts;
 
 import java.util.ArrayList;
 import java.util.List;
+import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 
-/** Keys that do something, by their names as they are shown: "Ctrl+Page Down". Plus, minus and digits are those of the block of numbers, too, and plus is found where it needs Shift. */
+/** Keys that do something, by their names as they are shown: "Ctrl+Page Down". Plus, minus and digits are those of the block of numbers, too, and plus is found where it needs Shift. In fields for text on Windows, Ctrl+Alt is AltGr, and types. */
 public final class Shortcut extends KeyCombination {
     private final KeyCodeCombination shown;
     private final List<KeyCodeCombination> all;
@@ -48,7 +49,13 @@ public final class Shortcut extends KeyCombination {
 
     @Override
     public boolean match(KeyEvent event) {
-        return all.stream().anyMatch(keys -> keys.match(event));
+        return match(event, System.getProperty("os.name", "").startsWith("Windows"));
+    }
+
+    /** @param isWindows whether Ctrl+Alt is what AltGr gives, by which characters are typed: "{" by B on a Czech keyboard */
+    boolean match(KeyEvent event, boolean isWindows) {
+        boolean isTyped = isWindows && event.isControlDown() && event.isAltDown() && event.getTarget() instanceof TextInputControl;
+        return !isTyped && all.stream().anyMatch(keys -> keys.match(event));
     }
 
     @Override

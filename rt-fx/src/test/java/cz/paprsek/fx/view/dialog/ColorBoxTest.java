@@ -23,6 +23,7 @@ import javafx.scene.paint.Color;
 import javafx.scene.paint.LinearGradient;
 import javafx.scene.paint.Stop;
 import javafx.scene.shape.Rectangle;
+import javafx.scene.text.Text;
 import javafx.stage.Modality;
 import javafx.stage.Stage;
 import javafx.stage.Window;
@@ -134,6 +135,35 @@ class ColorBoxTest {
             gui.keys(KeyCode.ESCAPE);
             gui.until("it is left", () -> found("#color-hue").findAny().isEmpty());
             assertThat(told.get()).isZero();
+        }
+    }
+
+    /** What is looked at and used as it is changes nothing; what is no number is told whole; Escape leaves also out of a field. */
+    @Test
+    void nothingChangesWithoutAChange() {
+        try (Gui gui = Gui.show(() -> new StackPane(box), 300, 200)) {
+            Color fine = Color.color(74.5 / 255, 106.25 / 255, 148.0 / 255);
+            gui.act(() -> box.setValue(fine));
+            ask(gui);
+            gui.act(() -> use().fire());
+            gui.until("it is left", () -> found("#color-hue").findAny().isEmpty());
+            assertThat(told.get()).isZero();
+            assertThat(Gui.on(box::getValue)).isEqualTo(fine);
+            ask(gui);
+            for (String wrong : List.of("1,5", "1e3", "300")) {
+                type("#color-red-field", wrong);
+                assertThat(field("#color-red-field")).isEqualTo(wrong);
+                assertThat(Gui.on(() -> use().isDisabled())).as(wrong).isTrue();
+            }
+            type("#color-red-field", "1");
+            type("#color-hex", "#12");
+            gui.pulse();
+            Label told = (Label) one("#color-refusal");
+            assertThat(Gui.on(() -> ((Text) told.lookup(".text")).getText())).as("not cut off").isEqualToIgnoringWhitespace(told.getText()).contains("modrou");
+            gui.act(() -> one("#color-hex").requestFocus());
+            gui.keys(KeyCode.ESCAPE);
+            gui.until("it is left", () -> found("#color-hue").findAny().isEmpty());
+            assertThat(Gui.on(box::getValue)).isEqualTo(fine);
         }
     }
 

@@ -24,6 +24,7 @@ import cz.paprsek.shape.Sphere;
 import java.util.List;
 import java.util.Locale;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.event.ActionEvent;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ColorPicker;
@@ -35,6 +36,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
+import javafx.scene.paint.Color;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -202,6 +204,13 @@ class PropertySheetTest {
         gui.click("#pattern-color-green");
         gui.click("#pattern-color-red");
         assertThat(((Pattern.Plain) material().pattern()).color()).as("it is only shown so").isEqualTo(new Rgb(255, 100.256, 255));
+        ColorPicker picker = (ColorPicker) gui.node("#pattern-color-picker");
+        gui.act(() -> {
+            picker.setValue(Color.web("#006400"));
+            picker.fireEvent(new ActionEvent());
+        });
+        assertThat(((Pattern.Plain) material().pattern()).color()).as("only what is another number").isEqualTo(new Rgb(0, 100.256, 0));
+        gui.act(model::undo);
         type("#pattern-color-green", "300");
         assertThat(((Label) gui.node(".refusal")).getText()).isEqualTo("green must be a number from 0 to 255, but is 300.0");
     }

@@ -3,6 +3,8 @@ package cz.paprsek.fx.view.texts;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import cz.paprsek.fx.Gui;
+import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import org.junit.jupiter.api.Test;
@@ -27,6 +29,16 @@ class ShortcutTest {
     void keysThatSayTheSameDoTheSame(String keys, KeyCode code, boolean shift, boolean control) {
         assertThat(Shortcut.of(keys).match(event(code, shift, control))).isTrue();
         assertThat(Shortcut.of(keys).match(event(code, shift, !control))).isFalse();
+    }
+
+    /** Ctrl+Alt is AltGr there, by which a Czech keyboard types "{", "ł" and the like. */
+    @Test
+    void whatTypesIntoAFieldOnWindowsDoesNothingElse() {
+        KeyEvent next = new KeyEvent(KeyEvent.KEY_PRESSED, "", "", KeyCode.K, false, true, true, false);
+        KeyEvent typed = Gui.on(() -> next.copyFor(next.getSource(), new TextField()));
+        assertThat(Shortcut.of("Shortcut+Alt+K").match(typed, true)).isFalse();
+        assertThat(Shortcut.of("Shortcut+Alt+K").match(typed, false)).isTrue();
+        assertThat(Shortcut.of("Shortcut+Alt+K").match(next, true)).isTrue();
     }
 
     /** JavaFX takes it for a character, and no key ever gives that. */

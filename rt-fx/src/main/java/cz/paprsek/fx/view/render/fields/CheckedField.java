@@ -7,9 +7,14 @@ import javafx.css.PseudoClass;
 import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
 
-/** A field for a number. What is out of range is marked, and has no value. */
+/**
+ * A field for a number. What is out of range is marked, and has no value; nothing that is typed is swallowed, which would make another number of it. It has no formatter:
+ * JavaFX's fields with one keep Escape for themselves, by which dialogs are left.
+ */
 public abstract class CheckedField extends TextField {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
+
+    private static final int LONGEST = 64;
 
     private final ReadOnlyBooleanWrapper valid = new ReadOnlyBooleanWrapper(true);
 
@@ -24,7 +29,7 @@ public abstract class CheckedField extends TextField {
 
     /** Looks again whether it is a number within range. */
     final void judge() {
-        valid.set(isInRange(getText()));
+        valid.set(getText().length() <= LONGEST && isInRange(getText()));
         pseudoClassStateChanged(REFUSED, !valid.get());
     }
 

@@ -1,21 +1,16 @@
 package cz.paprsek.fx.view.render.fields;
 
 import java.util.Locale;
-import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
-import javafx.scene.control.TextFormatter;
 import javafx.scene.paint.Color;
 
 /** A field for a colour as {@code #rrggbb}; {@code #rgb} is understood, too, and the # may be left out. */
 public final class HexField extends CheckedField {
     private static final Pattern HEX = Pattern.compile("\\s*#?([0-9a-fA-F]{3}|[0-9a-fA-F]{6})\\s*");
-    private static final int LONGEST = 24;
 
     /** @param hint what it is for, and how it is written */
     public HexField(String id, String name, String hint) {
         super(id, name, hint, 7);
-        UnaryOperator<TextFormatter.Change> limited = change -> change.getControlNewText().length() <= LONGEST ? change : null;
-        setTextFormatter(new TextFormatter<>(limited));
         set(Color.BLACK);
     }
 

@@ -2,8 +2,6 @@ package cz.paprsek.fx.view.render.fields;
 
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.scene.RenderSettings;
-import java.util.function.UnaryOperator;
-import javafx.scene.control.TextFormatter;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
@@ -14,8 +12,6 @@ public final class StopsField extends RealField {
     public StopsField(String id, Texts texts) {
         super(id, texts.of("render.exposure.hint"), texts.of("render.exposure.hint") + " (±" + RenderSettings.MOST_STOPS + ")", texts,
                 stops -> Math.abs(stops) <= RenderSettings.MOST_STOPS, 0);
-        UnaryOperator<TextFormatter.Change> sumsOnly = change -> change.getControlNewText().matches("[-+*/%^().,\\d ]{0,24}") ? change : null;
-        setTextFormatter(new TextFormatter<>(sumsOnly));
         addEventFilter(KeyEvent.KEY_PRESSED, this::step);
     }
 

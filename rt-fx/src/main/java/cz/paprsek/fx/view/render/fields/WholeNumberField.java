@@ -2,8 +2,6 @@ package cz.paprsek.fx.view.render.fields;
 
 import cz.paprsek.formula.Formula;
 import cz.paprsek.formula.FormulaException;
-import java.util.function.UnaryOperator;
-import javafx.scene.control.TextFormatter;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 
@@ -19,8 +17,6 @@ public final class WholeNumberField extends CheckedField {
         this.least = least;
         this.most = most;
         name = hint;
-        UnaryOperator<TextFormatter.Change> sumsOnly = change -> change.getControlNewText().matches("[-+*/%^().\\d ]{0,24}") ? change : null;
-        setTextFormatter(new TextFormatter<>(sumsOnly));
         addEventFilter(KeyEvent.KEY_PRESSED, this::count);
         set(least);
     }
