@@ -18,8 +18,10 @@ import cz.paprsek.shape.placed.Surface;
 import cz.paprsek.shape.placed.Volume;
 import cz.paprsek.tree.TreeBuilder;
 import java.util.Arrays;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
@@ -94,10 +96,22 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
 
     @Override
     public Bounds bounds() {
-        return operands.stream().filter(operand -> !isGone() && !isGone(operand))
-                .map(operand -> operand.solid().bounds().transformed(operand.placement().toParent()))
-                .reduce(operation::bounds)
-                .orElse(Bounds.EMPTY);
+        return bounds(new IdentityHashMap<>());
+    }
+
+    /** @param known those of operations that have others within: they may stand in many places */
+    private Bounds bounds(Map<Csg, Bounds> known) {
+        Bounds all = known.get(this);
+        if (all == null) {
+            all = operands.stream().filter(operand -> !isGone() && !isGone(operand))
+                    .map(operand -> (operand.solid() instanceof Csg csg ? csg.bounds(known) : operand.solid().bounds()).transformed(operand.placement().toParent()))
+                    .reduce(operation::bounds)
+                    .orElse(Bounds.EMPTY);
+            if (operands.stream().anyMatch(operand -> operand.solid() instanceof Csg)) {
+                known.put(this, all);
+            }
+        }
+        return all;
     }
 
     /** Whether nothing is left of it, as all of it is hidden, or what others are taken from. */

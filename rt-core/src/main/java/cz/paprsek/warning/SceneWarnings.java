@@ -52,23 +52,28 @@ public final class SceneWarnings {
     private static final int FEWEST_FOR_LENS = 3;
 
     private final Scene scene;
+    private final Nests nests;
     private final List<SceneWarning> warnings = new ArrayList<>();
     private final List<GlassContacts.Body> transparent = new ArrayList<>();
 
     private SceneWarnings(Scene scene) {
         this.scene = scene;
+        this.nests = new Nests(scene);
     }
 
-    /** All that is suspicious about a scene; where bodies lie whose files have not been read, or hold what cannot be an operand, nobody knows. */
+    /**
+     * All that is suspicious about a scene; where bodies lie whose files have not been read, or hold what cannot be an operand, nobody knows. Of an object of
+     * more than {@value Nests#LARGEST} primitives, only materials are looked at.
+     */
     public static List<SceneWarning> of(Scene scene) {
         SceneWarnings check = new SceneWarnings(scene);
-        List<BodyAt> parts = ScenePath.bodies(scene).filter(check::isSeen).toList();
+        List<BodyAt> parts = check.nests.bodies().filter(check::isSeen).toList();
         check.light(parts);
         check.suns();
         check.balls();
         check.lenses();
-        check.materials(ScenePath.bodies(scene).toList());
-        List<BodyAt> read = parts.stream().filter(part -> isThere(part.in(scene).shape())).toList();
+        check.materials(check.nests.bodies().toList());
+        List<BodyAt> read = parts.stream().filter(part -> !check.nests.isVast(part) && isThere(part.in(scene).shape())).toList();
         read.forEach(check::operands);
         read.stream().filter(part -> part.depth() == 0).forEach(check::object);
         check.shining();
@@ -122,7 +127,7 @@ public final class SceneWarnings {
     /** Whether something other than a light is bright, or lights what paths meet. */
     private boolean shinesOtherwise(List<BodyAt> parts) {
         boolean hasSky = !(scene.sky() instanceof Scene.Sky.None) || !scene.background().equals(Rgb.BLACK);
-        return (scene.settings().isPath() && hasSky) || parts.stream().anyMatch(part -> part.material(scene).shines());
+        return (scene.settings().isPath() && hasSky) || parts.stream().anyMatch(part -> part.material(scene).shines()) || nests.materials().stream().anyMatch(nests::shines);
     }
 
     private void suns() {
@@ -164,6 +169,7 @@ public final class SceneWarnings {
                 material("material of " + label(part), part, own);
             }
         }
+        nests.materials().stream().filter(MaterialName.class::isInstance).forEach(source -> used.add(((MaterialName) source).name()));
         scene.materials().keySet().stream().filter(name -> !used.contains(name))
                 .forEach(name -> add("unused", "material \"" + name + "\"", new MaterialAt(name), "material \"" + name + "\" is not used"));
     }
@@ -261,7 +267,7 @@ public final class SceneWarnings {
 
     /** Whether there is more to be seen inside of a body than the body. */
     private boolean isRoom(BodyAt body, Surface placed) {
-        return placed.bounds().isFinite() && IntStream.range(0, scene.objects().size()).filter(i -> i != body.index() && isThere(scene.objects().get(i).shape()) && isSeen(ScenePath.body(i)))
+        return placed.bounds().isFinite() && IntStream.range(0, scene.objects().size()).filter(i -> i != body.index() && !nests.isVast(ScenePath.body(i)) && isThere(scene.objects().get(i).shape()) && isSeen(ScenePath.body(i)))
                 .mapToObj(i -> ScenePath.body(i).placed(scene).bounds()).anyMatch(bounds -> bounds.isFinite() && placed.contains(bounds.middle()));
     }
 
@@ -298,7 +304,7 @@ public final class SceneWarnings {
     private void shining() {
         for (int i = 0; i < scene.objects().size() && scene.settings().isPath(); i++) {
             BodyAt object = ScenePath.body(i);
-            if (!scene.objects().get(i).hidden() && !scene.objects().get(i).isSoughtIfItShines() && object.withOperands(scene).anyMatch(part -> part.material(scene).shines())) {
+            if (!scene.objects().get(i).hidden() && !scene.objects().get(i).isSoughtIfItShines() && nests.shines(object)) {
                 String label = label(object);
                 add("shines-by-chance", label, object, label + " shines, but paths meet its light only by chance, which is grain; they look for balls, rectangles, discs, blocks with sharp edges and meshes of one material that shine by themselves");
             }

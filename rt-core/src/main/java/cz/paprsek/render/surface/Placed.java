@@ -15,6 +15,8 @@ import cz.paprsek.shape.copied.Repeated;
 import cz.paprsek.shape.placed.Surface;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -144,12 +146,12 @@ final class Placed {
     private Predicate<? super SceneObject> repainted(Scene changed) {
         Set<String> names = Stream.concat(scene.materials().keySet().stream(), changed.materials().keySet().stream().filter(Material.ready()::containsKey))
                 .filter(name -> !new MaterialName(name).in(scene.materials()).equals(new MaterialName(name).in(changed.materials()))).collect(Collectors.toSet());
-        return names.isEmpty() ? Pieces.NONE : object -> isMadeOf(names, object.material(), object.shape());
+        return names.isEmpty() ? Pieces.NONE : object -> isMadeOf(names, object.material(), object.shape(), object.shape() instanceof Csg ? Collections.newSetFromMap(new IdentityHashMap<>()) : Set.of());
     }
 
-    private static boolean isMadeOf(Set<String> names, MaterialSource material, Shape shape) {
+    private static boolean isMadeOf(Set<String> names, MaterialSource material, Shape shape, Set<Csg> seen) {
         return (material instanceof MaterialName named && names.contains(named.name()))
-                || (shape instanceof Csg csg && csg.operands().stream().anyMatch(operand -> isMadeOf(names, operand.material(), operand.solid())));
+                || (shape instanceof Csg csg && seen.add(csg) && csg.operands().stream().anyMatch(operand -> isMadeOf(names, operand.material(), operand.solid(), seen)));
     }
 
     /** Empty if there is no room for the numbers of the parts that come between others. */
