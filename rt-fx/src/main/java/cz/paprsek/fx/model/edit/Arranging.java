@@ -88,15 +88,15 @@ public final class Arranging {
         return Structure.move(state, List.of(operand), Optional.of(operand.parent()), 0);
     }
 
-    /** Leaves all other operands of an operation out; takes all in again if they are out already. */
+    /** Hides all other operands of an operation in the editor; shows all again if none of them is to be seen. The scene stays as it is. */
     public static EditorState solo(EditorState state, Collection<? extends ScenePath> items) {
         List<BodyAt> chosen = Places.bodies(items).stream().filter(at -> at.depth() > 0).toList();
         List<BodyAt> others = chosen.stream().map(BodyAt::parent).distinct().flatMap(parent -> children(state.scene(), parent)).filter(at -> !chosen.contains(at)).toList();
         if (others.isEmpty()) {
             throw new IllegalArgumentException("select an operand of several");
         }
-        boolean isOut = others.stream().allMatch(at -> at.in(state.scene()).hidden());
-        return state.withScene(state.scene().with(others, (at, body) -> body.hidden(!isOut)));
+        boolean isAlone = state.hidden().containsAll(others) && chosen.stream().noneMatch(state.hidden()::contains);
+        return Structure.hide(Structure.hide(state, chosen, false), others, !isAlone);
     }
 
     /** Hides all lights but some in the editor; shows all again if no other is to be seen. The scene stays as it is. */

@@ -14,9 +14,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /**
- * A scene without what is hidden in the editor. Of a difference without its first operand, from which the others are taken, nothing is left.
+ * A scene without what is hidden in the editor. Where the first operand of a difference is hidden, what it is made without is seen as bodies.
  *
  * @param scene what is to be seen, by the camera looked through, which comes first; the very scene if that is its first and nothing is hidden
  * @param places where in the scene itself stands what is at a place here; what is not in it stands at the same place
@@ -24,8 +25,13 @@ import java.util.Optional;
 public record Visible(Scene scene, Map<ScenePath, ScenePath> places) {
 
     public static Visible of(EditorState state) {
+        return of(state, Set.of());
+    }
+
+    /** @param away what is not there either; of a difference without its first, from which the others are taken, nothing is left then */
+    public static Visible of(EditorState state, Set<ScenePath> away) {
         Scene whole = state.seen();
-        if (state.hidden().isEmpty()) {
+        if (state.hidden().isEmpty() && away.isEmpty()) {
             return new Visible(whole, Map.of());
         }
         Map<ScenePath, ScenePath> places = new HashMap<>();
@@ -33,12 +39,12 @@ public record Visible(Scene scene, Map<ScenePath, ScenePath> places) {
         for (int i = 0; i < whole.objects().size(); i++) {
             SceneObject object = whole.objects().get(i);
             Body body = Body.of(object);
-            visible(state, body, ScenePath.body(i), ScenePath.body(objects.size()), places)
+            visible(state, away, body, ScenePath.body(i), ScenePath.body(objects.size()), places)
                     .ifPresent(left -> objects.add(left.equals(body) ? object : left.toObject()));
         }
         List<Light> lights = new ArrayList<>();
         for (int i = 0; i < whole.lights().size(); i++) {
-            if (!state.hidden().contains(ScenePath.light(i))) {
+            if (!state.hidden().contains(ScenePath.light(i)) && !away.contains(ScenePath.light(i))) {
                 places.put(ScenePath.light(lights.size()), ScenePath.light(i));
                 lights.add(whole.lights().get(i));
             }
@@ -52,25 +58,29 @@ public record Visible(Scene scene, Map<ScenePath, ScenePath> places) {
         return places.getOrDefault(seen, seen);
     }
 
-    private static Optional<Body> visible(EditorState state, Body body, BodyAt at, BodyAt seenAt, Map<ScenePath, ScenePath> places) {
-        if (state.hidden().contains(at)) {
+    private static Optional<Body> visible(EditorState state, Set<ScenePath> away, Body body, BodyAt at, BodyAt seenAt, Map<ScenePath, ScenePath> places) {
+        if (state.hidden().contains(at) || away.contains(at)) {
             return Optional.empty();
         }
         places.put(seenAt, at);
         if (!(body.shape() instanceof Csg csg)) {
             return Optional.of(body);
         }
+        Csg.Operation operation = csg.operation();
         List<Operand> operands = new ArrayList<>();
         for (int i = 0; i < csg.operands().size(); i++) {
             Operand operand = csg.operands().get(i);
             Body old = Body.of(operand);
-            Optional<Body> left = visible(state, old, at.child(i), seenAt.child(operands.size()), places);
-            if (left.isEmpty() && i == 0 && csg.operation() == Csg.Operation.DIFFERENCE) {
-                return Optional.empty();
+            Optional<Body> left = visible(state, away, old, at.child(i), seenAt.child(operands.size()), places);
+            if (left.isEmpty() && i == 0 && operation == Csg.Operation.DIFFERENCE) {
+                if (!state.hidden().contains(at.child(i)) || away.contains(at.child(i))) {
+                    return Optional.empty();
+                }
+                operation = Csg.Operation.UNION;
             }
             left.ifPresent(fresh -> operands.add(fresh.equals(old) ? operand : fresh.toOperand()));
         }
         return operands.isEmpty() ? Optional.empty()
-                : Optional.of(operands.equals(csg.operands()) ? body : body.withShape(new Csg(csg.operation(), operands)));
+                : Optional.of(operands.equals(csg.operands()) ? body : body.withShape(new Csg(operation, operands)));
     }
 }

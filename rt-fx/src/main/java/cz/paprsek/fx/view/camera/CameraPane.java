@@ -256,9 +256,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         if (isStale) {
             return;
         }
-        Set<ScenePath> hidden = new LinkedHashSet<>(model.state().hidden());
-        hidden.addAll(blinking.without());
-        Visible whole = Visible.of(view.seen(now().withHidden(hidden)));
+        Visible whole = Visible.of(view.seen(now().withHidden(model.state().hidden())), blinking.without());
         visible = cut.getValue().map(plane -> plane.of(whole)).orElse(whole);
         picture.show(visible.scene(), model.assets());
         picture.overlay().repaint();

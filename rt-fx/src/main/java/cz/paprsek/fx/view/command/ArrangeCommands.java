@@ -50,7 +50,7 @@ final class ArrangeCommands {
         Predicate<Set<ScenePath>> one = items -> items.size() == 1 && Places.bodies(items).stream()
                 .anyMatch(at -> (at.index() > 0 && at.depth() > 0) || at.find(edits.model().scene()).filter(body -> body.operands().size() > 1).isPresent());
         Predicate<Set<ScenePath>> operands = items -> Places.bodies(items).stream().anyMatch(at -> at.depth() > 0);
-        return Stream.of(command("arrange.base", one, Edit.REORDER, Arranging::base), command("arrange.solo", operands, Edit.CHANGE, Arranging::solo)).map(Command::menuItem).toList();
+        return Stream.of(command("arrange.base", one, Edit.REORDER, Arranging::base), command("arrange.solo", operands, Edit.HIDE, Arranging::solo)).map(Command::menuItem).toList();
     }
 
     /** What is done with lights. */

@@ -74,14 +74,17 @@ class ArrangingTest {
     }
 
     @Test
-    void anOperandBecomesTheBaseAndOthersAreLeftOutAndTakenInAgain() {
+    void anOperandBecomesTheBaseAndIsSeenAloneAndWithTheOthersAgain() {
         Csg bowl = Csg.difference(Operand.of(new Sphere(1)).named("ball"), Operand.of(new Sphere(2)).named("cutter"), Operand.of(new Sphere(3)).named("other"));
         EditorState state = EditorState.of(Scene.EMPTY.plus(SceneObject.of(bowl)));
         assertThat(names(Arranging.base(state, Set.of(ScenePath.body(0, 2))))).containsExactly("other", "ball", "cutter");
         assertThat(names(Arranging.base(state, Set.of(ScenePath.body(0))))).containsExactly("cutter", "ball", "other");
         EditorState solo = Arranging.solo(state, Set.of(ScenePath.body(0, 1)));
-        assertThat(((Csg) solo.scene().objects().get(0).shape()).operands()).extracting(Operand::hidden).containsExactly(true, false, true);
-        assertThat(Arranging.solo(solo, Set.of(ScenePath.body(0, 1))).scene()).isEqualTo(state.scene());
+        assertThat(solo.scene()).as("the file stays").isEqualTo(state.scene());
+        assertThat(Visible.of(solo).scene().objects()).as("a cutter as a body").containsExactly(SceneObject.of(Csg.union(bowl.operands().get(1))));
+        assertThat(Visible.of(solo).original(ScenePath.body(0, 0))).isEqualTo(ScenePath.body(0, 1));
+        assertThat(Visible.of(Arranging.solo(solo, Set.of(ScenePath.body(0, 2)))).scene().objects()).containsExactly(SceneObject.of(Csg.union(bowl.operands().get(2))));
+        assertThat(Arranging.solo(solo, Set.of(ScenePath.body(0, 1)))).isEqualTo(state);
         assertThat(Arranging.role(state.scene(), ScenePath.body(0, 0))).contains(Arranging.Role.BASE);
         assertThat(Arranging.role(state.scene(), ScenePath.body(0, 1))).contains(Arranging.Role.CUTTER);
         assertThat(Arranging.role(state.scene(), ScenePath.body(0))).isEmpty();

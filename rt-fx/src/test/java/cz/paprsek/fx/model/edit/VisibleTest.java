@@ -61,8 +61,11 @@ class VisibleTest {
     }
 
     @Test
-    void nothingIsLeftOfADifferenceWithoutItsFirstNorOfAnOperationWithoutAny() {
-        assertThat(without(ScenePath.body(1, 0)).scene().objects()).hasSize(3).doesNotContain(SCENE.objects().get(1));
+    void whatADifferenceIsWithoutIsSeenWhereItsFirstIsHiddenButNothingWhereThatIsAway() {
+        assertThat(without(ScenePath.body(1, 0)).scene().objects()).hasSize(4).contains(csg(Operation.UNION, 3, 4));
+        EditorState base = EditorState.of(SCENE).withHidden(Set.of(ScenePath.body(1, 0)));
+        assertThat(Visible.of(EditorState.of(SCENE), base.hidden()).scene().objects()).hasSize(3).doesNotContain(SCENE.objects().get(1));
+        assertThat(Visible.of(base, base.hidden()).scene().objects()).hasSize(3);
         List<BodyAt> both = List.of(ScenePath.body(2, 0), ScenePath.body(2, 1));
         assertThat(without(both.get(0), both.get(1)).scene().objects()).hasSize(3).doesNotContain(SCENE.objects().get(2));
         assertThat(without(both.get(0)).original(ScenePath.body(2, 0))).isEqualTo(ScenePath.body(2, 1));
