@@ -157,6 +157,9 @@ class ProjectionTest extends InProjections {
         editor.gui.press(MouseButton.PRIMARY);
         editor.gui.moveTo(front, from.getX() + 40, from.getY());
         assertThat(position(BALL).x()).isPositive();
+        editor.gui.keys(KeyCode.D);
+        assertThat(position(BALL)).as("D moves a copy").isEqualTo(Vec3.ZERO);
+        assertThat(position(ScenePath.body(1)).x()).as("which stands after it").isPositive();
         editor.gui.keys(KeyCode.ESCAPE);
         assertThat(editor.model().scene()).isSameAs(SCENE);
         editor.gui.moveTo(front, from.getX() + 60, from.getY());

@@ -31,6 +31,11 @@ interface Drag {
         return "";
     }
 
+    /** Leaves what is moved where it is and moves a copy, or not any more, from the next movement on; false if it is nothing that is copied. */
+    default boolean copyOrNot() {
+        return false;
+    }
+
     /** Draws what helps meanwhile. */
     default void draw(GraphicsContext g) {}
 

@@ -1,9 +1,11 @@
 package cz.paprsek.fx.view.projection;
 
+import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.contact.Contact;
 import cz.paprsek.fx.model.edit.Arranging;
 import cz.paprsek.fx.model.edit.Moves;
+import cz.paprsek.fx.model.edit.Structure;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.ScenePath;
 import java.util.Locale;
@@ -24,6 +26,7 @@ final class MoveDrag extends Drag.Changing {
     private double guideV = Double.NaN;
     private double byU;
     private double byV;
+    private boolean copies;
     /** Made when something is moved and snaps. */
     private @Nullable Contact contact;
 
@@ -61,7 +64,16 @@ final class MoveDrag extends Drag.Changing {
             guideV = onlyU ? Double.NaN : alongV.guide();
             touch(axes.vector(du, dv), onlyV ? 0 : alongU.reach(du, view), onlyU ? 0 : alongV.reach(dv, view));
         }
-        gesture.preview(scene -> Moves.translated(scene, items, axes.vector(byU, byV)));
+        gesture.previewState(state -> {
+            EditorState from = copies ? Structure.duplicate(state, items, Vec3.ZERO) : state;
+            return from.withScene(Moves.translated(from.scene(), copies ? from.selection() : items, axes.vector(byU, byV)));
+        });
+    }
+
+    @Override
+    public boolean copyOrNot() {
+        copies = !copies;
+        return true;
     }
 
     /** What bodies touch by their surfaces counts for more than a line that is farther away. */

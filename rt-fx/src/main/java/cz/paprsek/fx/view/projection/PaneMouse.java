@@ -305,6 +305,9 @@ final class PaneMouse {
             setDrag(null);
             pressed = false;
             event.consume();
+        } else if (event.getCode() == KeyCode.D && !event.isShortcutDown() && drag != null && drag.copyOrNot()) {
+            follow();
+            event.consume();
         } else {
             keysChanged(event, event.getCode() == KeyCode.SHIFT || event.isShiftDown());
         }
