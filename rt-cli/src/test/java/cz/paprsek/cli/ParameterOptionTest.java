@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -73,5 +74,28 @@ class ParameterOptionTest {
         assertThat(unknown.code()).isEqualTo(3);
         assertThat(unknown.err()).contains("there is no parameter \"paimt\"; did you mean \"paint\"?");
         assertThat(Run.cli("info", file, "-D", "n").code()).isEqualTo(2);
+    }
+
+    /** Another scene of the database may have a parameter of the same name with another range. */
+    @Test
+    void valuesAreForTheSceneThatIsChosen() throws Exception {
+        String few = SCENE.replace("<scene ", "<scene name=\"few\" ").replace(" xmlns=\"urn:paprsek:scene:1\"", "");
+        String many = few.replace("\"few\"", "\"many\"").replace("max=\"9\"", "max=\"20\"").replace("\"n\"", "\"m\"").replace("{n}", "{m}").replace("n/100", "m/100");
+        String both = few + few.replace("\"few\"", "\"wide\"").replace("max=\"9\"", "max=\"20\"") + many;
+        String file = Files.writeString(folder.resolve("rows.xml"), "<database xmlns=\"urn:paprsek:scene:1\">" + both + "</database>").toString();
+        String[] wide = {"render", file, "--where", "name = 'wide'", "--format", "txt", "-o", "-", "-q", "-D"};
+        String one = folder.resolve("row.xml").toString();
+        Files.writeString(Path.of(one), SCENE.replace("max=\"9\"", "max=\"20\""));
+        assertThat(Run.cli(with(wide, "n=12")).text()).isEqualTo(Run.cli("render", one, "--format", "txt", "-o", "-", "-q", "-D", "n=12").text()).isNotBlank();
+        assertThat(Run.cli("explain", file, "8,4", "--scene", "wide", "-D", "n=12").code()).isZero();
+        Run beyond = Run.cli("explain", file, "8,4", "--scene", "few", "-D", "n=12");
+        assertThat(beyond.code()).isEqualTo(2);
+        assertThat(beyond.err()).contains("rows.xml: scene \"few\": the parameter \"n\" must be a number from 1 to 9, but is 12");
+        assertThat(Run.cli(with(wide, "m=4")).err()).contains("rows.xml: scene \"wide\": there is no parameter \"m\"");
+        assertThat(Run.cli(with(wide, "n=21")).err()).contains("scene \"wide\": the parameter \"n\" must be a number from 1 to 20, but is 21");
+    }
+
+    private static Object[] with(String[] words, String last) {
+        return Stream.concat(Stream.of(words), Stream.of(last)).toArray();
     }
 }

@@ -33,7 +33,9 @@ public final class ChosenScene {
      * @throws WrongUsage if there is no such scene or camera, or if it is not said which of several scenes is meant
      */
     public Scene of(Path file) throws SceneFileException, IOException {
-        Scene scene = scene(file, Incoming.read(file, parameters).scenes(), name);
+        boolean isGivenLater = name.isPresent() && ChosenValues.areFor(file, parameters);
+        Scene named = scene(file, Incoming.read(file, isGivenLater ? parameters.withoutValues() : parameters).scenes(), name);
+        Scene scene = isGivenLater ? ChosenValues.given(file, List.of(named), parameters.values()).get(0) : named;
         try {
             return Cameras.through(scene, camera);
         } catch (WrongUsage none) {

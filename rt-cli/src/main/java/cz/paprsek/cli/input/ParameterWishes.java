@@ -37,6 +37,11 @@ public final class ParameterWishes {
         return pictures;
     }
 
+    /** The same files, but the scenes' own values. */
+    ParameterWishes withoutValues() {
+        return new ParameterWishes(pictures);
+    }
+
     /** Whether there are values of parameters. */
     public boolean areSaid() {
         return !values.isEmpty();

@@ -119,9 +119,11 @@ public record SceneSource(Path file, String label, String name, Reading reading)
 
     private static List<SceneSource> read(Path file, Optional<Filter<Scene>> filter, ParameterWishes parameters) {
         try {
-            Contents contents = Incoming.read(file, parameters);
+            boolean isGivenLater = filter.isPresent() && ChosenValues.areFor(file, parameters);
+            Contents contents = Incoming.read(file, isGivenLater ? parameters.withoutValues() : parameters);
             Map<String, String> names = FileNames.of(contents.scenes().stream().map(Scene::name).toList());
-            return contents.scenes().stream().filter(scene -> filter.isEmpty() || filter.get().test(scene)).map(scene -> {
+            List<Scene> chosen = contents.scenes().stream().filter(scene -> filter.isEmpty() || filter.get().test(scene)).toList();
+            return (isGivenLater ? ChosenValues.given(file, chosen, parameters.values()) : chosen).stream().map(scene -> {
                 String own = names.getOrDefault(scene.name(), "");
                 return contents.isDatabase() ? new SceneSource(file, file + ": scene \"" + scene.name() + "\"", own, () -> scene)
                         : new SceneSource(file, file.toString(), Incoming.isOnce(file) ? own : Incoming.nameOf(file), () -> scene);
