@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Label;
+import cz.paprsek.fx.model.edit.Arranging;
 import cz.paprsek.fx.view.picture.PicturePoint;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.Renderer;
@@ -19,6 +20,7 @@ import cz.paprsek.shape.Block;
 import cz.paprsek.shape.Csg;
 import cz.paprsek.shape.Operand;
 import cz.paprsek.shape.Sphere;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicReference;
@@ -87,6 +89,14 @@ class CameraPaneTest {
         gui.act(model::undo);
         untilComplete();
         assertShown(SCENE);
+    }
+
+    @Test
+    void aCutterAloneIsSeenAsABody() {
+        gui.act(() -> model.editState(Label.of(Label.Edit.HIDE), state -> Arranging.solo(state, Set.of(ScenePath.body(1, 1)))));
+        untilComplete();
+        assertShown(SCENE.withObjects(List.of(SCENE.objects().get(0),
+                SceneObject.of(new Block(new Vec3(-0.3, -0.3, 0), new Vec3(0.3, 0.3, 2))))));
     }
 
     @Test
