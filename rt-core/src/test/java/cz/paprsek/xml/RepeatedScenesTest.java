@@ -43,6 +43,7 @@ class RepeatedScenesTest {
         "Iced water, df1e67f521b17d6beefbaaae83ebbb4a3dc0b54706869d4a9b578ac1381a461d",
         "Menger sponge, 7735503b27433745e16fbf616e29e56e23c1ffb148e77898812bc9df9b4f5982",
         "Newton's cradle, 97aeb1b62eb3275c3a65c32a71750ad45956c0917bf757faf82cfcc04dd0c3fe",
+        "Panorama, 48d7fd858548b03ff870299a67040dfec2e39263afbac811870c4a118393308f",
         "Pearls, c583928392a87dac29c299c1d952a59d1f7ed1daf675391a341bb2bc7ade8de8",
         "Prism, 98fcde592ccb903db54f57431eba3881cd890f07c6ee9974337396e06ca8c410",
         "Puzzle cube, a97ece540ba488c4372fd4f2e40c5fd20f04ac23893c3d7f0f136d51e1aeeb87",
