@@ -52,7 +52,8 @@ class RepeatedScenesTest {
         "Stone circle, 9cd9103bc60abc108629f1f237c5994865ff4dbeb126cab8b12c3599d79f039f",
         "Temple, 93620349dcfe26b9304a534436b12f6a4b0a8b9a7c4dd4d889f551ea9ab05c4e",
         "Test scene, 3740f4834ec628988958e88dfb4617c66ecbc4fb8fa1166a5705f48d44b5291b",
-        "Threads, df1dab6e2f7beeef00af6c8baf3ae3324e516c1508bd3786233141193e40aad3"})
+        "Threads, df1dab6e2f7beeef00af6c8baf3ae3324e516c1508bd3786233141193e40aad3",
+        "Under the dome, 25d2e05de0890bdf24ee8d8710ce0e0438f8af28be20a278fa859dce6cd3815c"})
     void thePictureIsTheSameToTheLastBit(String name, String digest) throws Exception {
         Scene scene = DATABASE.get(name);
         assertThat(scene.recipe().isNone()).isFalse();
