@@ -19,21 +19,17 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 class MitsubaTest {
     private static final List<String> SHIPPED = List.of("cornell", "plates");
-    private static final String NOISY = "plates";
     private static final int BLOCKS = 8;
     private static final int SIDE = 8;
     private static final int PATHS = Integer.getInteger("paths.samples", 12);
     private static final int ENOUGH = 512;
     private static final int RECORDED_PATHS = 24 * 64;
 
-    /**
-     * A few paths are as bright as their number tells; with -Dpaths.samples=512 or more they tell 0.3 %. Not of the plates, of which the recorded paths themselves tell 0.2 % of red and
-     * 0.5 % of blue as standard deviations: small lamps are bright in polished ones.
-     */
+    /** A few paths are as bright as their number tells; with -Dpaths.samples=512 or more they tell 0.3 %. */
     @ParameterizedTest
     @ValueSource(strings = {"cornell", "table", "glow", "plates"})
     void picturesOfPathsAreThoseOfMitsuba(String name) throws Exception {
-        compare(name, PATHS, PATHS < ENOUGH || NOISY.equals(name) ? 1 : 0.003);
+        compare(name, PATHS, PATHS < ENOUGH ? 1 : 0.003);
     }
 
     private static void compare(String name, int paths, double most) throws Exception {
