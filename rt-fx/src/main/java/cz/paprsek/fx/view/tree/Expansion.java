@@ -40,6 +40,11 @@ final class Expansion {
         return changed;
     }
 
+    /** Closes all: what stands in the same place of another file is something else. */
+    void closeAll() {
+        open.clear();
+    }
+
     /** Takes note of another scene. */
     void follow(Scene now) {
         List<SceneObject> before = scene.objects();

@@ -45,7 +45,10 @@ public final class ObjectTree extends BorderPane {
     /** Held here, for the model, which outlives the window's content, holds them weakly. */
     private final ChangeListener<Scene> onScene = (property, was, is) -> later();
     private final ChangeListener<Set<ScenePath>> onSelection = (property, was, is) -> reveal(is);
+    private final ChangeListener<Number> onOpened = (property, was, is) -> opened();
     private boolean isStale;
+    /** Whether the lines are those of another file. */
+    private boolean isOther;
     /** The scene that the lines are of, or one that has the same. */
     private Scene shown = Scene.EMPTY;
 
@@ -82,6 +85,7 @@ public final class ObjectTree extends BorderPane {
         setCenter(list);
         setBottom(refusal);
         UndoKeys.reach(model, this);
+        model.openingsProperty().addListener(new WeakChangeListener<>(onOpened));
         model.sceneProperty().addListener(new WeakChangeListener<>(onScene));
         model.selectionProperty().addListener(new WeakChangeListener<>(onSelection));
         refresh();
@@ -135,7 +139,7 @@ public final class ObjectTree extends BorderPane {
     }
 
     private void refreshIfStale() {
-        if (isStale && !hasSameLines(model.scene(), shown)) {
+        if (isStale && (isOther || !hasSameLines(model.scene(), shown))) {
             refresh();
         }
         isStale = false;
@@ -153,8 +157,15 @@ public final class ObjectTree extends BorderPane {
                 || (object.shape().getClass() == other.shape().getClass() && !(object.shape() instanceof Csg)));
     }
 
+    private void opened() {
+        expansion.closeAll();
+        isOther = true;
+        later();
+    }
+
     private void refresh() {
         isStale = false;
+        isOther = false;
         shown = model.scene();
         expansion.follow(model.scene());
         List<TreeRow> now = new TreeRows(texts, expansion.open(), model.copies(), find.getText()).of(model.scene());

@@ -25,6 +25,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
+import java.util.Set;
 import javafx.scene.Node;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
@@ -54,18 +55,14 @@ class ObjectTreeTest {
 
     @BeforeEach
     void openTheScene() {
+        // So that no click is the second of two.
+        gui.click(find());
         gui.act(() -> {
             model.open(start);
             find().clear();
             list().requestFocus();
         });
         gui.pulse();
-        for (TreeRow row : List.copyOf(Gui.on(() -> list().getItems()))) {
-            if (row.expanded()) {
-                gui.click(part("bowl", ".row-arrow"));
-            }
-        }
-        gui.act(model::select);
     }
 
     @AfterAll
@@ -83,6 +80,17 @@ class ObjectTreeTest {
         gui.act(() -> Theme.DARK.applyTo(gui.stage().getScene()));
         Screenshots.save(gui, "tree-dark");
         gui.act(() -> Theme.LIGHT.applyTo(gui.stage().getScene()));
+    }
+
+    @Test
+    void operationsStayOpenWhileTheyAreEditedAndAreClosedInAnotherFile() {
+        gui.click(part("bowl", ".row-arrow"));
+        gui.act(() -> model.editState(cz.paprsek.fx.model.Label.of(Edit.DELETE), state -> Structure.delete(state, Set.of(ScenePath.body(0)))));
+        assertThat(texts()).containsExactly("camera", "key", "fill", "bowl", "outer", "block", "floor", "moon");
+        gui.act(() -> model.open(model.scene()));
+        assertThat(texts()).containsExactly("camera", "key", "fill", "bowl", "floor", "moon");
+        gui.act(() -> model.open(Scene.EMPTY));
+        assertThat(texts()).containsExactly("camera");
     }
 
     @Test
