@@ -287,6 +287,13 @@ final class Editor implements Notices {
         }
     }
 
+    /** Takes back what was said, if nothing else has been since. */
+    void unsay(String sentence) {
+        if (window != null) {
+            window.status().endMessage(sentence);
+        }
+    }
+
     @Override
     public void ask(String sentence, List<MessageBar.Choice> choices) {
         if (window != null) {

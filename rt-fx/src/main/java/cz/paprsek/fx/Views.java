@@ -30,6 +30,7 @@ import cz.paprsek.fx.view.shell.TitledView;
 import cz.paprsek.fx.view.texts.PathNames;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.render.Tile;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -78,7 +79,7 @@ final class Views {
     /** Held here, because the model, which may outlive the views, holds them weakly. */
     private final InvalidationListener onOpened = changed -> whole();
     private final InvalidationListener onState = changed -> aimFree();
-    /** Held here likewise: what was said of a part is past when there is none any more. */
+    /** Held here likewise: what was said of a part is past when there is another, or none any more. */
     private final ChangeListener<Framing> onFraming;
     private final Runnable present;
     private Node last;
@@ -115,13 +116,9 @@ final class Views {
         camera.acceptEdits(commands.edits(), editor.snapping());
         camera.acceptRegions(editor.renders().framing(), part -> {
             editor.renders().setRegion(part);
-            editor.say(part.map(tile -> texts.of("view.region-done", tile.x(), tile.y(), tile.width(), tile.height())).orElse(""));
+            editor.say(part.map(tile -> ofPart(tile, texts)).orElse(""));
         });
-        onFraming = (property, old, now) -> {
-            if (old.part().isPresent() && now.part().isEmpty()) {
-                editor.say("");
-            }
-        };
+        onFraming = (property, old, now) -> old.part().filter(tile -> !now.part().equals(old.part())).ifPresent(tile -> editor.unsay(ofPart(tile, texts)));
         editor.renders().framing().addListener(new WeakChangeListener<>(onFraming));
         projections.forEach(ProjectionPane::acceptMaterials);
         camera.setContextMenu(commands.contextMenu());
@@ -151,6 +148,10 @@ final class Views {
         for (ProjectionPane pane : projections) {
             pane.focusedProperty().addListener((property, old, now) -> active = now ? Optional.of(pane) : active);
         }
+    }
+
+    private static String ofPart(Tile part, Texts texts) {
+        return texts.of("view.region-done", part.x(), part.y(), part.width(), part.height());
     }
 
     private ProjectionPane projection(Editor editor, Edits edits, Axes axes) {

@@ -15,6 +15,7 @@ import java.util.Locale;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.Button;
+import javafx.scene.control.CheckBox;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
@@ -108,12 +109,14 @@ class RendersInEditorTest {
             editor.gui.keys(KeyCode.ENTER);
             assertThat(editor.text("#camera-pane .region-numbers")).isEqualTo("9, 14 · 31 × 24");
             assertThat(Gui.on(() -> field("#render-region-x"))).as("what is asked meanwhile follows").isEqualTo("9");
+            assertThat(editor.status()).startsWith("Rendered alone from now on: 9, 14 · 31 × 24;");
             editor.gui.act(() -> ((Button) pictures().lookup("#render-start")).fire());
             editor.gui.until("it is rendered", () -> status(editor).startsWith("Done in"));
             assertThat(Gui.on(() -> tabs().getTabs().get(0).getText())).isEqualTo("1: part · 64 × 48 · part 9, 14 · 31 × 24");
             editor.gui.act(() -> editor.gui.stage().requestFocus());
             editor.gui.act(picture::requestFocus);
             editor.gui.keys(KeyCode.ESCAPE);
+            assertThat(editor.status()).isEmpty();
             assertThat(Gui.on(() -> editor.gui.stage().getScene().lookup("#camera-pane .region-band").getParent().isVisible())).isFalse();
             assertThat(Gui.on(() -> pictures().lookup("#render-region-clear").isVisible())).isFalse();
             editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.N);
@@ -122,6 +125,14 @@ class RendersInEditorTest {
             editor.gui.act(() -> editor.model().edit(Label.of(Label.Edit.CAMERA), old -> old.withSettings(new RenderSettings(48, 48, 3, 1))));
             assertThat(editor.status()).as("a part of one size is none of another").isEmpty();
             assertThat(Gui.on(() -> pictures().lookup("#render-region-clear").isVisible())).isFalse();
+            editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.N);
+            editor.gui.keys(KeyCode.RIGHT);
+            editor.gui.keys(KeyCode.ENTER);
+            editor.gui.act(() -> editor.editor.say("something else"));
+            press(editor, KeyCode.R);
+            editor.gui.act(() -> ((CheckBox) pictures().lookup("#render-region")).setSelected(false));
+            editor.gui.act(() -> ((Button) pictures().lookup("#render-start")).fire());
+            assertThat(editor.status()).as("what was said of other things stays").isEqualTo("something else");
         }
         assertThat(Files.readString(folder.resolve("editor.properties"))).doesNotContain("region");
     }

@@ -43,6 +43,13 @@ public final class StatusBar extends HBox {
         message.setText(text);
     }
 
+    /** Shows a message no more, if it is still the one that is shown. */
+    public void endMessage(String text) {
+        if (message.getText().equals(text)) {
+            message.setText("");
+        }
+    }
+
     /** Shows how many warnings there are, in words, as a button; none if that is empty. */
     public void showWarnings(String count) {
         warnings.setText(count);
