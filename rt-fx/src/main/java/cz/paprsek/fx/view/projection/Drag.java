@@ -1,10 +1,16 @@
 package cz.paprsek.fx.view.projection;
 
+import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.edit.Rounds;
+import cz.paprsek.fx.model.edit.Structure;
 import cz.paprsek.fx.view.section.SectionSkin;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.ScenePath;
 import java.util.Locale;
+import java.util.Set;
+import java.util.function.BiFunction;
 import javafx.scene.canvas.GraphicsContext;
 
 /** What a pressed mouse button does until it is released. */
@@ -31,7 +37,7 @@ interface Drag {
         return "";
     }
 
-    /** Leaves what is moved where it is and moves a copy, or not any more, from the next movement on; false if it is nothing that is copied. */
+    /** Leaves what is placed as it is and places a copy, or not any more, from the next movement on; false if it is nothing that is copied. */
     default boolean copyOrNot() {
         return false;
     }
@@ -79,6 +85,31 @@ interface Drag {
         @Override
         public final void cancel() {
             gesture.cancel();
+        }
+    }
+
+    /** One that places items, or copies of them. */
+    abstract class Placing extends Changing {
+        final Set<ScenePath> items;
+        private boolean copies;
+
+        Placing(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, boolean snaps, double startX, double startY) {
+            super(gesture, axes, view, snaps, startX, startY);
+            this.items = items;
+        }
+
+        /** Shows what becomes of the scene by changing the items, or their copies, which then are what is selected. */
+        final void preview(BiFunction<Scene, Set<ScenePath>, Scene> change) {
+            gesture.previewState(state -> {
+                EditorState from = copies ? Structure.duplicate(state, items, Vec3.ZERO) : state;
+                return from.withScene(change.apply(from.scene(), copies ? from.selection() : items));
+            });
+        }
+
+        @Override
+        public final boolean copyOrNot() {
+            copies = !copies;
+            return true;
         }
     }
 

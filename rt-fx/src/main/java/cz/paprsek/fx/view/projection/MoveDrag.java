@@ -1,11 +1,9 @@
 package cz.paprsek.fx.view.projection;
 
-import cz.paprsek.fx.model.EditorState;
 import cz.paprsek.fx.model.Gesture;
 import cz.paprsek.fx.model.contact.Contact;
 import cz.paprsek.fx.model.edit.Arranging;
 import cz.paprsek.fx.model.edit.Moves;
-import cz.paprsek.fx.model.edit.Structure;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.scene.ScenePath;
 import java.util.Locale;
@@ -15,8 +13,7 @@ import javafx.scene.paint.Color;
 import org.jspecify.annotations.Nullable;
 
 /** Moves items in the plane of the projection: onto the grid, in line with others, until they touch others. */
-final class MoveDrag extends Drag.Changing {
-    private final Set<ScenePath> items;
+final class MoveDrag extends Drag.Placing {
     private final Box box;
     private final double referenceU;
     private final double referenceV;
@@ -26,7 +23,6 @@ final class MoveDrag extends Drag.Changing {
     private double guideV = Double.NaN;
     private double byU;
     private double byV;
-    private boolean copies;
     /** Made when something is moved and snaps. */
     private @Nullable Contact contact;
 
@@ -36,8 +32,7 @@ final class MoveDrag extends Drag.Changing {
      */
     MoveDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, Box reference, Snapping snapping, boolean snaps,
             Color guideColor, double startX, double startY) {
-        super(gesture, axes, view, snaps, startX, startY);
-        this.items = items;
+        super(gesture, items, axes, view, snaps, startX, startY);
         this.box = box;
         this.referenceU = reference.minU();
         this.referenceV = reference.minV();
@@ -64,16 +59,7 @@ final class MoveDrag extends Drag.Changing {
             guideV = onlyU ? Double.NaN : alongV.guide();
             touch(axes.vector(du, dv), onlyV ? 0 : alongU.reach(du, view), onlyU ? 0 : alongV.reach(dv, view));
         }
-        gesture.previewState(state -> {
-            EditorState from = copies ? Structure.duplicate(state, items, Vec3.ZERO) : state;
-            return from.withScene(Moves.translated(from.scene(), copies ? from.selection() : items, axes.vector(byU, byV)));
-        });
-    }
-
-    @Override
-    public boolean copyOrNot() {
-        copies = !copies;
-        return true;
+        preview((scene, placed) -> Moves.translated(scene, placed, axes.vector(byU, byV)));
     }
 
     /** What bodies touch by their surfaces counts for more than a line that is farther away. */

@@ -10,11 +10,10 @@ import java.util.Optional;
 import java.util.Set;
 
 /** Stretches items from the side or corner opposite to the handle, or from a pivot that has been put somewhere. */
-final class ResizeDrag extends Drag.Changing {
+final class ResizeDrag extends Drag.Placing {
     /** As small as a thing can be made in one go. */
     private static final double SMALLEST = 1e-3;
 
-    private final Set<ScenePath> items;
     private final Box box;
     private final Vec3 depth;
     private final Handle handle;
@@ -30,8 +29,7 @@ final class ResizeDrag extends Drag.Changing {
      */
     ResizeDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Box box, Vec3 depth, Optional<Vec3> pivot, Handle handle, boolean snaps,
             boolean proportional, double startX, double startY) {
-        super(gesture, axes, view, snaps, startX, startY);
-        this.items = items;
+        super(gesture, items, axes, view, snaps, startX, startY);
         this.box = box;
         this.depth = depth;
         this.handle = handle;
@@ -53,7 +51,7 @@ final class ResizeDrag extends Drag.Changing {
         height = (box.maxV() - box.minV()) * (even ? evenly : alongV);
         Vec3 factors = even ? new Vec3(evenly, evenly, evenly) : axes.factors(alongU, alongV);
         Vec3 still = axes.vector(pivotU, pivotV).plus(pivot.map(axes::inDepth).orElse(depth));
-        gesture.preview(scene -> Moves.scaled(scene, items, still, factors));
+        preview((scene, placed) -> Moves.scaled(scene, placed, still, factors));
     }
 
     @Override

@@ -10,12 +10,11 @@ import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 
 /** Turns items about the axis that points at the viewer, through a pivot. */
-final class TurnDrag extends Drag.Changing {
+final class TurnDrag extends Drag.Placing {
     private static final double SNAP_DEGREES = 15;
     /** Angles of a free hand are of this coarseness, so that they can be read. */
     private static final double FREE_DEGREES = 0.5;
 
-    private final Set<ScenePath> items;
     private final Vec3 pivot;
     private final Color color;
     private final double startAngle;
@@ -24,8 +23,7 @@ final class TurnDrag extends Drag.Changing {
     private double mouseY;
 
     TurnDrag(Gesture gesture, Set<ScenePath> items, Axes axes, Viewport view, Vec3 pivot, boolean snaps, Color color, double startX, double startY) {
-        super(gesture, axes, view, snaps, startX, startY);
-        this.items = items;
+        super(gesture, items, axes, view, snaps, startX, startY);
         this.pivot = pivot;
         this.color = color;
         this.startAngle = angle(startX, startY);
@@ -40,8 +38,7 @@ final class TurnDrag extends Drag.Changing {
         double grain = snaps(keys) ? SNAP_DEGREES : FREE_DEGREES;
         double turned = Math.toDegrees(angle(x, y) - startAngle);
         degrees = Math.IEEEremainder(Math.rint(turned / grain) * grain, 360);
-        gesture.preview(scene -> degrees == 0 ? scene
-                : Moves.rotated(scene, items, pivot, axes.rotation(degrees)));
+        preview((scene, placed) -> degrees == 0 ? scene : Moves.rotated(scene, placed, pivot, axes.rotation(degrees)));
     }
 
     private double angle(double x, double y) {
