@@ -344,20 +344,26 @@ final class Views {
         return active.map(pane -> pane.sight(gaze.point())).orElse(gaze);
     }
 
-    /** Lets what is dragged out of the palette be put into each view: in the camera's on what is under the mouse, from above on what is below, in a room on its floor, else where it is dropped. */
+    /**
+     * Lets what is dragged out of the palette be put into each view: in the camera's on what is under the mouse, from above on what is below, in a room on its floor, else where it is
+     * dropped; in projections, however near they are, as large as where the camera looks.
+     */
     void acceptThings(AddPalette palette, BooleanProperty snapping) {
         projections.forEach(pane -> palette.dropOn(pane, event -> {
-            boolean isFromAbove = pane == projections.get(0);
-            Sight at = pane.sightAt(event.getX(), event.getY(), Sight.of(model.state()).point());
+            Sight at = pane.sightAt(event.getX(), event.getY(), Sight.of(model.state()));
             double top = Dropping.top(model.state(), at.point().x(), at.point().z());
-            return isFromAbove ? new Place(new Sight(new Vec3(at.point().x(), top, at.point().z()), at.size()), Vec3.Y) : new Place(at, Vec3.ZERO);
+            return pane == projections.get(0) ? place(new Sight(new Vec3(at.point().x(), top, at.point().z()), at.size()), Vec3.Y) : new Place(at, Vec3.ZERO);
         }));
         List.of(camera, free).forEach(pane -> palette.dropOn(pane, event -> pane.pointAt(event.getX(), event.getY()).flatMap(point -> seen(pane, point, snapping))
-                .orElseGet(() -> new Place(Sight.of(model.state()), Vec3.Y))));
+                .orElseGet(() -> place(Sight.of(model.state()), Vec3.Y))));
     }
 
-    private static Optional<Place> seen(CameraPane pane, PicturePoint point, BooleanProperty snapping) {
-        return point.pick().map(pick -> new Place(Sight.chosen(pick.point(), point.side(), pane.camera().lens().heightAt(pick.distance()), snapping.get()), point.side()));
+    private Optional<Place> seen(CameraPane pane, PicturePoint point, BooleanProperty snapping) {
+        return point.pick().map(pick -> place(Sight.chosen(pick.point(), point.side(), pane.camera().lens().heightAt(pick.distance()), snapping.get()), point.side()));
+    }
+
+    private Place place(Sight sight, Vec3 side) {
+        return new Place(Dropping.fitting(model.state(), sight, side), side);
     }
 
     boolean isPictureComplete() {

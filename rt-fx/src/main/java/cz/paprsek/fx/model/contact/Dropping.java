@@ -26,6 +26,11 @@ public final class Dropping {
     private static final double SLACK = 1e-3;
     /** A room may be open to one side, for the camera. */
     private static final int WALLS = 3;
+    /** How high and how wide what is added may be, in parts of its size. */
+    private static final double TALLEST = 1.2;
+    private static final double WIDEST = 1.5;
+    /** How many sizes are tried, each half of the one before or a little less. */
+    private static final int SIZES = 7;
 
     private Dropping() {}
 
@@ -97,6 +102,41 @@ public final class Dropping {
             first++;
         }
         return here.isEmpty() ? 0 : here.get(first).maxY();
+    }
+
+    /**
+     * As large as a thing can be that stands on a floor: it stays below what is above it, by boxes, also when something beside it, on the same floor, lifts it. Unchanged at walls,
+     * below ceilings, and where there is no room at all.
+     *
+     * @param sight the point that it is dropped on, and how large it would be
+     * @param side the surface's normal at the point, of length 1, towards the viewer
+     */
+    public static Sight fitting(EditorState state, Sight sight, Vec3 side) {
+        if (side.y() <= LEVEL) {
+            return sight;
+        }
+        List<Bounds> all = Alignment.with(state, List.of()).others();
+        Sight fit = sight;
+        for (int step = 0; step < SIZES; step++) {
+            if (fits(all, fit)) {
+                return fit;
+            }
+            fit = fit.smaller();
+        }
+        return sight;
+    }
+
+    private static boolean fits(List<Bounds> all, Sight sight) {
+        Vec3 at = sight.point();
+        double half = sight.size() * WIDEST / 2;
+        double floor = at.y() + SLACK * sight.size();
+        List<Bounds> near = all.stream()
+                .filter(box -> box.minX() < at.x() + half && box.maxX() > at.x() - half && box.minZ() < at.z() + half && box.maxZ() > at.z() - half).toList();
+        double roof = near.stream().map(Bounds::minY).filter(y -> y > floor).min(Comparator.naturalOrder()).orElse(Double.POSITIVE_INFINITY);
+        // What is around the point is what it stands in, or on.
+        double lifted = near.stream()
+                .filter(box -> box.minY() <= floor && box.maxY() > floor && !box.contains(new Vec3(at.x(), floor, at.z()))).map(Bounds::maxY).max(Comparator.naturalOrder()).orElse(at.y());
+        return lifted + sight.size() * TALLEST <= roof * (1 + SLACK);
     }
 
     /** Whether there are walls below it, which do not go on above it. */

@@ -17,6 +17,8 @@ import java.util.function.Predicate;
 public record Sight(Vec3 point, double size) {
     /** The share of the picture's height that a new thing takes. */
     private static final double SHARE = 0.25;
+    /** From 5 the nearest round size is then 2, from 2 it is 1, from 1 it is 0.5. */
+    private static final double STEP = 2.2;
 
     /** What the camera looks at through which the user does: its target, or else the point of its view nearest to the middle of all there is. */
     public static Sight of(EditorState state) {
@@ -49,6 +51,16 @@ public record Sight(Vec3 point, double size) {
         double grid = size / (snaps ? 4 : 1000);
         Vec3 near = new Vec3(snap(point.x(), grid), snap(point.y(), grid), snap(point.z(), grid));
         return new Sight(near.plus(side.times(point.minus(near).dot(side))), size);
+    }
+
+    /** As large at a point that a hand has chosen; on a grid for that size if it snaps, else only rounded. */
+    public Sight moved(Vec3 to, boolean snaps) {
+        return chosen(to, Vec3.ZERO, size / SHARE, snaps);
+    }
+
+    /** One with the next smaller round size. */
+    public Sight smaller() {
+        return new Sight(point, round(size / STEP));
     }
 
     /** The box around all bounded objects; empty if there are none. */

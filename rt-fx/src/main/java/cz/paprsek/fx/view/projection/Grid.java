@@ -5,7 +5,11 @@ import cz.paprsek.fx.view.look.Palette;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.text.DecimalFormatSymbols;
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
+import javafx.geometry.BoundingBox;
+import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -82,15 +86,28 @@ final class Grid {
 
     /** The names of the axes, where these leave the pane. */
     static void names(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
-        double x = Math.max(14, Math.min(view.width() - 14, view.x(0)));
-        double y = Math.max(18, Math.min(view.height() - 22, view.y(0)));
         g.setTextAlign(TextAlignment.CENTER);
         g.setFill(color(axes.right(), palette));
-        boolean rightwards = axes.worldU(1) > 0;
-        g.fillText(axes.right().letter(), rightwards ? view.width() - 10 : 10, rightwards ? y - 5 : y - 11);
+        Point2D right = right(view, axes);
+        g.fillText(axes.right().letter(), right.getX(), right.getY());
         g.setFill(color(axes.up(), palette));
-        boolean upwards = axes.worldV(1) > 0;
-        g.fillText(axes.up().letter(), x + 9, upwards ? 14 : view.height() - 20);
+        Point2D up = up(view, axes);
+        g.fillText(axes.up().letter(), up.getX(), up.getY());
+    }
+
+    /** The room that the names of the axes take, pixels. */
+    static List<Bounds> letters(Viewport view, Axes axes) {
+        return Stream.of(right(view, axes), up(view, axes)).<Bounds>map(at -> new BoundingBox(at.getX() - 5, at.getY() - 9, 10, 12)).toList();
+    }
+
+    private static Point2D right(Viewport view, Axes axes) {
+        double y = Math.max(18, Math.min(view.height() - 22, view.y(0)));
+        return axes.worldU(1) > 0 ? new Point2D(view.width() - 10, y - 5) : new Point2D(10, y - 11);
+    }
+
+    private static Point2D up(Viewport view, Axes axes) {
+        double x = Math.max(14, Math.min(view.width() - 14, view.x(0)));
+        return new Point2D(x + 9, axes.worldV(1) > 0 ? 14 : view.height() - 20);
     }
 
     static Color color(Axes.Axis axis, Palette palette) {

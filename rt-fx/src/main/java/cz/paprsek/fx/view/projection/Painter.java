@@ -18,7 +18,9 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
-import javafx.geometry.Point2D;
+import java.util.stream.Stream;
+import javafx.geometry.BoundingBox;
+import javafx.geometry.Bounds;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 import javafx.scene.text.Font;
@@ -28,6 +30,9 @@ final class Painter {
     private static final Font NAME_FONT = Font.font("System", 11);
     /** How far names of cameras are apart at least, pixels. */
     private static final double PLATE = 16;
+    /** Of the sign of a camera, pixels. */
+    private static final double CAMERA_HALF_WIDTH = 7;
+    private static final double CAMERA_HALF_HEIGHT = 5;
     /** Smaller things are drawn as a dot, pixels. */
     private static final double DOT = 2.5;
 
@@ -35,6 +40,7 @@ final class Painter {
     private final Viewport view;
     private final Axes axes;
     private final Palette palette;
+    private final List<Bounds> taken = new ArrayList<>();
 
     Painter(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
         this.g = g;
@@ -159,10 +165,34 @@ final class Painter {
         }
     }
 
-    /** A name beside a box. */
+    /** Keeps names off what is grabbed, the signs of lights and cameras, and the letters of the axes. */
+    void avoid(EditorState state, Box handles, List<Grip> grips) {
+        taken.addAll(Grid.letters(view, axes));
+        Stream.of(Handle.values()).filter(handle -> !handles.isEmpty()).forEach(handle -> taken.add(about(handle.x(view, handles), handle.y(view, handles), 4, 4)));
+        grips.forEach(grip -> taken.add(about(x(grip.place()), y(grip.place()), 8, 8)));
+        Scene scene = state.scene();
+        IntStream.range(0, scene.lights().size()).filter(i -> !state.isHidden(ScenePath.light(i))).mapToObj(i -> LightMoves.place(scene.lights().get(i)))
+                .forEach(place -> taken.add(about(x(place), y(place), 9, 9)));
+        IntStream.range(0, scene.cameras().size()).filter(i -> !state.isHidden(ScenePath.camera(i))).mapToObj(i -> scene.cameras().get(i).position())
+                .forEach(place -> taken.add(about(x(place), y(place), CAMERA_HALF_WIDTH, CAMERA_HALF_HEIGHT)));
+    }
+
+    private static Bounds about(double x, double y, double halfWidth, double halfHeight) {
+        return new BoundingBox(x - halfWidth, y - halfHeight, 2 * halfWidth, 2 * halfHeight);
+    }
+
+    /** A name beside a box, where there is a place for it. */
     void name(String text, Box box) {
-        Point2D beside = new Point2D(view.x(box.maxU()) + 14, Math.min(view.height() - 22, Math.max(26, view.y(box.minV()) + 4)));
-        Plate.draw(g, view, NAME_FONT, text, beside, palette.selected(), palette.background());
+        Bounds thing = new BoundingBox(view.x(box.minU()), view.y(box.maxV()), view.x(box.maxU()) - view.x(box.minU()), view.y(box.minV()) - view.y(box.maxV()));
+        name(text, thing, 14, 36, palette.selected());
+    }
+
+    private void name(String text, Bounds thing, double gap, double gapAbove, Color color) {
+        Bounds size = Plate.size(NAME_FONT, text);
+        Plate.beside(view, size, thing, gap, gapAbove, taken).ifPresent(at -> {
+            Plate.draw(g, view, NAME_FONT, text, at, color, palette.background());
+            taken.add(Plate.ground(size, at));
+        });
     }
 
     /** Where something that moves is at another time. */
@@ -337,11 +367,11 @@ final class Painter {
         g.setGlobalAlpha(1);
         g.setLineWidth(isThin ? 1 : 1.5);
         g.setFill(palette.background());
-        g.fillRect(x - 7, y - 5, 14, 10);
-        g.strokeRect(x - 7, y - 5, 14, 10);
+        g.fillRect(x - CAMERA_HALF_WIDTH, y - CAMERA_HALF_HEIGHT, 2 * CAMERA_HALF_WIDTH, 2 * CAMERA_HALF_HEIGHT);
+        g.strokeRect(x - CAMERA_HALF_WIDTH, y - CAMERA_HALF_HEIGHT, 2 * CAMERA_HALF_WIDTH, 2 * CAMERA_HALF_HEIGHT);
         g.strokeOval(x - 3, y - 3, 6, 6);
         if (!isSelected && !name.isEmpty() && x >= 0 && x <= view.width() && y >= 0 && y <= view.height()) {
-            Plate.draw(g, view, NAME_FONT, name, new Point2D(x + 14, y + 4), palette.camera(), palette.background());
+            name(name, about(x, y, 0, 0), 14, 14, palette.camera());
         }
     }
 

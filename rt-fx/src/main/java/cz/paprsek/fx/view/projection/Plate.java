@@ -1,6 +1,10 @@
 package cz.paprsek.fx.view.projection;
 
 import cz.paprsek.fx.view.look.Palette;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javafx.geometry.BoundingBox;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.canvas.GraphicsContext;
@@ -15,6 +19,11 @@ final class Plate {
     /** Of the ground about the text, pixels. */
     static final double MARGIN = 2;
     private static final Font FIGURES = Font.font("System", FontWeight.BOLD, 11);
+    /** How much lower than a thing's foot the base of a name beside it is, pixels. */
+    private static final double FOOT = 4;
+    /** What is left free of names at the upper rim, for an axis' letter, and at the lower one, for numbers, pixels. */
+    private static final double HEAD = 26;
+    private static final double NUMBERS = 22;
     /** From the mouse to its figures, pixels. */
     private static final double AWAY = 14;
 
@@ -31,6 +40,28 @@ final class Plate {
         g.setFill(color);
         g.setTextAlign(TextAlignment.LEFT);
         g.fillText(text, x, y);
+    }
+
+    /**
+     * Where a name stands beside a thing: to the right of its foot, below it, above or to the left of it, within the pane, and on nothing that is grabbed or is a sign; empty if there is no such place.
+     *
+     * @param thing about the thing, pixels
+     * @param gap from it to the name, pixels, and likewise above it
+     * @param taken what it may not lie on
+     * @return the point where it begins, at its base
+     */
+    static Optional<Point2D> beside(Viewport view, Bounds name, Bounds thing, double gap, double gapAbove, List<Bounds> taken) {
+        double middle = thing.getCenterX() - name.getWidth() / 2;
+        double foot = thing.getMaxY() + FOOT;
+        return Stream.of(new Point2D(thing.getMaxX() + gap, foot), new Point2D(middle, thing.getMaxY() + gap - name.getMinY()),
+                        new Point2D(middle, thing.getMinY() - gapAbove - name.getMaxY()), new Point2D(thing.getMinX() - gap - name.getWidth(), foot))
+                .map(at -> new Point2D(Math.max(MARGIN, Math.min(view.width() - name.getWidth() - MARGIN, at.getX())), Math.min(view.height() - NUMBERS, Math.max(HEAD, at.getY()))))
+                .filter(at -> taken.stream().noneMatch(ground(name, at)::intersects)).findFirst();
+    }
+
+    /** What a text covers that begins at a point. */
+    static Bounds ground(Bounds text, Point2D at) {
+        return new BoundingBox(at.getX() - MARGIN, at.getY() + text.getMinY(), text.getWidth() + 2 * MARGIN, text.getHeight());
     }
 
     /** Figures beside the mouse; nothing if there are none. */

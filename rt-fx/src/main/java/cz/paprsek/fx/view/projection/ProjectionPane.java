@@ -125,9 +125,9 @@ public final class ProjectionPane extends Region {
         return Sight.at(axes.vector(view.centreU(), view.centreV()).plus(axes.inDepth(depth)), getHeight() / view.scale());
     }
 
-    /** Where something is that is put at a point of this view, at some depth; on the grid if drags keep to it. */
-    public Sight sightAt(double x, double y, Vec3 depth) {
-        return Sight.chosen(axes.vector(view.u(x), view.v(y)).plus(axes.inDepth(depth)), Vec3.ZERO, getHeight() / view.scale(), snaps());
+    /** Where something is that is put at a point of this view, at the depth of what is looked at, and as large as there; on a grid if drags keep to one. */
+    public Sight sightAt(double x, double y, Sight gaze) {
+        return gaze.moved(axes.vector(view.u(x), view.v(y)).plus(axes.inDepth(gaze.point())), snaps());
     }
 
     /** The two coordinates of a point that this projection shows, to a pixel: "x 1.25   z −3". */
@@ -364,6 +364,7 @@ public final class ProjectionPane extends Region {
             skin.passing((object, isSelected) -> painter.moment(figures.passing(object), isSelected));
             skin.ways(g, theme().palette(), this::toPane);
         });
+        painter.avoid(state, handleBox(), grips());
         painter.cameras(state, texts);
         highlighted.filter(body -> body.isIn(state.scene())).ifPresent(body -> painter.highlighted(figures.of(body)));
         if (!state.selection().isEmpty()) {

@@ -98,6 +98,44 @@ class DroppingTest {
         assertThat(Dropping.top(EditorState.of(Scene.EMPTY.plus(table)), 1.5, 1.5)).isCloseTo(2.1, within(1e-9));
     }
 
+    /** By the tallest and the widest kind. */
+    @Test
+    void whatStandsUnderSomethingIsNoLargerThanTheRoomThere() {
+        for (Shape kind : Examples.ofSize(1)) {
+            Bounds box = kind.bounds();
+            assertThat(box.isFinite() ? box.maxY() - box.minY() : 1).as(kind.kind()).isLessThanOrEqualTo(1.2 + 1e-9);
+            assertThat(box.isFinite() ? Math.max(box.maxX() - box.minX(), box.maxZ() - box.minZ()) : 1).as(kind.kind()).isLessThanOrEqualTo(1.5);
+        }
+        assertThat(size(room, 0.5, 0, 0.5, 20)).as("in a corner, 0.5 from the walls").isEqualTo(0.5);
+        for (int i = 1; i < 6; i++) {
+            Sight fit = Dropping.fitting(room, new Sight(new Vec3(i * 0.9, Dropping.top(room, i * 0.9, i * 0.8), i * 0.8), 2), Vec3.Y);
+            for (Shape kind : Examples.ofSize(fit.size())) {
+                Scene after = Dropping.body(room, kind, "new", fit, Vec3.Y).scene();
+                Bounds box = ScenePath.body(after.objects().size() - 1).placed(after).bounds();
+                assertThat(!box.isFinite() || (box.maxY() < 5.488 && box.minX() > 0 && box.minZ() > 0 && box.maxZ() < 5.592)).as("%s in %s at %s", kind.kind(), box, fit).isTrue();
+            }
+        }
+        EditorState hall = EditorState.of(Scene.EMPTY.plus(SceneObject.of(new Block(new Vec3(-9, 0, -9), new Vec3(9, 3, 9)))));
+        assertThat(size(hall, 0, 3, 0, 2)).as("on what is no roof").isEqualTo(2);
+        EditorState table = EditorState.of(Scene.EMPTY.plus(SceneObject.of(new Block(new Vec3(1, 0.7, 1), new Vec3(3, 0.8, 3)))));
+        assertThat(size(table, 2, 0, 2, 2)).as("under a table").isEqualTo(0.5);
+        assertThat(size(table, 2, 0.8, 2, 2)).as("on it").isEqualTo(2);
+        assertThat(size(table, 0.4, 0, 2, 2)).as("beside it").isEqualTo(0.5);
+        assertThat(Dropping.fitting(table, new Sight(new Vec3(2, 0, 2), 2), Vec3.X).size()).as("at a wall").isEqualTo(2);
+    }
+
+    @Test
+    void whatIsDroppedFromAboveIsAsLargeAsWhereTheCameraLooks() {
+        Sight gaze = Sight.of(room);
+        assertThat(gaze.moved(new Vec3(1.0301, 2, 3), true)).isEqualTo(new Sight(new Vec3(1, 2, 3), gaze.size()));
+        assertThat(gaze.moved(new Vec3(1.0301, 2, 3), false).point().x()).isCloseTo(1.03, within(1e-3));
+        assertThat(new Sight(Vec3.ZERO, 5).smaller().smaller().smaller().smaller().size()).isEqualTo(0.2);
+    }
+
+    private static double size(EditorState state, double x, double y, double z, double wished) {
+        return Dropping.fitting(state, new Sight(new Vec3(x, y, z), wished), Vec3.Y).size();
+    }
+
     @Test
     void thePictureTellsWhichSideIsSeen() {
         RenderScene seen = RenderScene.of(room.scene());
