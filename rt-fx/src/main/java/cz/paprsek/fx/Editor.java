@@ -265,7 +265,7 @@ final class Editor implements Notices {
     /** A fault of the program: the scene is kept at once, and the user told. A picture that is missing or damaged is none, and told in a line. */
     void fault(Throwable fault) {
         if (fault instanceof UncheckedIOException unreadable) {
-            say(texts().sentence(String.valueOf(unreadable.getMessage())));
+            say(String.valueOf(unreadable.getMessage()));
             return;
         }
         if (inFault) {
@@ -283,21 +283,21 @@ final class Editor implements Notices {
     @Override
     public void say(String sentence) {
         if (window != null) {
-            window.status().showMessage(sentence);
+            window.status().showMessage(texts().sentence(sentence));
         }
     }
 
     /** Takes back what was said, if nothing else has been since. */
     void unsay(String sentence) {
         if (window != null) {
-            window.status().endMessage(sentence);
+            window.status().endMessage(texts().sentence(sentence));
         }
     }
 
     @Override
     public void ask(String sentence, List<MessageBar.Choice> choices) {
         if (window != null) {
-            window.messages().show(sentence, choices);
+            window.messages().show(texts().sentence(sentence), choices);
         }
     }
 

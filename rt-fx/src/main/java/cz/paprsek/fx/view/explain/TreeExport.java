@@ -46,7 +46,7 @@ final class TreeExport extends MenuButton {
             kind.write(point, pixel, pane.ray(), texts.words(), file);
             message.accept(texts.of("render.saved", file.getFileName()));
         } catch (IOException e) {
-            message.accept(texts.of("render.not-saved", file.getFileName(), Failures.sentence(e)));
+            message.accept(texts.of("render.not-saved", file.getFileName(), texts.sentence(Failures.sentence(e))));
         } catch (IllegalArgumentException notOfPaths) {
             message.accept(texts.of("render.not-saved", file.getFileName(), texts.sentence(String.valueOf(notOfPaths.getMessage()))));
         }

@@ -55,7 +55,7 @@ final class PictureSaving {
         };
         say.accept(texts.of("render.saving", file.getFileName()));
         writing.setOnSucceeded(event -> say.accept(texts.of("render.saved", file.getFileName())));
-        writing.setOnFailed(event -> say.accept(texts.of("render.not-saved", file.getFileName(), Failures.sentence(writing.getException()))));
+        writing.setOnFailed(event -> say.accept(texts.of("render.not-saved", file.getFileName(), texts.sentence(Failures.sentence(writing.getException())))));
         RenderDesk.start(writing, "paprsek-save-picture");
     }
 
