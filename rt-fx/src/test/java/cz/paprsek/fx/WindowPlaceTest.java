@@ -6,6 +6,7 @@ import cz.paprsek.fx.model.file.Settings;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Scene;
 import javafx.scene.layout.StackPane;
@@ -72,6 +73,21 @@ class WindowPlaceTest {
             Sizes.mostOfTheScreen(stage, 4000, 480);
             return List.of(stage.getWidth(), stage.getHeight(), stage.isMaximized());
         })).containsExactly(0.85 * room.getWidth(), 480.0, true);
+    }
+
+    @Test
+    void theFirstWindowIsSeenAsSoonAsItHasBeenPainted() {
+        AtomicReference<Double> first = new AtomicReference<>(1.0);
+        try (Gui window = Gui.open(() -> {
+            Stage stage = new Stage();
+            stage.setScene(new Scene(new StackPane(), 200, 100));
+            EditorApp.showPainted(stage);
+            first.set(stage.getOpacity());
+            return stage;
+        })) {
+            assertThat(first).hasValue(0.0);
+            window.until("it is seen", () -> window.stage().getOpacity() == 1);
+        }
     }
 
     @Test
