@@ -6,6 +6,7 @@ import java.util.function.Supplier;
 import javafx.application.Platform;
 import javafx.event.Event;
 import javafx.event.EventHandler;
+import javafx.scene.Scene;
 import javafx.scene.control.Dialog;
 import javafx.scene.input.InputEvent;
 import javafx.scene.input.KeyEvent;
@@ -24,18 +25,22 @@ public final class Deaf {
     /** Shows a dialog, and lets nothing else be done until it is answered. */
     public static <T> Optional<T> ask(Dialog<T> dialog, Window owner) {
         over(dialog, owner);
-        return during(dialog::showAndWait, () -> dialog.getDialogPane().getScene().getWindow().requestFocus());
+        return during(dialog::showAndWait, () -> window(dialog).ifPresent(Window::requestFocus));
     }
 
     /** Has a dialog stand over a window, of which it is independent: some window managers put what is not modal into a corner. */
     public static void over(Dialog<?> dialog, Window owner) {
         dialog.initOwner(owner);
         dialog.initModality(Modality.NONE);
-        dialog.setOnShown(event -> Platform.runLater(() -> {
-            Window shown = dialog.getDialogPane().getScene().getWindow();
+        dialog.setOnShown(event -> Platform.runLater(() -> window(dialog).ifPresent(shown -> {
             shown.setX(owner.getX() + (owner.getWidth() - shown.getWidth()) / 2);
             shown.setY(owner.getY() + (owner.getHeight() - shown.getHeight()) / 3);
-        }));
+        })));
+    }
+
+    /** None if a quick hand has answered it already. */
+    private static Optional<Window> window(Dialog<?> dialog) {
+        return Optional.ofNullable(dialog.getDialogPane().getScene()).map(Scene::getWindow);
     }
 
     /** Asks while all windows that are open are deaf. */

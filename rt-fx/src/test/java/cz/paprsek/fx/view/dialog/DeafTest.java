@@ -6,13 +6,18 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import cz.paprsek.fx.Gui;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import javafx.application.Platform;
 import javafx.scene.Scene;
+import javafx.scene.control.Alert;
 import javafx.scene.control.Button;
+import javafx.scene.control.ButtonBar.ButtonData;
+import javafx.scene.control.ButtonType;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
+import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import org.junit.jupiter.api.Test;
 
@@ -54,6 +59,41 @@ class DeafTest {
             })).hasMessage("no dialog"));
             gui.click(button);
             gui.until("it hears again", () -> done.contains("clicked"));
+        }
+    }
+
+    /** Before it has been put over its window, on a busy machine. */
+    @Test
+    void aQuestionThatIsAnsweredAtOnceIsNoFault() {
+        List<Throwable> faults = new CopyOnWriteArrayList<>();
+        try (Gui gui = Gui.show(() -> new StackPane(button), 300, 200)) {
+            gui.act(() -> Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> faults.add(fault)));
+            gui.act(() -> {
+                Alert alert = new Alert(Alert.AlertType.CONFIRMATION, "now?", ButtonType.YES, ButtonType.CANCEL);
+                Deaf.over(alert, gui.stage());
+                alert.show();
+                alert.close();
+            });
+            gui.pulse();
+            gui.act(() -> Thread.currentThread().setUncaughtExceptionHandler(null));
+        }
+        assertThat(faults).isEmpty();
+    }
+
+    /** Of the answers that say no, it is the one that loses nothing. */
+    @Test
+    void escapeAnswersTheQuestionAboutUnsavedChangesByStaying() {
+        try (Gui gui = Gui.show(() -> new StackPane(button), 300, 200)) {
+            Platform.runLater(() -> {
+                ButtonType discard = new ButtonType("discard", ButtonData.NO);
+                ButtonType stay = new ButtonType("stay", ButtonData.CANCEL_CLOSE);
+                Alert alert = new Alert(Alert.AlertType.CONFIRMATION, "save?", new ButtonType("save", ButtonData.YES), discard, stay);
+                done.add(Deaf.ask(alert, gui.stage()).orElse(stay).getText());
+            });
+            gui.until("it is asked", () -> Window.getWindows().size() == 2 && Window.getWindows().get(1).isFocused());
+            gui.keys(KeyCode.ESCAPE);
+            gui.until("it is answered", () -> !done.isEmpty());
+            assertThat(done).containsExactly("stay");
         }
     }
 
