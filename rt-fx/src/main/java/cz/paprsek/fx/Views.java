@@ -261,19 +261,19 @@ final class Views {
             if (pipette.isActive()) {
                 await(pane, pipette);
             }
-        });
+        }, pipette::cancel);
     }
 
     /** Asks for a click into the picture of the camera: on what shall be sharp. */
     private void focus(Editor editor) {
-        editor.say(editor.texts().of("view.focus-click"));
         camera.awaitClick(point -> point.pick().ifPresentOrElse(
                 pick -> {
                     int eye = model.state().eye();
                     model.edit(Label.of(Label.Edit.CAMERA), scene -> Cameras.focused(scene, eye, pick.point()));
                     editor.say(editor.texts().of("view.focus-done", PathNames.of(point.scene().scene(), pick.place(), editor.texts())));
                 },
-                () -> editor.say(editor.texts().of("view.focus-nothing"))));
+                () -> editor.say(editor.texts().of("view.focus-nothing"))), () -> editor.say(""));
+        editor.say(editor.texts().of("view.focus-click"));
     }
 
     /** Has the next drag in the camera's picture draw the part that is rendered alone. */

@@ -4,14 +4,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import cz.paprsek.fx.model.Label;
 import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.material.Material;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Camera;
 import cz.paprsek.scene.RenderSettings;
 import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Sphere;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import javafx.geometry.Point2D;
+import javafx.scene.Cursor;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.control.Button;
@@ -135,6 +143,38 @@ class RendersInEditorTest {
             assertThat(editor.status()).as("what was said of other things stays").isEqualTo("something else");
         }
         assertThat(Files.readString(folder.resolve("editor.properties"))).doesNotContain("region");
+    }
+
+    /** The pipette, the part to be drawn and what shall be sharp: who asks last has the mouse, and nobody else believes to have it. */
+    @Test
+    void whoAsksForTheMouseNextHasItAlone() {
+        SceneObject gold = SceneObject.of(new Sphere(1)).named("gold").madeOf(Material.DEFAULT.withReflection(0.5));
+        Scene scene = Scene.EMPTY.withName("asked").withSettings(new RenderSettings(64, 48, 3, 1)).withCamera(Camera.lookingAt(new Vec3(0, 0, 6), Vec3.ZERO))
+                .plus(gold).plus(SceneObject.of(new Sphere(0.2)).named("grey").at(0, -4, 0));
+        try (EditorGui editor = new EditorGui(folder, scene)) {
+            Node picture = editor.gui.node(".live-picture");
+            Rectangle frame = (Rectangle) editor.gui.node(".picture-frame");
+            double pixel = Gui.on(() -> frame.getWidth() / 64);
+            editor.gui.act(() -> editor.model().select(ScenePath.body(1)));
+            editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.P);
+            editor.gui.until("the pipette waits", () -> editor.status().contains("material"));
+            editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.N);
+            assertThat(editor.status()).startsWith("Drag over the camera");
+            editor.gui.drag(picture, frame.getX() + 8.5 * pixel, frame.getY() + 4.5 * pixel, frame.getX() + 39.5 * pixel, frame.getY() + 27.5 * pixel);
+            assertThat(editor.status()).startsWith("Rendered alone from now on: 8, 4 · 32 × 24;");
+            Point2D top = EditorGui.place(editor.projection("front"), 0, 1, 0);
+            editor.gui.click(editor.projection("front"), top.getX(), top.getY());
+            assertThat(editor.model().selection()).as("an ordinary click").containsExactly(ScenePath.body(0));
+            assertThat(editor.model().scene()).as("nothing takes what the other is made of").isEqualTo(scene);
+
+            editor.gui.act(() -> editor.model().select(ScenePath.body(1)));
+            editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.N);
+            editor.gui.keys(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.P);
+            assertThat(Gui.on(picture::getCursor)).isEqualTo(Cursor.CROSSHAIR);
+            editor.gui.click(picture, frame.getX() + 32 * pixel, frame.getY() + 24 * pixel);
+            assertThat(editor.text("#camera-pane .region-numbers")).as("the part is as it was").isEqualTo("8, 4 · 32 × 24");
+            assertThat(editor.model().scene().objects().get(1).material()).as("within the part, too").isEqualTo(gold.material());
+        }
     }
 
     private static void press(EditorGui editor, KeyCode key) {

@@ -35,7 +35,6 @@ import javafx.beans.value.ObservableValue;
 import javafx.beans.value.WeakChangeListener;
 import javafx.geometry.Point2D;
 import javafx.geometry.Pos;
-import javafx.scene.Cursor;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
@@ -72,8 +71,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
     private final InvalidationListener onCut = changed -> show();
     private Runnable onSelection = () -> {};
     private Predicate<PicturePoint> clickedFirst = point -> false;
-    /** Who waits for a click, if somebody does. */
-    private Optional<Consumer<PicturePoint>> waiting = Optional.empty();
+    private final AwaitedClick awaited;
     private Optional<ContextMenu> menu = Optional.empty();
 
     /** @param onFault is told, on JavaFX's thread, if the renderer fails */
@@ -94,6 +92,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         this.visible = Visible.of(view.seen(model.state()));
         this.picture = new LivePicture(visible.scene(), model.assets(), onFault);
         this.hand = new CameraHand(picture, view);
+        this.awaited = new AwaitedClick(picture);
         Label size = new Label();
         size.getStyleClass().add("picture-size");
         size.setMouseTransparent(true);
@@ -105,7 +104,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         getChildren().addAll(picture, size);
         picture.setOnMouseReleased(this::released);
         addEventFilter(KeyEvent.KEY_PRESSED, event -> {
-            if (event.getCode() == KeyCode.ESCAPE && isAwaited(Optional.empty())) {
+            if (event.getCode() == KeyCode.ESCAPE && awaited.end(Optional.empty())) {
                 event.consume();
             }
         });
@@ -147,25 +146,19 @@ public final class CameraPane extends StackPane implements AutoCloseable {
         clickedFirst = listener;
     }
 
-    /** Waits for a click into the picture, which goes to a listener and selects nothing; Escape, or a click beside, ends that. */
-    public void awaitClick(Consumer<PicturePoint> listener) {
+    /**
+     * Waits for a click into the picture, which goes to a listener and selects nothing; Escape, a click beside, or whoever waits for something next, ends that.
+     *
+     * @param onGivenUp is run if it ends without a click
+     */
+    public void awaitClick(Consumer<PicturePoint> listener, Runnable onGivenUp) {
         regions.ifPresent(RegionHand::disarm);
-        waiting = Optional.of(listener);
-        picture.setCursor(Cursor.CROSSHAIR);
-        picture.requestFocus();
+        awaited.start(listener, onGivenUp);
     }
 
     /** Waits no more. */
     public void awaitNothing() {
-        isAwaited(Optional.empty());
-    }
-
-    private boolean isAwaited(Optional<PicturePoint> point) {
-        Optional<Consumer<PicturePoint>> listener = waiting;
-        waiting = Optional.empty();
-        picture.setCursor(Cursor.DEFAULT);
-        listener.ifPresent(known -> point.ifPresent(known));
-        return listener.isPresent();
+        awaited.end(Optional.empty());
     }
 
     /** Lets materials be dropped on the objects of the picture. */
@@ -360,7 +353,7 @@ public final class CameraPane extends StackPane implements AutoCloseable {
             menu.ifPresent(known -> known.show(picture, event.getScreenX(), event.getScreenY()));
             return;
         }
-        if (event.getButton() != MouseButton.PRIMARY || isAwaited(point) || point.isEmpty() || clickedFirst.test(point.get())) {
+        if (event.getButton() != MouseButton.PRIMARY || awaited.end(point) || point.isEmpty() || clickedFirst.test(point.get())) {
             return;
         }
         boolean more = event.isShiftDown() || event.isShortcutDown();
