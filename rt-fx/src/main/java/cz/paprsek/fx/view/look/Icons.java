@@ -18,7 +18,7 @@ public final class Icons {
             Map.entry("sphere", "mdi2s-sphere"),
             Map.entry("block", "mdi2c-cube-outline"),
             Map.entry("ellipsoid", "mdi2e-egg-outline"),
-            Map.entry("plane", "mdi2t-terrain"),
+            Map.entry("plane", "mdi2l-layers-outline"),
             Map.entry("cylinder", "mdi2c-cylinder"),
             Map.entry("cone", "mdi2c-cone"),
             Map.entry("capsule", "mdi2p-pill"),

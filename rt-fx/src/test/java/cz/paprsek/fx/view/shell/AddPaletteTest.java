@@ -24,9 +24,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicReference;
+import javafx.scene.control.Button;
 import javafx.scene.control.MenuItem;
+import javafx.scene.image.WritableImage;
+import javafx.scene.layout.StackPane;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.kordamp.ikonli.javafx.FontIcon;
 
 class AddPaletteTest {
     private final EditorModel model = new EditorModel(Scene.EMPTY);
@@ -58,6 +62,44 @@ class AddPaletteTest {
             gui.act(model::undo);
         }
         assertThat(model.scene()).isSameAs(Scene.EMPTY);
+    }
+
+    /** Two signs of different names were one drawing. */
+    @Test
+    void noTwoSignsLookTheSame() {
+        List<Button> buttons = Gui.on(() -> Objects.requireNonNull(palette.get()).getChildren().stream().map(Button.class::cast).toList());
+        List<boolean[]> inked = buttons.stream().map(button -> Gui.on(() -> ink(((FontIcon) button.getGraphic()).getIconLiteral()))).toList();
+        assertThat(buttons).hasSizeGreaterThan(25);
+        for (int i = 0; i < inked.size(); i++) {
+            for (int k = 0; k < i; k++) {
+                assertThat(shared(inked.get(i), inked.get(k))).as("%s and %s", buttons.get(i).getId(), buttons.get(k).getId()).isLessThan(0.9);
+            }
+        }
+    }
+
+    /** Which pixels of a square a sign covers. */
+    private static boolean[] ink(String literal) {
+        FontIcon icon = new FontIcon(literal);
+        icon.setIconSize(32);
+        StackPane square = new StackPane(icon);
+        square.resize(40, 40);
+        WritableImage picture = new javafx.scene.Scene(square, 40, 40).snapshot(null);
+        boolean[] ink = new boolean[40 * 40];
+        for (int i = 0; i < ink.length; i++) {
+            ink[i] = picture.getPixelReader().getColor(i % 40, i / 40).getBrightness() < 0.5;
+        }
+        return ink;
+    }
+
+    /** How much of what either covers both do: 0 to 1. */
+    private static double shared(boolean[] one, boolean[] other) {
+        double both = 0;
+        double either = 0;
+        for (int i = 0; i < one.length; i++) {
+            both += one[i] && other[i] ? 1 : 0;
+            either += one[i] || other[i] ? 1 : 0;
+        }
+        return both / either;
     }
 
     /** Out of the palette into the camera's picture: onto a table, or a ball; in the air from the front. */
