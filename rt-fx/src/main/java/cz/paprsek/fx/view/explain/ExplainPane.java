@@ -97,6 +97,9 @@ public final class ExplainPane extends BorderPane {
         growing.setMinWidth(Region.USE_PREF_SIZE);
         HBox shown = new HBox(10, growing, grown);
         shown.setAlignment(Pos.CENTER_LEFT);
+        // A single ray leaves no choice: a slider without a thumb.
+        shown.visibleProperty().bind(grown.maxProperty().greaterThan(grown.minProperty()));
+        shown.managedProperty().bind(shown.visibleProperty());
         top.getChildren().addAll(title, shown, new TreeExport(this, texts, chooser, message::setText));
         top.setRowValignment(VPos.CENTER);
         top.getStyleClass().add("explain-top");
@@ -264,6 +267,7 @@ public final class ExplainPane extends BorderPane {
 
     private void forgetRays() {
         rays = List.of();
+        grown.setMax(grown.getMin());
         tree.setRoot(null);
         steps.getItems().clear();
         draw();

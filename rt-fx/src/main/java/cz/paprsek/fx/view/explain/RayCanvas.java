@@ -11,13 +11,18 @@ import cz.paprsek.math.Vec3;
 import java.util.List;
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;
+import javafx.geometry.Bounds;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.layout.Region;
 import javafx.scene.text.Font;
+import javafx.scene.text.Text;
 
 /** The rays of a tree in one projection, with the outlines of what they meet. */
 final class RayCanvas extends Region {
+    /** Beside the name, pixels. */
+    private static final double MARGIN = 6;
+
     private final Projection projection;
     private final String title;
     private final ObservableValue<Theme> theme;
@@ -62,9 +67,19 @@ final class RayCanvas extends Region {
             outlines.forEach(curve -> outline(g, now.frame(), curve));
             RayPainter.on(g, theme.getValue(), (from, to) -> List.of(segment(now.frame(), from, to))).draw(now);
         });
-        g.setFont(Font.font("System", 12));
+        name(g, palette);
+    }
+
+    /** On a ground of its own, so that no ray strikes it through. */
+    private void name(GraphicsContext g, Palette palette) {
+        Text name = new Text(title);
+        name.setFont(Font.font("System", 12));
+        Bounds size = name.getLayoutBounds();
+        g.setFill(palette.background());
+        g.fillRect(0, 0, size.getWidth() + 2 * MARGIN, size.getHeight() + MARGIN);
+        g.setFont(name.getFont());
         g.setFill(palette.text());
-        g.fillText(title, 6, 16);
+        g.fillText(title, MARGIN, MARGIN / 2 - size.getMinY());
     }
 
     private void outline(GraphicsContext g, DrawingFrame frame, List<Vec3> curve) {

@@ -18,17 +18,21 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Orientation;
 import javafx.scene.Node;
+import javafx.scene.Parent;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.ListView;
 import javafx.scene.control.ScrollBar;
 import javafx.scene.control.Slider;
 import javafx.scene.control.TableView;
 import javafx.scene.control.TreeView;
+import javafx.scene.image.PixelReader;
 import javafx.scene.input.KeyCode;
+import javafx.scene.paint.Color;
 import javafx.scene.text.Text;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -151,10 +155,32 @@ class ExplainPaneTest {
     }
 
     @Test
+    void noRayStrikesTheNamesOfTheDrawingsThrough() {
+        List<List<Color>> without = names();
+        gui.act(() -> pane.show(point));
+        gui.until("rays are drawn", () -> pane.drawnProperty().get().isPresent());
+        gui.pulse();
+        assertThat(names()).isEqualTo(without);
+    }
+
+    /** The pixels of the corners where the drawings have their names. */
+    private List<List<Color>> names() {
+        Parent drawings = (Parent) gui.node("#explain-drawings");
+        return Gui.on(() -> drawings.getChildrenUnmodifiable().stream().map(drawing -> {
+            PixelReader pixels = drawing.snapshot(null, null).getPixelReader();
+            return IntStream.range(0, 48 * 12).mapToObj(i -> pixels.getColor(6 + i % 48, 5 + i / 48)).toList();
+        }).toList());
+    }
+
+    @Test
     void theTreeGrowsRayByRay() {
         gui.act(() -> pane.show(point));
         Slider grown = (Slider) gui.node("#explain-grown");
         assertThat(grown.getMax()).isEqualTo(grown.getValue()).isGreaterThan(3);
+        assertThat(Gui.on(() -> grown.getParent().isVisible())).isTrue();
+        gui.act(pane::clear);
+        assertThat(Gui.on(() -> grown.getParent().isVisible())).as("no ray, nothing to slide").isFalse();
+        gui.act(() -> pane.show(point));
         gui.act(() -> grown.setValue(3));
         TreeView<Outline> tree = tree();
         assertThat(Gui.on(() -> tree.getSelectionModel().getSelectedIndex())).as("the newest ray is chosen").isEqualTo(2);
