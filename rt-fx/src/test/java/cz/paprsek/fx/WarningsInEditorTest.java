@@ -57,7 +57,7 @@ class WarningsInEditorTest {
         editor.gui.act(() -> editor.editor.setLanguage(Locale.forLanguageTag("cs")));
         editor.gui.until("the new window has looked, too", () -> editor.gui.stage().getScene().lookup("#status-warnings").isVisible());
         editor.gui.click("#status-warnings");
-        assertThat(((ListView<?>) editor.gui.node("#warning-list")).getItems()).singleElement().asString().startsWith("kamera je uvnitř, koule \"ball\"");
+        assertThat(((ListView<?>) editor.gui.node("#warning-list")).getItems()).singleElement().asString().startsWith("kamera je uvnitř neprůhledného tělesa: koule \"ball\"");
         assertThat(Screenshots.save(editor.gui, "warnings")).isNotEmptyFile();
         editor.gui.click(".mend");
         assertThat(editor.model().state().camera().position().minus(new Vec3(0.5, 0, 0)).length()).as("back out of the ball").isBetween(1.05, 1.5);
