@@ -1,7 +1,9 @@
 package cz.paprsek.tree;
 
+import jdk.incubator.vector.ByteVector;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.LongVector;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
@@ -9,6 +11,9 @@ import jdk.incubator.vector.VectorSpecies;
 final class WideTree extends Tree {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
+    /** What holds a byte for each lane, and what the first eight of its bytes are read from as one number: of one long there are no vectors in Java 17. */
+    private static final VectorSpecies<Byte> BYTES = ByteVector.SPECIES_64;
+    private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_128;
     private static final int WIDTH = WideNodes.WIDTH;
     private static final int STRIDE = WideNodes.STRIDE;
     /** Where in a node the names of the children begin. */
@@ -196,7 +201,6 @@ final class WideTree extends Tree {
         FloatVector rz = FloatVector.broadcast(FLOATS, probe.rz);
         IntVector begin = IntVector.broadcast(INTS, probe.begin);
         IntVector end = IntVector.broadcast(INTS, probe.end);
-        IntVector lanes = IntVector.fromArray(INTS, LANES, 0);
         int firstX = probe.firstX;
         int firstY = probe.firstY;
         int firstZ = probe.firstZ;
@@ -214,28 +218,34 @@ final class WideTree extends Tree {
             visits++;
             IntVector in = FloatVector.fromArray(FLOATS, nodeData, node + firstX).sub(nearX).mul(rx).reinterpretAsInts()
                     .max(FloatVector.fromArray(FLOATS, nodeData, node + firstY).sub(nearY).mul(ry).reinterpretAsInts())
-                    .max(FloatVector.fromArray(FLOATS, nodeData, node + firstZ).sub(nearZ).mul(rz).reinterpretAsInts())
-                    .max(begin);
+                    .max(FloatVector.fromArray(FLOATS, nodeData, node + firstZ).sub(nearZ).mul(rz).reinterpretAsInts().max(begin));
             IntVector out = FloatVector.fromArray(FLOATS, nodeData, node + 24 - firstX).sub(farX).mul(rx).reinterpretAsInts()
                     .min(FloatVector.fromArray(FLOATS, nodeData, node + 40 - firstY).sub(farY).mul(ry).reinterpretAsInts())
-                    .min(FloatVector.fromArray(FLOATS, nodeData, node + 56 - firstZ).sub(farZ).mul(rz).reinterpretAsInts())
-                    .min(end).max(-1 - WideProbe.SLACK);
-            int hits = in.sub(out).sub(WideProbe.SLACK + 1).lanewise(VectorOperators.ASHR, 31).and(lanes).reduceLanes(VectorOperators.OR);
-            if ((hits & hits - 1) == 0 && hits != 0) {
-                int name = name(nodeData, node, Integer.numberOfTrailingZeros(hits));
-                if (name >= 0) {
-                    node = name;
+                    .min(FloatVector.fromArray(FLOATS, nodeData, node + 56 - firstZ).sub(farZ).mul(rz).reinterpretAsInts().min(end))
+                    .max(-1 - WideProbe.SLACK);
+            // A byte for each lane, 1 where in ≤ out + slack: fewer steps than to put bits together, each of which waits for the one before.
+            long hits = in.sub(WideProbe.SLACK + 1).sub(out).lanewise(VectorOperators.LSHR, 31)
+                    .convertShape(VectorOperators.I2B, BYTES, 0).reinterpretShape(LONGS, 0).reinterpretAsLongs().lane(0);
+            if (hits != 0) {
+                int next = name(nodeData, node, Long.numberOfTrailingZeros(hits) >>> 3);
+                for (long others = hits & hits - 1; others != 0; others &= others - 1) {
+                    int name = name(nodeData, node, Long.numberOfTrailingZeros(others) >>> 3);
+                    // Both are written, and one stays: no branch, which could not be foretold.
+                    leaves[found] = name;
+                    stack[top] = name;
+                    found += name >>> 31;
+                    top += ~name >>> 31;
+                }
+                // Mostly there is one, which need not go over the stack.
+                if (next >= 0 && found < Search.SOME) {
+                    node = next;
                     nodeData = data;
                     continue;
                 }
-            }
-            for (; hits != 0; hits &= hits - 1) {
-                int name = name(nodeData, node, Integer.numberOfTrailingZeros(hits));
-                // Both are written, and one stays: no branch, which could not be foretold.
-                leaves[found] = name;
-                stack[top] = name;
-                found += name >>> 31;
-                top += ~name >>> 31;
+                leaves[found] = next;
+                stack[top] = next;
+                found += next >>> 31;
+                top += ~next >>> 31;
             }
             if (top == 0 || found >= Search.SOME) {
                 probe.top = top;
