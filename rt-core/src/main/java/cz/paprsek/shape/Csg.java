@@ -6,6 +6,7 @@ import cz.paprsek.math.Bounds;
 import cz.paprsek.math.Curve;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
+import cz.paprsek.shape.placed.Carved;
 import cz.paprsek.shape.placed.Combination;
 import cz.paprsek.shape.placed.Convex;
 import cz.paprsek.shape.placed.IntStack;
@@ -23,6 +24,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
@@ -189,6 +191,8 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
         private final double cost;
         /** Finds the operands that matter, if there are many, and one that is not met does not. */
         private final @Nullable Operands tree;
+        /** Meets it at first, if it is such a body. */
+        private final @Nullable Carved carved;
 
         Placed(Operation operation, Volume[] operands, BooleanSupplier stop) {
             this.operation = operation;
@@ -199,7 +203,16 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
             // To meet each operand, and to combine what it pushes.
             double[] costs = Arrays.stream(operands).mapToDouble(operand -> operand.cost() + 3).toArray();
             this.cost = Arrays.stream(costs).sum();
+            this.carved = carved(operation, Arrays.stream(operands).map(Volume::carved).toList()).orElse(null);
             this.tree = operands.length > MANY && operation != Operation.INTERSECTION ? new Operands(boxes, costs, stop) : null;
+        }
+
+        private static Optional<Carved> carved(Operation operation, List<Optional<Carved>> operands) {
+            return switch (operation) {
+                case UNION -> Carved.union(operands);
+                case DIFFERENCE -> Carved.difference(operands);
+                case INTERSECTION -> Carved.intersection(operands);
+            };
         }
 
         private static boolean[] quick(Volume[] operands) {
@@ -218,6 +231,23 @@ public record Csg(Operation operation, List<Operand> operands) implements Solid 
         @Override
         public double cost() {
             return cost;
+        }
+
+        @Override
+        public Optional<Carved> carved() {
+            return Optional.ofNullable(carved);
+        }
+
+        @Override
+        public void nearest(Ray ray) {
+            if (carved == null || !carved.nearest(ray)) {
+                super.nearest(ray);
+            }
+        }
+
+        @Override
+        public boolean occludes(Ray ray) {
+            return carved == null ? super.occludes(ray) : carved.occludes(ray, this);
         }
 
         @Override

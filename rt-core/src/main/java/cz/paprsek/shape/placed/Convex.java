@@ -1,5 +1,7 @@
 package cz.paprsek.shape.placed;
 
+import java.util.Optional;
+
 /** A primitive that every line meets in one stretch at most. */
 public abstract class Convex extends Volume implements Part {
     final int part;
@@ -22,6 +24,11 @@ public abstract class Convex extends Volume implements Part {
         ray.enter = Double.NEGATIVE_INFINITY;
         ray.leave = Math.max(ray.leave, 0);
         return true;
+    }
+
+    @Override
+    public final Optional<Carved> carved() {
+        return Optional.of(Carved.of(this));
     }
 
     @Override

@@ -220,17 +220,22 @@ public final class Ray {
 
     /** Whether the part of the ray between min and max meets the box. */
     public boolean meets(Bounds box) {
+        return meets(box, min, max);
+    }
+
+    /** Whether the part of the ray between two values of t meets the box. */
+    boolean meets(Bounds box, double from, double to) {
         needReciprocals();
         boolean forwardX = rx > 0;
         double near = ((forwardX ? box.minX() : box.maxX()) - ox) * rx;
         double far = ((forwardX ? box.maxX() : box.minX()) - ox) * rx;
-        if (far < min || near > max) {
+        if (far < from || near > to) {
             return false;
         }
         boolean forwardY = ry > 0;
         double nearY = ((forwardY ? box.minY() : box.maxY()) - oy) * ry;
         double farY = ((forwardY ? box.maxY() : box.minY()) - oy) * ry;
-        if (farY < min || nearY > max || nearY > far || near > farY) {
+        if (farY < from || nearY > to || nearY > far || near > farY) {
             return false;
         }
         near = nearY > near ? nearY : near;
@@ -238,7 +243,7 @@ public final class Ray {
         boolean forwardZ = rz > 0;
         double nearZ = ((forwardZ ? box.minZ() : box.maxZ()) - oz) * rz;
         double farZ = ((forwardZ ? box.maxZ() : box.minZ()) - oz) * rz;
-        return farZ >= min && nearZ <= max && nearZ <= far && near <= farZ;
+        return farZ >= from && nearZ <= to && nearZ <= far && near <= farZ;
     }
 
     private static double reciprocal(double d) {

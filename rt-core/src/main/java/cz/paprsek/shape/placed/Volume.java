@@ -1,6 +1,7 @@
 package cz.paprsek.shape.placed;
 
 import cz.paprsek.math.Vec3;
+import java.util.Optional;
 
 /** A solid as placed in the world. What it must know is {@link #spans}; a primitive may answer the rest faster. */
 public abstract class Volume extends Surface {
@@ -22,6 +23,11 @@ public abstract class Volume extends Surface {
         out.combine(operation, left, right, ray.scale);
     }
 
+    /** This, if the first boundary that a ray meets can be told without all others. */
+    public Optional<Carved> carved() {
+        return Optional.empty();
+    }
+
     @Override
     public void nearest(Ray ray) {
         Spans spans = ray.spans;
@@ -39,6 +45,10 @@ public abstract class Volume extends Surface {
 
     @Override
     public boolean occludes(Ray ray) {
+        return occludesByAll(ray);
+    }
+
+    final boolean occludesByAll(Ray ray) {
         Spans spans = ray.spans;
         int mark = spans.size();
         spans(ray, spans);
