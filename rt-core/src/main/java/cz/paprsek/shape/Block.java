@@ -173,11 +173,50 @@ public record Block(
     private static final class Turned extends LocalConvex {
         private final Vec3 min;
         private final Vec3 max;
+        /** A ball around it, world space. */
+        private final double middleX;
+        private final double middleY;
+        private final double middleZ;
+        private final double radius;
 
         Turned(int part, Affine toWorld, Vec3 min, Vec3 max) {
             super(part, toWorld, Bounds.of(min, max).transformed(toWorld));
             this.min = min;
             this.max = max;
+            Vec3 middle = toWorld.point(min.plus(max).times(0.5));
+            double farthest = 0;
+            for (int corner = 0; corner < 8; corner++) {
+                Vec3 at = toWorld.point(new Vec3((corner & 1) == 0 ? min.x() : max.x(), (corner & 2) == 0 ? min.y() : max.y(), (corner & 4) == 0 ? min.z() : max.z()));
+                farthest = Math.max(farthest, at.minus(middle).length());
+            }
+            middleX = middle.x();
+            middleY = middle.y();
+            middleZ = middle.z();
+            radius = farthest * (1 + 1e-9) + 1e-11 * (Math.abs(middleX) + Math.abs(middleY) + Math.abs(middleZ));
+        }
+
+        /** Whether the ray passes by at a distance, or leads away: most do, and are told by a tenth of the reckoning. */
+        private boolean isFarFrom(Ray ray) {
+            double x = middleX - ray.ox;
+            double y = middleY - ray.oy;
+            double z = middleZ - ray.oz;
+            double square = x * x + y * y + z * z;
+            double along = x * ray.dx + y * ray.dy + z * ray.dz;
+            double touching = radius + Ray.TOUCH * ray.scale;
+            // ½·a·(a + |a|) is a² of what lies ahead, else 0.
+            return square * (1 - 1e-12) - 0.5 * along * (along + Math.abs(along)) > touching * touching;
+        }
+
+        @Override
+        public void nearest(Ray ray) {
+            if (!isFarFrom(ray)) {
+                super.nearest(ray);
+            }
+        }
+
+        @Override
+        public boolean occludes(Ray ray) {
+            return !isFarFrom(ray) && super.occludes(ray);
         }
 
         /** The face that looks along an axis of the world, to which one of its own is parallel. */
