@@ -25,8 +25,9 @@ final class PassPoints {
     /** Counts passes. */
     private int pass;
 
-    /** Of each sample of the pass, what tells its sequence apart, and its number there, in reversed order. */
-    private final int[] scrambles = new int[PASS];
+    /** What is added to a dimension for each sequence. */
+    private final int scramble;
+    /** Of each sample of the pass its number in its sequence, in reversed order. */
     private final int[] within = new int[PASS];
     private final int[] reversed = new int[PASS];
     private final int[] places = new int[PASS];
@@ -35,8 +36,8 @@ final class PassPoints {
 
     /** @param scramble what is added to a dimension for each sequence */
     PassPoints(int scramble) {
+        this.scramble = scramble;
         for (int i = 0; i < PASS; i++) {
-            scrambles[i] = scramble * Sampler.scramble(i);
             within[i] = Integer.reverse(Sampler.inSequence(i));
         }
     }
@@ -87,9 +88,7 @@ final class PassPoints {
 
     /** The same as {@link Sampler} makes one by one, from a place on. */
     private void fill(int dimension, int size, int at) {
-        place(dimension, Integer.reverse(pixel), scrambles, places);
-        key(dimension, Integer.SIZE - size, scrambles, places, keys);
-        order(dimension, scrambles, places, indices);
+        sequences(dimension, size);
         index(size, reversed, places, indices);
         second(indices, keys, places);
         System.arraycopy(places, 0, vs, at, PASS);
@@ -97,21 +96,19 @@ final class PassPoints {
         System.arraycopy(places, 0, us, at, PASS);
     }
 
-    private static void place(int dimension, int reversedPixel, int[] scrambles, int[] places) {
-        for (int i = 0; i < PASS; i++) {
-            places[i] = reverse(Sampler.permuted(reversedPixel, Sampler.mixed(dimension + scrambles[i] ^ Sampler.ORDER)));
-        }
-    }
-
-    private static void key(int dimension, int shift, int[] scrambles, int[] places, int[] keys) {
-        for (int i = 0; i < PASS; i++) {
-            keys[i] = Sampler.mixed(dimension + scrambles[i] + (places[i] >>> shift));
-        }
-    }
-
-    private static void order(int dimension, int[] scrambles, int[] places, int[] orders) {
-        for (int i = 0; i < PASS; i++) {
-            orders[i] = Sampler.mixed(places[i] ^ Sampler.mixed(dimension + scrambles[i]));
+    /** What is the same for all samples of a sequence, which follow each other: made once for each, and then put beside each sample. */
+    private void sequences(int dimension, int size) {
+        int reversedPixel = Integer.reverse(pixel);
+        for (int i = 0; i < PASS; i += Sampler.RUN) {
+            int own = dimension + scramble * Sampler.scramble(i);
+            int place = Integer.reverse(Sampler.permuted(reversedPixel, Sampler.mixed(own ^ Sampler.ORDER)));
+            int key = Sampler.mixed(own + (place >>> (Integer.SIZE - size)));
+            int order = Sampler.mixed(place ^ Sampler.mixed(own));
+            for (int k = i; k < i + Sampler.RUN; k++) {
+                places[k] = place << size;
+                keys[k] = key;
+                indices[k] = order;
+            }
         }
     }
 
@@ -119,7 +116,7 @@ final class PassPoints {
     private static void index(int size, int[] reversed, int[] places, int[] orders) {
         int within = (1 << size) - 1;
         for (int i = 0; i < PASS; i++) {
-            orders[i] = places[i] << size | (reverse(Sampler.permuted(reversed[i], orders[i])) & within);
+            orders[i] = places[i] | (reverse(Sampler.permuted(reversed[i], orders[i])) & within);
         }
     }
 

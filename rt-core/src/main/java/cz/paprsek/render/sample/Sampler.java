@@ -38,7 +38,7 @@ public final class Sampler {
     private static final int SCRAMBLE = 0x45D9_F3B3;
     /** Of paths: how many sequences that have nothing to do with each other, and how many points of one are taken before those of the next. */
     public static final int SCRAMBLES = 8;
-    private static final int RUN = 8;
+    static final int RUN = 8;
     private static final long UNSIGNED = 0xFFFF_FFFFL;
     private static final double ULP = 0x1p-32;
 
