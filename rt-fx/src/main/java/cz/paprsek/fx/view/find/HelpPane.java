@@ -1,7 +1,12 @@
 package cz.paprsek.fx.view.find;
 
+import cz.paprsek.fx.view.look.MaterialBalls;
 import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.material.Material;
+import cz.paprsek.material.Pattern;
+import cz.paprsek.material.Rgb;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javafx.scene.Node;
@@ -9,6 +14,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
+import javafx.scene.image.ImageView;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.ColumnConstraints;
@@ -25,6 +31,18 @@ public final class HelpPane extends StackPane {
     /** Symbols, each with the keys "glossary.…" and "glossary.….means". */
     private static final List<String> SYMBOLS = List.of("glossary.kd", "glossary.ks", "glossary.n", "glossary.kr", "glossary.kt", "glossary.eta", "glossary.f", "glossary.vectors",
             "glossary.theta", "glossary.linear", "glossary.ambient", "glossary.whitted", "glossary.paths", "glossary.ggx");
+    private static final Material RED = Material.DEFAULT.withPattern(new Pattern.Plain(new Rgb(214, 80, 66)));
+    private static final Material CLEAR = Material.DEFAULT.withDiffusion(0.05);
+    /** Of what a symbol stands for, as a ball of it shows it. */
+    private static final Map<String, Material> BALLS = Map.of(
+            "glossary.kd", RED,
+            "glossary.ks", RED.withHighlight(0.9, 12),
+            "glossary.n", RED.withHighlight(0.9, 200),
+            "glossary.kr", CLEAR.withReflection(0.85),
+            "glossary.kt", CLEAR.withTransparency(0.9, 1),
+            "glossary.eta", CLEAR.withTransparency(0.9, 1.5),
+            "glossary.f", CLEAR.withDiffusion(0).withReflection(1).withTransparency(1, 1.5).withFresnel(Material.Fresnel.TRUE),
+            "glossary.ggx", CLEAR.withReflection(0.85).withRoughness(0.4));
     private static final double WIDTH = 660;
     private static final double HEIGHT = 600;
     private static final double FIRST = 190;
@@ -70,7 +88,9 @@ public final class HelpPane extends StackPane {
         GridPane hands = table();
         HANDS.forEach(hand -> row(hands, texts.of(hand), texts.of(hand + ".does")));
         GridPane symbols = table();
-        SYMBOLS.forEach(symbol -> row(symbols, texts.of(symbol), texts.of(symbol + ".means")));
+        symbols.getColumnConstraints().add(1, new ColumnConstraints(MaterialBalls.SIZE));
+        SYMBOLS.forEach(symbol -> symbols.addRow(symbols.getRowCount(), label(texts.of(symbol), "help-what"), picture(symbol), label(texts.of(symbol + ".means"), "help-means")));
+        MaterialBalls.paint(BALLS, (symbol, image) -> symbols.getChildren().stream().filter(node -> symbol.equals(node.getId())).forEach(node -> ((ImageView) node).setImage(image)));
         tabs.getTabs().setAll(tab("help-keys", texts.of("help.keys"), keys), tab("help-hands", texts.of("help.hands"), hands),
                 tab("help-glossary", texts.of("help.glossary"), symbols));
         tabs.getSelectionModel().select(page == Page.KEYS ? 0 : page == Page.HANDS ? 1 : 2);
@@ -109,6 +129,17 @@ public final class HelpPane extends StackPane {
 
     private static void row(GridPane table, String what, String means) {
         table.addRow(table.getRowCount(), label(what, "help-what"), label(means, "help-means"));
+    }
+
+    /** Comes when it is rendered; of some symbols there is none. */
+    private static ImageView picture(String symbol) {
+        ImageView picture = new ImageView();
+        picture.setId(symbol);
+        if (BALLS.containsKey(symbol)) {
+            picture.setFitWidth(MaterialBalls.SIZE);
+            picture.setFitHeight(MaterialBalls.SIZE);
+        }
+        return picture;
     }
 
     private static Label label(String text, String style) {

@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.sheet;
 import cz.paprsek.fx.model.EditorModel;
 import cz.paprsek.fx.model.Places;
 import cz.paprsek.fx.model.edit.Materials;
+import cz.paprsek.fx.view.look.MaterialBalls;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.material.Material;
 import cz.paprsek.scene.Scene;
@@ -42,7 +43,7 @@ final class ReadyPane extends TitledPane {
     private void fill() {
         if (isExpanded() && balls.getChildren().isEmpty()) {
             Material.ready().forEach((name, material) -> balls.getChildren().add(ball(name, material)));
-            MaterialBalls.paint((name, image) -> balls.getChildren().stream().filter(node -> node.getId().equals(id(name)))
+            MaterialBalls.paint(Material.ready(), (name, image) -> balls.getChildren().stream().filter(node -> node.getId().equals(id(name)))
                     .forEach(node -> ((ImageView) ((Button) node).getGraphic()).setImage(image)));
         }
     }

@@ -1,7 +1,6 @@
-package cz.paprsek.fx.view.sheet;
+package cz.paprsek.fx.view.look;
 
 import cz.paprsek.material.Material;
-import cz.paprsek.material.MaterialName;
 import cz.paprsek.material.Pattern;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
@@ -16,25 +15,26 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
+import java.util.Map;
 import java.util.function.BiConsumer;
 import javafx.application.Platform;
 import javafx.scene.image.Image;
 import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 
-/** Pictures of balls of the materials that every scene knows, rendered one after the other in the background. */
-final class MaterialBalls {
+/** Pictures of balls of materials, rendered one after the other in the background. */
+public final class MaterialBalls {
     /** Pixels. */
-    static final int SIZE = 44;
+    public static final int SIZE = 44;
     /** Pixels rendered for one that is shown, along each side: for screens of twice the resolution. */
     private static final int FINER = 2;
 
     private MaterialBalls() {}
 
     /** Tells each picture on JavaFX's thread, when it is there. */
-    static void paint(BiConsumer<String, Image> receiver) {
-        Thread thread = new Thread(() -> Material.ready().keySet().forEach(name -> {
-            Image image = image(scene(name));
+    public static void paint(Map<String, Material> materials, BiConsumer<String, Image> receiver) {
+        Thread thread = new Thread(() -> materials.forEach((name, material) -> {
+            Image image = image(scene(material));
             Platform.runLater(() -> receiver.accept(name, image));
         }), "material-balls");
         thread.setDaemon(true);
@@ -42,12 +42,12 @@ final class MaterialBalls {
     }
 
     /** A ball half a unit in radius on a floor of squares before a wall of light. */
-    static Scene scene(String material) {
+    private static Scene scene(Material material) {
         Material floor = Material.DEFAULT.withPattern(new Pattern.Checker(0.35, new Vec3(0, -0.7, 0), Rgb.grey(226), Rgb.grey(104)));
         return Scene.EMPTY.withCamera(Camera.lookingAt(new Vec3(0, 0.35, 2.6), Vec3.ZERO).withFovy(25)).withBackground(new Rgb(176, 192, 212)).withAmbient(Rgb.grey(70))
                 .plus(Light.at(-3, 5, 4).withIntensity(0.75)).plus(Light.at(4, 3, 3).withIntensity(0.3))
                 .plus(SceneObject.of(new Rectangle(-6, -6, 6, 6)).rotated(-90, 0, 0).at(0, -0.5, 0).madeOf(floor),
-                        SceneObject.of(new Sphere(0.5)).madeOf(new MaterialName(material)));
+                        SceneObject.of(new Sphere(0.5)).madeOf(material));
     }
 
     private static Image image(Scene scene) {
