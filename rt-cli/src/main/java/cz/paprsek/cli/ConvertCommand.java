@@ -6,6 +6,7 @@ import cz.paprsek.cli.input.FrameChoice;
 import cz.paprsek.cli.input.Incoming;
 import cz.paprsek.cli.input.LightWishes;
 import cz.paprsek.cli.input.MixWishes;
+import cz.paprsek.cli.input.MixWishes.Mixed;
 import cz.paprsek.cli.input.ParameterWishes;
 import cz.paprsek.cli.input.SceneReading;
 import cz.paprsek.cli.output.Writing;
@@ -17,7 +18,6 @@ import cz.paprsek.format.Belongings;
 import cz.paprsek.format.ForeignFormat;
 import cz.paprsek.format.ForeignScene;
 import cz.paprsek.format.MeshWriter;
-import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
 import cz.paprsek.image.ImageOptions;
@@ -51,7 +51,7 @@ import picocli.CommandLine.Parameters;
             ".xml is our own, in standard order and layout, for tidying up a file written by hand; for both, pictures and meshes are put beside the new file.",
             ".obj and .stl are triangles as the file of another program has them, axes and all.",
             "A picture becomes one of another format: png, jpg, hdr, exr …, its light alone, without opacity and layers; --bits, --exposure, --tone and --uncompressed are for that,",
-            "and --mix, which makes lights brighter, darker or of another colour afterwards."
+            "and --mix, which makes lights brighter, darker or of another colour afterwards; in exr the layers that still hold are then kept."
         },
         footer = {"", "Examples:", "  paprsek convert showcase.xml showcase.pov", "  paprsek convert mine.xml tidy.xml",
             "  paprsek convert thing.csg thing.xml", "  paprsek convert part.stl part.obj",
@@ -136,17 +136,28 @@ final class ConvertCommand implements Callable<Integer> {
     private int picture(ImageFormat format) {
         Writing writing = new Writing(bits, uncompressed);
         writing.check(List.of(format));
-        Image image;
+        Mixed read;
         try {
-            image = mix.read(scene);
+            read = mix.read(scene);
         } catch (IOException unreadable) {
             terminal.message(Failures.sentence(unreadable));
             return ExitCode.BAD_SCENE;
         }
         try {
             refuseItself("picture");
-            ImageOptions how = shown.applyTo(writing.options());
-            stop.guard(() -> ImageFiles.write(image, target, format, how));
+            // Light that is mixed is exposed and toned as the picture was, if not otherwise: its own options follow.
+            ImageOptions how = read.toldIn(shown.applyTo(writing.options().withExposure(read.written().exposure()).withTone(read.written().tone())));
+            boolean isLayered = format == ImageFormat.EXR && !read.layers().names().isEmpty();
+            stop.guard(() -> {
+                if (isLayered) {
+                    ImageFiles.write(read.image(), read.layers(), target, how);
+                } else {
+                    ImageFiles.write(read.image(), target, format, how);
+                }
+            });
+            if (isLayered && !read.dropped().isEmpty() && !quiet) {
+                terminal.message(scene + ": warning: " + String.join(", ", read.dropped()) + " left away, which would not be of the lights as they are mixed");
+            }
             return ExitCode.DONE;
         } catch (IOException e) {
             terminal.message(Failures.sentence(target.toString(), e));

@@ -8,6 +8,7 @@ import cz.paprsek.image.Layers;
 import cz.paprsek.scene.Scene;
 import cz.paprsek.xml.SceneFiles;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -96,7 +97,8 @@ class ConvertCommandTest {
         assertThat(Run.cli("convert", lights, plain, "--bits", "32").code()).isZero();
         Path whole = folder.resolve("whole.exr");
         assertThat(Run.cli("convert", lights, whole, "--bits", "32", "--mix", "key=1", "--mix", "fill lamp=1,1,1", "--mix", "rest=1")).matches(run -> run.code() == 0 && run.text().isEmpty() && run.err().isEmpty());
-        assertThat(whole).hasSameBinaryContentAs(plain);
+        assertThat(ImageFiles.read(whole).toLinear()).isEqualTo(ImageFiles.read(plain).toLinear());
+        assertThat(ImageFiles.readLayers(whole).names()).isEqualTo(ImageFiles.readLayers(lights).names());
 
         Path mixed = folder.resolve("mixed.exr");
         assertThat(Run.cli("convert", lights, mixed, "--bits", "32", "--mix", "key=2,0,1", "--mix", "fill lamp=0").code()).isZero();
@@ -104,6 +106,40 @@ class ConvertCommandTest {
         Run.cli("render", lit("other.xml", "1", "255 0 187.516", "0"), "-o", rendered, "--bits", "32", "--integrator", integrator, "-q");
         assertThat(Run.cli("compare", mixed, rendered, "--tolerance", "0.5")).satisfies(run -> assertThat(run.code()).as(run.out()).isZero());
         assertThat(Run.cli("compare", mixed, plain, "--tolerance", "0.5").code()).isOne();
+    }
+
+    /** Also of pictures that are exposed and toned: as rendered with such lights. What is mixed can be mixed again; what would be of other light is left away, with a word. */
+    @Test
+    void layersOfAMixAreKeptAsFarAsTheyHold() throws IOException {
+        List<Object> how = List.of("--bits", "32", "--integrator", "path", "--size", "24x18", "--exposure", "0.7", "--tone", "filmic");
+        Path lights = folder.resolve("lights.exr");
+        rendered(lit("lit.xml", "0.5", "255 255 255", "0.25"), lights, how, "--aov", "light,normal,direct,error,object");
+        Path mixed = folder.resolve("mixed.exr");
+        Run run = Run.cli("convert", lights, mixed, "--bits", "32", "--mix", "key=2");
+        assertThat(run.err()).isEqualTo(lights + ": warning: direct, error left away, which would not be of the lights as they are mixed\n");
+        assertThat(Run.cli("convert", lights, folder.resolve("quiet.exr"), "-q", "--mix", "key=2").err()).isEmpty();
+        assertThat(ImageFiles.readLayers(mixed).names()).contains("normal.X", "object.ID", "light.key.R").noneMatch(name -> name.startsWith("direct") || name.startsWith("error"));
+        assertThat(ImageFiles.readLayers(mixed).written().origin().settings()).contains("--aov").doesNotContain("--exposure").endsWith("; lights mixed afterwards: key × 2 2 2");
+        Path like = folder.resolve("like.exr");
+        rendered(lit("other.xml", "1", "255 255 255", "0.25"), like, how);
+        assertThat(Run.cli("compare", mixed, like, "--tolerance", "0.1")).satisfies(same -> assertThat(same.code()).as(same.out()).isZero());
+        Path back = folder.resolve("back.exr");
+        assertThat(Run.cli("convert", mixed, back, "--bits", "32", "--mix", "key=0.5")).matches(again -> again.code() == 0 && again.err().isEmpty());
+        assertThat(Run.cli("compare", back, lights, "--tolerance", "0.1").code()).isZero();
+        Path otherwise = folder.resolve("otherwise.exr");
+        Run.cli("convert", mixed, otherwise, "--bits", "32", "--mix", "key=1", "--exposure", "0", "--tone", "none");
+        rendered(lit("plain.xml", "1", "255 255 255", "0.25"), like, List.of("--bits", "32", "--integrator", "path", "--size", "24x18"));
+        assertThat(Run.cli("compare", otherwise, like, "--tolerance", "0.1").code()).isZero();
+        Path png = folder.resolve("mixed.png");
+        assertThat(Run.cli("convert", lights, png, "--mix", "key=2").err()).isEmpty();
+        assertThat(Files.readString(png, StandardCharsets.ISO_8859_1)).contains("lights mixed afterwards: key");
+    }
+
+    private static void rendered(Path scene, Path picture, List<Object> how, Object... further) {
+        List<Object> words = new ArrayList<>(List.of("render", scene, "-o", picture, "-q"));
+        words.addAll(how);
+        words.addAll(List.of(further));
+        assertThat(Run.cli(words.toArray()).code()).isZero();
     }
 
     private Path lit(String name, String key, String color, String fill) throws IOException {

@@ -8,18 +8,27 @@ import cz.paprsek.image.exr.ExrType;
 import cz.paprsek.image.exr.ExrWriter;
 import cz.paprsek.io.BinaryInput;
 import cz.paprsek.io.PlainText;
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Require;
+import cz.paprsek.text.Numbers;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Pictures and layers as OpenEXR: linear light, unclamped. */
 final class Exr {
     private static final int LONGEST_LIST = 200;
+    private static final int LONGEST_SETTINGS = 10_000;
+    /** The end of what a picture of ours tells of its settings. */
+    private static final Pattern SHOWN = Pattern.compile("(?:(?:^| )--exposure (\\S+))?(?:(?:^| )--tone (\\S+))?((?: --mistake \\S+)?(?:; lights mixed afterwards: .*)?)\\z", Pattern.DOTALL);
 
     private Exr() {}
 
@@ -121,6 +130,24 @@ final class Exr {
         for (int i = 0; i < planes.length; i++) {
             layers = layers.withOwn(channels.get(i).name(), planes[i]);
         }
-        return layers;
+        return layers.writtenAs(written(reader.texts()));
+    }
+
+    /** What the file of one of our pictures tells of it: exposure and tone apart from all other settings. */
+    private static ImageOptions written(Map<String, String> texts) {
+        String settings = texts.getOrDefault("comments", "");
+        if (settings.length() > LONGEST_SETTINGS) {
+            return ImageOptions.DEFAULT;
+        }
+        Matcher shown = SHOWN.matcher(settings);
+        if (!shown.find()) {
+            throw new IllegalStateException("the end of every text is one");
+        }
+        double exposure = Optional.ofNullable(shown.group(1)).map(Numbers::parsed).orElseGet(OptionalDouble::empty).orElse(0);
+        Optional<String> curve = Optional.ofNullable(shown.group(2));
+        Tone tone = Stream.of(Tone.values()).filter(one -> curve.filter(one.toString()::equals).isPresent()).findAny().orElse(Tone.NONE);
+        ImageOptions how = Math.abs(exposure) <= ImageOptions.MOST_STOPS ? ImageOptions.shown(exposure, tone) : ImageOptions.DEFAULT;
+        return how.withOrigin(new Origin(texts.getOrDefault("paprsekTitle", ""), texts.getOrDefault("paprsekSource", ""), texts.getOrDefault("paprsekSoftware", ""),
+                settings.substring(0, shown.start()) + shown.group(3)));
     }
 }

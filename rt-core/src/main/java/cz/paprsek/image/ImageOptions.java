@@ -23,7 +23,7 @@ public record ImageOptions(OptionalInt bits, double exposure, Tone tone, Origin 
     /** As the picture is, with nothing told of it. */
     public static final ImageOptions DEFAULT = new ImageOptions(OptionalInt.empty(), 0, Tone.NONE, Origin.UNTOLD, false);
 
-    private static final double MOST_STOPS = 100;
+    static final double MOST_STOPS = 100;
 
     /** @throws IllegalArgumentException if the exposure is outside ±100 stops */
     public ImageOptions {

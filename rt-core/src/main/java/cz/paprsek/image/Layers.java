@@ -1,5 +1,6 @@
 package cz.paprsek.image;
 
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Require;
 import cz.paprsek.math.Vec3;
 import java.util.ArrayList;
@@ -19,17 +20,19 @@ public final class Layers {
     private final int width;
     private final int height;
     private final Map<String, float[]> planes;
+    private final ImageOptions written;
 
-    private Layers(int width, int height, Map<String, float[]> planes) {
+    private Layers(int width, int height, Map<String, float[]> planes, ImageOptions written) {
         this.width = width;
         this.height = height;
         this.planes = planes;
+        this.written = written;
     }
 
     /** No planes yet. */
     public static Layers ofSize(int width, int height) {
         Image.requireRoom(width, height);
-        return new Layers(width, height, Map.of());
+        return new Layers(width, height, Map.of(), ImageOptions.DEFAULT);
     }
 
     /** The picture as R, G and B. */
@@ -89,7 +92,17 @@ public final class Layers {
         Require.that(!planes.containsKey(name), "there are two planes named " + name);
         Map<String, float[]> all = new LinkedHashMap<>(planes);
         all.put(name, values);
-        return new Layers(width, height, Collections.unmodifiableMap(all));
+        return new Layers(width, height, Collections.unmodifiableMap(all), written);
+    }
+
+    /** @param options of the picture among them: only its exposure, tone and origin are kept */
+    Layers writtenAs(ImageOptions options) {
+        return new Layers(width, height, planes, ImageOptions.shown(options.exposure(), options.tone()).withOrigin(options.origin()));
+    }
+
+    /** How the picture among these planes was exposed and toned, as no other layer is, and where it comes from, that left away: what a file tells of it, if it is one of ours. */
+    public ImageOptions written() {
+        return written;
     }
 
     /**
@@ -139,6 +152,26 @@ public final class Layers {
      */
     public Image mixed(Image picture, Map<String, Vec3> shares) {
         return LightMix.of(Objects.requireNonNull(picture, "picture"), this, Objects.requireNonNull(shares, "shares"));
+    }
+
+    /**
+     * As above, of the picture among these planes: as light, neither exposed nor toned, whatever {@link #written} tells of it. If it was either, it is put together from what all lights bring.
+     *
+     * @throws IllegalArgumentException as above, or if there is no picture
+     */
+    public Image mixed(Map<String, Vec3> shares) {
+        boolean isLight = written.exposure() == 0 && written.tone() == Tone.NONE;
+        return mixed(isLight ? image("") : LightMix.sum(this), shares);
+    }
+
+    /**
+     * Which of these layers hold for a picture whose lights are mixed otherwise: each light's, as bright as it is there, and what has nothing to do with light: normals, albedo, distances, objects, counts of
+     * samples. If all shares are 1, all but the picture itself.
+     *
+     * @throws IllegalArgumentException as above
+     */
+    public Layers ofMix(Map<String, Vec3> shares) {
+        return LightMix.layers(this, Objects.requireNonNull(shares, "shares"));
     }
 
     /** Its own values, which nobody may change. */

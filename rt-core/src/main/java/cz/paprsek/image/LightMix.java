@@ -12,6 +12,9 @@ import java.util.Map;
 final class LightMix {
     private static final String PREFIX = "light.";
     private static final List<String> CHANNELS = List.of(".R", ".G", ".B");
+    private static final Vec3 WHOLE = new Vec3(1, 1, 1);
+    /** What has nothing to do with light. */
+    private static final List<String> UNLIT = List.of("normal.", "albedo.", "depth.", "object.", "samples.");
 
     private LightMix() {}
 
@@ -30,11 +33,50 @@ final class LightMix {
         }
         shares.forEach((word, share) -> {
             for (int channel = 0; channel < CHANNELS.size(); channel++) {
-                double times = Require.within("share of light " + word, channel == 0 ? share.x() : channel == 1 ? share.y() : share.z(), 0, Float.MAX_VALUE);
-                add(layers.plane(PREFIX + word + CHANNELS.get(channel)), times - 1, mixed, channel);
+                add(layers.plane(PREFIX + word + CHANNELS.get(channel)), times(word, share, channel) - 1, mixed, channel);
             }
         });
         return image(picture, light, mixed);
+    }
+
+    private static double times(String word, Vec3 share, int channel) {
+        return Require.within("share of light " + word, channel == 0 ? share.x() : channel == 1 ? share.y() : share.z(), 0, Float.MAX_VALUE);
+    }
+
+    /** What all lights bring together. */
+    static Image sum(Layers layers) {
+        double[] all = new double[CHANNELS.size() * layers.width() * layers.height()];
+        for (String word : lights(layers)) {
+            for (int channel = 0; channel < CHANNELS.size(); channel++) {
+                add(layers.plane(PREFIX + word + CHANNELS.get(channel)), 1, all, channel);
+            }
+        }
+        Image black = new Image(layers.width(), layers.height());
+        return image(black, black.toLinear(), all);
+    }
+
+    static Layers layers(Layers layers, Map<String, Vec3> shares) {
+        boolean isSame = shares.values().stream().allMatch(WHOLE::equals);
+        Layers kept = Layers.ofSize(layers.width(), layers.height());
+        for (String name : layers.names()) {
+            int dot = name.lastIndexOf('.');
+            String word = name.startsWith(PREFIX) && dot > PREFIX.length() ? name.substring(PREFIX.length(), dot) : "";
+            int channel = dot < 0 ? -1 : CHANNELS.indexOf(name.substring(dot));
+            if (shares.containsKey(word) && channel >= 0) {
+                kept = kept.withOwn(name, scaled(layers.plane(name), times(word, shares.get(word), channel)));
+            } else if (name.length() > 1 && (isSame || !word.isEmpty() || UNLIT.stream().anyMatch(name::startsWith))) {
+                kept = kept.withOwn(name, layers.plane(name));
+            }
+        }
+        return kept;
+    }
+
+    private static float[] scaled(float[] plane, double times) {
+        float[] scaled = new float[plane.length];
+        for (int i = 0; i < plane.length; i++) {
+            scaled[i] = (float) (times * plane[i]);
+        }
+        return scaled;
     }
 
     private static void add(float[] plane, double times, double[] mixed, int channel) {

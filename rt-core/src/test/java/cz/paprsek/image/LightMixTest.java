@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderMonitor;
 import cz.paprsek.render.RenderOptions;
@@ -21,9 +22,11 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -76,6 +79,50 @@ class LightMixTest {
         assertThat(mixed(result, Map.of("key", WHOLE, "rest", WHOLE)).toLinear()).isEqualTo(result.image().toLinear());
         for (float light : mixed(result, Map.of("key", none, "fill", none, "rest", none)).toLinear()) {
             assertThat((double) light).isBetween(0.0, 1e-6);
+        }
+    }
+
+    private static Image plane(Layers layers, String light) {
+        return layers.image("light." + light);
+    }
+
+    /** What is as it was stays, light is as bright as in the picture, and what is of other light is left away. */
+    @Test
+    void layersThatStillHoldStay() {
+        RenderSettings settings = new RenderSettings(20, 16, 4, 1).withIntegrator(Integrator.PATH).withSamples(64);
+        RenderResult result = Renderer.render(RenderScene.of(SCENE), RenderOptions.of(settings).withLayers(List.of(Layer.values())), RenderMonitor.NONE);
+        Layers layers = result.layers();
+        Map<String, Vec3> shares = Map.of("key", new Vec3(2, 0, 1), "rest", new Vec3(0.5, 0.5, 0.5));
+        Layers kept = layers.ofMix(shares);
+        assertThat(layers.names()).containsAll(kept.names()).hasSize(kept.names().size() + 7).contains("error.V", "direct.R", "indirect.B");
+        assertThat(kept.names()).noneMatch(name -> name.startsWith("error") || name.contains("direct"));
+        for (String same : kept.names().stream().filter(name -> !name.startsWith("light.key") && !name.startsWith("light.rest")).toList()) {
+            assertThat(kept.plane(same)).as(same).isEqualTo(layers.plane(same));
+        }
+        Image mixed = mixed(result, shares);
+        for (int i = 0; i < 20 * 16; i++) {
+            int x = i % 20;
+            int y = i / 20;
+            assertThat((double) mixed.red(x, y)).isCloseTo((double) plane(kept, "key").red(x, y) + plane(kept, "fill").red(x, y) + plane(kept, "rest").red(x, y), within(2e-6));
+            assertThat(plane(kept, "key").green(x, y)).isZero();
+        }
+        // What is mixed back is what there was, but for what was away.
+        assertThat(plane(kept.ofMix(Map.of("key", new Vec3(0.5, 1, 1), "rest", new Vec3(2, 2, 2))), "rest").toLinear()).isEqualTo(plane(layers, "rest").toLinear());
+        assertThat(layers.ofMix(Map.of("key", WHOLE)).names()).isEqualTo(layers.names());
+    }
+
+    /** A picture of light that was exposed and toned as it was written, beside layers that were not. */
+    @Test
+    void whatWasExposedAndTonedIsMixedAsLight(@TempDir Path folder) throws Exception {
+        RenderResult result = render(SCENE, Integrator.PATH);
+        Map<String, Vec3> shares = Map.of("key", new Vec3(2, 0, 1));
+        for (ImageOptions shown : List.of(ImageOptions.DEFAULT, ImageOptions.shown(1.5, Tone.NONE), ImageOptions.shown(-1, Tone.FILMIC))) {
+            Path file = folder.resolve(shown.exposure() + ".exr");
+            String settings = "--size 20x16" + (shown.exposure() == 0 ? "" : " --exposure " + shown.exposure()) + (shown.tone() == Tone.NONE ? "" : " --tone " + shown.tone());
+            ImageFiles.write(result.image(), result.layers(), file, shown.withBits(32).withOrigin(new ImageOptions.Origin("lit", "digest", "paprsek", settings)));
+            Layers read = ImageFiles.readLayers(file);
+            assertThat(read.written()).isEqualTo(shown.withOrigin(new ImageOptions.Origin("lit", "digest", "paprsek", "--size 20x16")));
+            assertSame(read.mixed(shares), mixed(result, shares));
         }
     }
 

@@ -3,7 +3,10 @@ package cz.paprsek.cli.input;
 import cz.paprsek.cli.process.WrongUsage;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
+import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.ImageOptions.Origin;
 import cz.paprsek.image.Layers;
+import cz.paprsek.material.Rgb.Tone;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.text.Numbers;
 import cz.paprsek.text.Similar;
@@ -14,6 +17,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.Option;
 
@@ -32,16 +36,44 @@ public final class MixWishes {
     }
 
     /**
+     * A picture that has been read.
+     *
+     * @param layers what of its layers still holds, if lights were mixed
+     * @param dropped what does not, by their names
+     * @param written how it was exposed and toned, which mixed light is not yet, and where it comes from
+     * @param told how its lights were mixed
+     */
+    public record Mixed(Image image, Layers layers, List<String> dropped, ImageOptions written, String told) {
+        private static final String AFTERWARDS = "; lights mixed afterwards: ";
+
+        private static Mixed as(Image image) {
+            return new Mixed(image, Layers.ofSize(image.width(), image.height()), List.of(), ImageOptions.DEFAULT, "");
+        }
+
+        /** Tells in the new file what was done, and how the picture in it is exposed and toned. */
+        public ImageOptions toldIn(ImageOptions how) {
+            if (told.isEmpty()) {
+                return how;
+            }
+            Origin origin = written.origin();
+            String settings = origin.settings();
+            int end = settings.indexOf(AFTERWARDS) < 0 ? settings.length() : settings.indexOf(AFTERWARDS);
+            String shown = (how.exposure() == 0 ? "" : " --exposure " + Numbers.text(how.exposure())) + (how.tone() == Tone.NONE ? "" : " --tone " + how.tone());
+            return how.withOrigin(new Origin(origin.scene(), origin.digest(), origin.program(), settings.substring(0, end) + shown + settings.substring(end) + AFTERWARDS + told));
+        }
+    }
+
+    /**
      * A picture with its lights as they are wished for.
      *
      * @throws WrongUsage if it has no layers of lights, or not of those that are named, or what is wished for is no share, or is wished for twice
      * @throws IOException if it cannot be read
      */
-    public Image read(Path picture) throws IOException {
+    public Mixed read(Path picture) throws IOException {
         Map<String, Vec3> wanted = new LinkedHashMap<>();
         wishes.forEach(wish -> note(wish, wanted));
         if (wanted.isEmpty()) {
-            return ImageFiles.read(picture);
+            return Mixed.as(ImageFiles.read(picture));
         }
         Layers layers = ImageFiles.findLayers(picture).orElseGet(() -> Layers.ofSize(1, 1));
         List<String> lights = layers.lights();
@@ -53,15 +85,16 @@ public final class MixWishes {
                 throw new WrongUsage(picture + " has no layer of a light '" + light + "', but of " + String.join(", ", lights) + Similar.suggestion(light, lights));
             }
         }
-        return layers.mixed(whole(picture, layers), wanted);
-    }
-
-    private static Image whole(Path picture, Layers layers) throws IOException {
         try {
-            return layers.image("");
+            layers.image("");
         } catch (IllegalArgumentException incomplete) {
             throw new IOException(picture + ": " + incomplete.getMessage(), incomplete);
         }
+        Layers kept = layers.ofMix(wanted);
+        List<String> dropped = layers.names().stream().filter(name -> name.length() > 1 && !kept.names().contains(name))
+                .map(name -> name.substring(0, Math.max(name.lastIndexOf('.'), 1))).distinct().toList();
+        String told = wanted.entrySet().stream().map(entry -> entry.getKey() + " × " + Numbers.text(entry.getValue())).collect(Collectors.joining(", "));
+        return new Mixed(layers.mixed(wanted), kept, dropped, layers.written(), told);
     }
 
     private static void note(String wish, Map<String, Vec3> wanted) {

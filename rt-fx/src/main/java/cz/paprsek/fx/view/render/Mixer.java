@@ -3,6 +3,7 @@ package cz.paprsek.fx.view.render;
 import cz.paprsek.fx.view.picture.PictureBuffer;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageOptions;
+import cz.paprsek.image.Layers;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
 import cz.paprsek.render.RenderResult;
@@ -49,6 +50,8 @@ final class Mixer {
     private Consumer<Optional<Throwable>> onMixed = failure -> {};
     private boolean isRunning;
     private Image image;
+    /** How the lights of that image are set. */
+    private Map<String, Setting> mixedBy = Map.of();
 
     /**
      * @param result with a layer of each light
@@ -80,6 +83,11 @@ final class Mixer {
     /** The picture as it was mixed last. */
     synchronized Image image() {
         return image;
+    }
+
+    /** What else is known of the pixels of that picture: what each light brings to it. */
+    synchronized Layers layers() {
+        return result.layers().ofMix(shares(mixedBy));
     }
 
     /** What was changed, in words for a file; empty if nothing was. */
@@ -127,7 +135,7 @@ final class Mixer {
             Optional<Throwable> failure = Optional.empty();
             try {
                 Image mixed = result.layers().mixed(result.image(), shares(next.get()));
-                show(mixed);
+                show(mixed, next.get());
                 buffer.paint(mixed, new Tile(0, 0, mixed.width(), mixed.height()), 1, how);
             } catch (RuntimeException | OutOfMemoryError failed) {
                 failure = Optional.of(failed);
@@ -140,8 +148,9 @@ final class Mixer {
         return onMixed;
     }
 
-    private synchronized void show(Image mixed) {
+    private synchronized void show(Image mixed, Map<String, Setting> by) {
         image = mixed;
+        mixedBy = by;
     }
 
     private synchronized Optional<Map<String, Setting>> take() {

@@ -6,6 +6,7 @@ import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
 import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.image.Layers;
 import cz.paprsek.io.Failures;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -49,7 +50,14 @@ final class PictureSaving {
         Task<Boolean> writing = new Task<>() {
             @Override
             protected Boolean call() throws Exception {
-                ImageFiles.write(image, file, task.saved(ImageFormat.ofFile(file.toString()).orElse(ImageFormat.PNG)));
+                ImageFormat format = ImageFormat.ofFile(file.toString()).orElse(ImageFormat.PNG);
+                Optional<Layers> lights = task.mixer().filter(mixer -> format == ImageFormat.EXR).map(Mixer::layers)
+                        .filter(layers -> !layers.names().isEmpty() && layers.width() == image.width() && layers.height() == image.height());
+                if (lights.isPresent()) {
+                    ImageFiles.write(image, lights.get(), file, task.saved(format));
+                } else {
+                    ImageFiles.write(image, file, task.saved(format));
+                }
                 return true;
             }
         };

@@ -1,6 +1,7 @@
 package cz.paprsek.fx.view.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import cz.paprsek.fx.Gui;
 import cz.paprsek.fx.Screenshots;
@@ -10,7 +11,9 @@ import cz.paprsek.fx.view.look.Theme;
 import cz.paprsek.fx.view.render.fields.Remembered;
 import cz.paprsek.fx.view.texts.Texts;
 import cz.paprsek.image.Image;
+import cz.paprsek.image.ImageFiles;
 import cz.paprsek.image.ImageFormat;
+import cz.paprsek.image.Layers;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
@@ -26,6 +29,10 @@ import cz.paprsek.scene.Scene;
 import cz.paprsek.scene.SceneObject;
 import cz.paprsek.shape.Rectangle;
 import cz.paprsek.shape.Sphere;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -40,6 +47,7 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.image.PixelReader;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** What can be done to a picture when it is finished: its noise taken out, its lights mixed anew. */
 class FinishedPicturesTest {
@@ -51,12 +59,16 @@ class FinishedPicturesTest {
             .plus(SceneObject.of(new Rectangle(-4, -4, 4, 4)).rotated(-90, 0, 0).madeOf(Material.color(200, 120, 80)))
             .plus(SceneObject.of(new Sphere(0.6)).at(-0.5, 0.6, 0).madeOf(Material.color(250, 250, 250)));
 
+    @TempDir
+    static Path folder;
+
+    private Optional<Path> saved = Optional.empty();
     private final EditorModel model = new EditorModel(SCENE);
     private final RenderPane pane = Gui.on(() -> pane(Locale.ENGLISH));
     private final Gui gui = Gui.show(() -> pane, 1000, 640);
 
     private RenderPane pane(Locale language) {
-        return new RenderPane(model, new RenderDesk(Remembered.forNow(), UnfinishedPictures.notKept()), Texts.in(language), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> Optional.empty(), (owner, name) -> Optional.empty());
+        return new RenderPane(model, new RenderDesk(Remembered.forNow(), UnfinishedPictures.notKept()), Texts.in(language), new SimpleObjectProperty<>(Theme.LIGHT), (owner, name) -> saved, (owner, name) -> Optional.empty());
     }
 
     @AfterEach
@@ -117,9 +129,26 @@ class FinishedPicturesTest {
         assertThat(shown().task().saved(ImageFormat.PNG).origin().settings()).endsWith(" --aov light; lights mixed afterwards: key × 2 2 2, 2 × 0 0 0");
         gui.until("it is shown", () -> Math.abs((shown().task().buffer().image().getPixelReader().getArgb(20, 25) >> 8 & 255) - (expected.argb(20, 25) >> 8 & 255)) <= 1);
         assertThat(Screenshots.save(gui, "render-mixed")).isNotEmptyFile();
+        Path file = folder.resolve("mixed.exr");
+        saved = Optional.of(file);
+        gui.click("#render-save");
+        gui.until("it is saved", () -> Files.exists(file));
+        assertMixed(file, expected);
         gui.click("#render-mix-reset");
         gui.until("all is as it was rendered", () -> Arrays.equals(shown().task().image().orElseThrow().toLinear(), rendered.toLinear()));
         assertThat(shown().task().saved(ImageFormat.PNG).origin().settings()).endsWith(" --aov light");
+    }
+
+    /** The file holds what each light brings now, and can be mixed again. */
+    private static void assertMixed(Path file, Image expected) {
+        try {
+            Layers layers = ImageFiles.readLayers(file);
+            assertThat(layers.lights()).containsExactly("2", "key", "rest");
+            assertThat(layers.image("light.2").toLinear()).containsOnly(0);
+            assertThat((double) layers.image("light.key").red(20, 25) + layers.image("light.rest").red(20, 25)).isCloseTo(expected.red(20, 25), within(1e-3));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     @Test
