@@ -9,7 +9,7 @@ import cz.paprsek.image.ImageFormat;
 import cz.paprsek.material.Material;
 import cz.paprsek.material.Rgb;
 import cz.paprsek.math.Vec3;
-import cz.paprsek.render.eye.Eye;
+import cz.paprsek.render.eye.SetAside;
 import cz.paprsek.render.integrate.Paths;
 import cz.paprsek.render.sample.Passes;
 import cz.paprsek.render.sample.Sampler;
@@ -45,13 +45,16 @@ import org.junit.jupiter.params.provider.CsvSource;
 /**
  * Points of a light alone (one that no ray sees), directions of surfaces alone (a body that glows in its place, made such that nobody looks for it) and both together (a light that is seen, or a body that
  * is looked for) have the same mean in every pixel: then the p-values of Welch's test are spread evenly, by the test of Kolmogorov and Smirnov. What is random is fixed, and so is the answer.
+ * Each estimator has sequences of its own in each pixel, of which it shares none: eight times -Dpaths.sequences. Fewer are too few where a light is met by chance, and seldom.
  *
  * @see <a href="https://jcgt.org/published/0009/02/01/">Jung, Hanika, Dachsbacher, Detecting Bias in Monte Carlo Renderers using Welch's t-test, JCGT 9(2), 2020</a>
  */
 class WelchTest {
     private static final int SIDE = Integer.getInteger("paths.welch", 12);
-    private static final int PATHS = 512;
-    private static final int GROUPS = Sampler.SCRAMBLES / 2;
+    /** Of one sequence. */
+    private static final int POINTS = Integer.getInteger("paths.points", 32);
+    private static final int PLACES = Integer.getInteger("paths.sequences", 2);
+    private static final int GROUPS = Sampler.SCRAMBLES * PLACES;
     private static final double RADIANCE = 3;
     private static final double AREA = 1.5;
 
@@ -60,7 +63,7 @@ class WelchTest {
         "BALL_BY_CHANCE, BALL, 0", "BLOCK_BY_CHANCE, BLOCK, 0", "BLOCK_BY_CHANCE, BLOCK, 0.6",
         "SKY_BY_CHANCE, SKY, 0", "SKY_BY_CHANCE, SKY, 0.5"})
     void allWaysToFindALightHaveTheSameMean(Estimator one, Estimator other, double roughness) {
-        assertThat(kolmogorov(pValues(one.means(roughness, 0), other.means(roughness, GROUPS), 1))).as("how probable even p-values are to be as uneven as these").isGreaterThan(0.001);
+        assertThat(kolmogorov(pValues(one.means(roughness, 0), other.means(roughness, 1), 1))).as("how probable even p-values are to be as uneven as these").isGreaterThan(0.001);
     }
 
     /** A sun of one point of the sky's picture, which few paths meet. */
@@ -75,7 +78,7 @@ class WelchTest {
     @ParameterizedTest
     @CsvSource("0.02")
     void anEstimateThatIsOffIsFound(double by) {
-        assertThat(kolmogorov(pValues(Estimator.POINTS.means(0, 0), Estimator.BOTH.means(0, GROUPS), 1 + by))).isLessThan(1e-6);
+        assertThat(kolmogorov(pValues(Estimator.POINTS.means(0, 0), Estimator.BOTH.means(0, 1), 1 + by))).isLessThan(1e-6);
     }
 
     /** Lamps from large to small, seen in plates from smooth to rough: some are found by their points almost alone, others by directions almost alone. */
@@ -92,7 +95,7 @@ class WelchTest {
                     .madeOf(Material.DEFAULT.withDiffusion(0).withHighlight(0, 1).withEmission(lamp.color(), radiance))));
         }
         double[] points = sums(means(plates.withLights(plates.lights().stream().<Light>map(light -> ((SphereLight) light).withVisible(false)).toList()), 3, 0));
-        double[] both = sums(means(plates, 3, GROUPS));
+        double[] both = sums(means(plates, 3, 1));
         double[] directions = sums(means(dark, 3, 0));
         assertThat(welch(points, both)).isGreaterThan(0.001);
         assertThat(welch(directions, both)).isGreaterThan(0.001);
@@ -169,27 +172,26 @@ class WelchTest {
         }
 
         /**
-         * Of each pixel the means of independent sequences: of the eight that the sampler has, one estimator takes the first four, the other the last.
+         * Of each pixel the means of independent sequences.
          *
-         * @param first number of the first
+         * @param which of the two estimators that are compared
          */
-        double[][] means(double roughness, int first) {
-            return WelchTest.means(scene(roughness), this == SKY_BY_CHANCE ? 3 : 2, first);
+        double[][] means(double roughness, int which) {
+            return WelchTest.means(scene(roughness), this == SKY_BY_CHANCE ? 3 : 2, which);
         }
     }
 
-    private static double[][] means(Scene scene, int depth, int first) {
-        RenderSettings settings = new RenderSettings(SIDE, SIDE, 2, 1).withIntegrator(Integrator.PATH).withSamples(PATHS);
+    private static double[][] means(Scene scene, int depth, int which) {
+        RenderSettings settings = new RenderSettings(SIDE, SIDE, 2, 1).withIntegrator(Integrator.PATH).withSamples(POINTS * Sampler.SCRAMBLES);
         Paths paths = new Paths(new World(scene, new Textures(Estimator.SKY_PICTURE), () -> false), depth, new Passes(settings, false));
         paths.begin(() -> false);
-        Eye eye = Eye.of(scene.camera(), SIDE, SIDE);
         double[][] means = new double[SIDE * SIDE][GROUPS];
         for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
-            for (int i = 0; i < PATHS; i++) {
-                int group = Sampler.scramble(i) - first;
-                if (group >= 0 && group < GROUPS) {
-                    paths.traceAlone(eye, pixel % SIDE, pixel / SIDE, i);
-                    means[pixel][group] += paths.alone().red * Sampler.SCRAMBLES / PATHS;
+            for (int place = 0; place < PLACES; place++) {
+                SetAside eye = SetAside.of(scene.camera(), SIDE, (2 * pixel + which) * PLACES + place);
+                for (int i = 0; i < POINTS * Sampler.SCRAMBLES; i++) {
+                    paths.traceAlone(eye, eye.left + pixel % SIDE, eye.top + pixel / SIDE, i);
+                    means[pixel][place * Sampler.SCRAMBLES + Sampler.scramble(i)] += paths.alone().red / POINTS;
                 }
             }
         }
