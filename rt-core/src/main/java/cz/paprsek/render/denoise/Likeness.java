@@ -10,6 +10,9 @@ import java.util.Arrays;
 final class Likeness {
     /** Smaller variances are rounding. */
     private static final float LEAST = 1e-10f;
+    /** Who is unsure might be anything, which makes it like nobody: its variance counts up to so many times that of who is sure, which is at least a share of its square. */
+    private static final float UNSURE = 1e6f;
+    private static final float SURE = 1e-4f;
     /** The square of a distance from which on pixels are not alike at all. */
     private static final float FARTHEST = 4;
 
@@ -58,9 +61,10 @@ final class Likeness {
         float[] out = delta;
         float k = tolerance;
         for (int i = 0; i < out.length; i++) {
-            float d = value[at + i] - value[at + i + shift];
+            float here = value[at + i];
+            float d = here - value[at + i + shift];
             float own = variance[at + i];
-            float other = variance[at + i + shift];
+            float other = Math.min(variance[at + i + shift], UNSURE * (own + SURE * here * here));
             out[i] += (d * d - (own + Math.min(own, other))) / (LEAST + k * (own + other));
         }
     }

@@ -135,6 +135,29 @@ class DenoiserTest {
         }
     }
 
+    /** What is known well is not like what might be anything, far brighter and full of noise. */
+    @Test
+    void nothingBleedsOutOfWhatIsVeryBright() {
+        Noisy noisy = noisy((x, y) -> PLAIN, (x, y) -> 0.02 / PLAIN);
+        Random random = new Random(3);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            boolean isBright = i % WIDTH >= WIDTH / 2;
+            for (int channel = 0; channel < Noisy.CHANNELS; channel++) {
+                for (float[][] half : noisy.light) {
+                    half[channel][i] = (float) (isBright ? 5 * Math.exp(2 * random.nextGaussian()) : 0.02 + 1e-4 * random.nextGaussian());
+                }
+                float apart = noisy.light[0][channel][i] - noisy.light[1][channel][i];
+                noisy.spread[channel][i] = isBright ? apart * apart / 2 : 1e-8f;
+            }
+        }
+        Image image = clean(noisy);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            if (i % WIDTH < WIDTH / 2 - 1) {
+                assertThat((double) image.green(i % WIDTH, i / WIDTH)).as("%d, %d", i % WIDTH, i / WIDTH).isCloseTo(0.02, within(0.01));
+            }
+        }
+    }
+
     private static boolean isAlone(double x, double y) {
         return x == WIDTH / 2.0 && y % 7 == 2;
     }
