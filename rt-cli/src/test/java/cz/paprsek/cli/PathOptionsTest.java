@@ -34,6 +34,7 @@ class PathOptionsTest {
         assertThat(render(picture, "--samples", 100, "--resume").code()).isEqualTo(ExitCode.DONE);
         Run later = render(picture, "--samples", 200, "--resume");
         assertThat(later.err()).contains("going on with the paths of an earlier render");
+        assertThat(render(picture, "--samples", 200, "--resume", "-q").err()).as("asked to be quiet").isEmpty();
         render(atOnce, "--samples", 200);
         assertThat(picture).hasSameBinaryContentAs(atOnce);
         Run fewer = render(picture, "--samples", 100, "--resume");

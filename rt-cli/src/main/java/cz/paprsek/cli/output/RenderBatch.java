@@ -141,7 +141,7 @@ public record RenderBatch(Terminal terminal, Stop stop, Wishes wishes, View view
             if (options.isInPasses() && progress != Progress.Maker.SILENT) {
                 SceneWarnings.ofPaths(scene.withSettings(options.settings())).forEach(warning -> terminal.message(target.source().label() + ": note: " + warning.message()));
             }
-            try (Tiles tiles = resume ? Tiles.kept(target, way, scene, assets, options, terminal) : Tiles.NOT_KEPT) {
+            try (Tiles tiles = resume ? Tiles.kept(target, way, scene, assets, options, terminal, progress == Progress.Maker.SILENT) : Tiles.NOT_KEPT) {
                 if (options.isInPasses()) {
                     // A picture is kept, and how good it is must be said.
                     stop.oweLastWords();

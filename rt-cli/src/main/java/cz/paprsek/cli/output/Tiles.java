@@ -29,9 +29,10 @@ interface Tiles extends AutoCloseable {
      * They are kept in a file beside the picture.
      *
      * @param way says beside which file, and what is to become of tiles of another picture
+     * @param isQuiet whether nothing is to be said of what is done already
      * @throws WrongUsage if that file is of another picture
      */
-    static Tiles kept(Target target, Way way, Scene scene, Assets assets, RenderOptions options, Terminal terminal) throws IOException {
+    static Tiles kept(Target target, Way way, Scene scene, Assets assets, RenderOptions options, Terminal terminal, boolean isQuiet) throws IOException {
         Path picture = way.tilesBeside(target);
         Checkpoint checkpoint;
         try {
@@ -40,10 +41,9 @@ interface Tiles extends AutoCloseable {
             throw new WrongUsage(String.valueOf(refused.getMessage()));
         }
         long pixels = (long) options.region().width() * options.region().height();
-        if (checkpoint.pixels() > 0 && options.isInPasses()) {
-            terminal.message(target.source().label() + ": going on with the paths of an earlier render");
-        } else if (checkpoint.pixels() > 0) {
-            terminal.message(target.source().label() + ": going on, " + 100 * checkpoint.pixels() / pixels + " % is done already");
+        if (checkpoint.pixels() > 0 && !isQuiet) {
+            terminal.message(target.source().label() + (options.isInPasses() ? ": going on with the paths of an earlier render"
+                    : ": going on, " + 100 * checkpoint.pixels() / pixels + " % is done already"));
         }
         KeptTiles kept = new KeptTiles(checkpoint, terminal, Checkpoint.fileFor(picture).toString(), new AtomicBoolean());
         return new Tiles() {
