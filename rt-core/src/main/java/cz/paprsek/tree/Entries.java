@@ -109,9 +109,8 @@ public final class Entries {
         groups = (count + WideNodes.WIDTH - 1) / WideNodes.WIDTH;
         for (; count % WideNodes.WIDTH != 0; count++) {
             int at = WideNodes.FIRST + WideNodes.STRIDE * (groups - 1) + count % WideNodes.WIDTH;
-            for (int k = 0; k < 3; k++) {
-                planes[at + WideNodes.WIDTH * k] = Float.POSITIVE_INFINITY;
-                planes[at + WideNodes.WIDTH * (k + 3)] = Float.NEGATIVE_INFINITY;
+            for (int k = 0; k < 6; k++) {
+                planes[at + WideNodes.WIDTH * k] = Float.NaN;
             }
         }
     }

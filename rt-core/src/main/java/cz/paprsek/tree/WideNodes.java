@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * A tree with up to {@value #WIDTH} children a node, or fewer, made from a binary one. All is in one array, so that what is asked of a node is read from one place. With w
  * children a node, the boxes of those of the node at n are {@code data[n + wk + slot]}, k being minimum x y z, maximum x y z: relative to a centre, multiplied by a power of two
- * that brings them between −1 and 1, and rounded outwards to floats. Slots without a child are +∞ and −∞, so that nothing meets them. The bits of {@code data[n + 6w + slot]}
+ * that brings them between −1 and 1, and rounded outwards to floats. Slots without a child are no number, whose bits are more than those of any t, so that nothing meets them. The bits of {@code data[n + 6w + slot]}
  * name a child: where its node is if positive, else a leaf. The root is at {@value #FIRST} even if it has but one child.
  */
 final class WideNodes {
@@ -118,7 +118,7 @@ final class WideNodes {
             reserve(size / stride + size / stride / 4 + 1);
         }
         for (int slot = 0; slot < width; slot++) {
-            fill(node, slot, 0, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY);
+            fill(node, slot, 0, Float.NaN, Float.NaN);
         }
         return node;
     }

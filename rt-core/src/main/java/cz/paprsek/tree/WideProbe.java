@@ -27,6 +27,13 @@ final class WideProbe {
     float farX;
     float farY;
     float farZ;
+    /** Where the origin lies for the lower plane of each axis, and for the upper one, whichever of them is crossed first. */
+    float lowX;
+    float lowY;
+    float lowZ;
+    float highX;
+    float highY;
+    float highZ;
     float rx;
     float ry;
     float rz;
@@ -85,15 +92,21 @@ final class WideProbe {
         rx = finite(reciprocalX);
         ry = finite(reciprocalY);
         rz = finite(reciprocalZ);
-        float widerX = Math.abs((float) x) * (rx < 0 ? -ROUNDING : ROUNDING);
-        float widerY = Math.abs((float) y) * (ry < 0 ? -ROUNDING : ROUNDING);
-        float widerZ = Math.abs((float) z) * (rz < 0 ? -ROUNDING : ROUNDING);
-        nearX = (float) x + widerX;
-        nearY = (float) y + widerY;
-        nearZ = (float) z + widerZ;
-        farX = (float) x - widerX;
-        farY = (float) y - widerY;
-        farZ = (float) z - widerZ;
+        float widerX = Math.abs((float) x) * ROUNDING;
+        float widerY = Math.abs((float) y) * ROUNDING;
+        float widerZ = Math.abs((float) z) * ROUNDING;
+        lowX = (float) x + widerX;
+        lowY = (float) y + widerY;
+        lowZ = (float) z + widerZ;
+        highX = (float) x - widerX;
+        highY = (float) y - widerY;
+        highZ = (float) z - widerZ;
+        nearX = rx < 0 ? highX : lowX;
+        nearY = ry < 0 ? highY : lowY;
+        nearZ = rz < 0 ? highZ : lowZ;
+        farX = rx < 0 ? lowX : highX;
+        farY = ry < 0 ? lowY : highY;
+        farZ = rz < 0 ? lowZ : highZ;
         top = 0;
     }
 
@@ -128,13 +141,15 @@ final class WideProbe {
 
     /** From everywhere between −1 and 1 to −2 it is less than {@link #SLACK} of the smallest floats, so that all boxes are met. */
     private void meetAll() {
+        lowX = lowY = lowZ = highX = highY = highZ = -2;
         nearX = nearY = nearZ = farX = farY = farZ = -2;
         rx = ry = rz = Float.MIN_VALUE;
         firstX = 0;
         firstY = 8;
         firstZ = 16;
         begin = 0;
-        end = Integer.MAX_VALUE - SLACK;
+        // Less than what is made of planes that are no number.
+        end = bits(Float.POSITIVE_INFINITY);
         top = 0;
     }
 

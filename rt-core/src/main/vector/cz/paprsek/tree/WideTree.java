@@ -22,8 +22,6 @@ final class WideTree extends Tree {
     private static final int NOTHING = 0;
     /** In place of a node: goes on with those to visit. */
     private static final int NEXT = -1;
-    /** A bit for each lane. */
-    private static final int[] LANES = {1, 2, 4, 8, 16, 32, 64, 128};
 
     private final WideNodes nodes;
     private final float[] data;
@@ -95,27 +93,24 @@ final class WideTree extends Tree {
 
     /**
      * Visits nodes up to the next leaf, and returns its name, or {@link #NOTHING}. Vectors live in this method only: handed on, they would
-     * become objects.
+     * become objects. Of bytecodes there must be no more: C2 inlines up to 8000 of them, which vectors are made of mostly, and then leaves calls
+     * in the middle, over which all vectors are put down and taken up again.
      *
      * @param from where the node to begin with is
      * @param first at which place, or {@link #NEXT} to go on with those that are left to visit
      */
     private int next(WideProbe probe, Search<?> search, float[] from, int first) {
-        FloatVector nearX = FloatVector.broadcast(FLOATS, probe.nearX);
-        FloatVector nearY = FloatVector.broadcast(FLOATS, probe.nearY);
-        FloatVector nearZ = FloatVector.broadcast(FLOATS, probe.nearZ);
-        FloatVector farX = FloatVector.broadcast(FLOATS, probe.farX);
-        FloatVector farY = FloatVector.broadcast(FLOATS, probe.farY);
-        FloatVector farZ = FloatVector.broadcast(FLOATS, probe.farZ);
+        FloatVector lowX = FloatVector.broadcast(FLOATS, probe.lowX);
+        FloatVector lowY = FloatVector.broadcast(FLOATS, probe.lowY);
+        FloatVector lowZ = FloatVector.broadcast(FLOATS, probe.lowZ);
+        FloatVector highX = FloatVector.broadcast(FLOATS, probe.highX);
+        FloatVector highY = FloatVector.broadcast(FLOATS, probe.highY);
+        FloatVector highZ = FloatVector.broadcast(FLOATS, probe.highZ);
         FloatVector rx = FloatVector.broadcast(FLOATS, probe.rx);
         FloatVector ry = FloatVector.broadcast(FLOATS, probe.ry);
         FloatVector rz = FloatVector.broadcast(FLOATS, probe.rz);
         IntVector begin = IntVector.broadcast(INTS, probe.begin);
         IntVector end = IntVector.broadcast(INTS, probe.end);
-        IntVector lanes = IntVector.fromArray(INTS, LANES, 0);
-        int firstX = probe.firstX;
-        int firstY = probe.firstY;
-        int firstZ = probe.firstZ;
         long[] stack = probe.stack;
         int[] enters = probe.lanes;
         int farthest = probe.end + WideProbe.SLACK;
@@ -143,19 +138,21 @@ final class WideTree extends Tree {
                 nodeData = data;
             }
             visits++;
-            IntVector in = FloatVector.fromArray(FLOATS, nodeData, node + firstX).sub(nearX).mul(rx).reinterpretAsInts()
-                    .max(FloatVector.fromArray(FLOATS, nodeData, node + firstY).sub(nearY).mul(ry).reinterpretAsInts())
-                    .max(FloatVector.fromArray(FLOATS, nodeData, node + firstZ).sub(nearZ).mul(rz).reinterpretAsInts())
-                    .max(begin);
-            IntVector out = FloatVector.fromArray(FLOATS, nodeData, node + 24 - firstX).sub(farX).mul(rx).reinterpretAsInts()
-                    .min(FloatVector.fromArray(FLOATS, nodeData, node + 40 - firstY).sub(farY).mul(ry).reinterpretAsInts())
-                    .min(FloatVector.fromArray(FLOATS, nodeData, node + 56 - firstZ).sub(farZ).mul(rz).reinterpretAsInts())
-                    .min(end).max(-1 - WideProbe.SLACK);
-            // All bits where in ≤ out + slack: no mask, whose way to an integer Java 17 does not compile.
-            int hits = in.sub(out).sub(WideProbe.SLACK + 1).lanewise(VectorOperators.ASHR, 31).and(lanes).reduceLanes(VectorOperators.OR);
+            // Which of the two the line crosses first is not asked of the ray, which would take six places to keep in mind: more than there are registers.
+            IntVector lessX = FloatVector.fromArray(FLOATS, nodeData, node).sub(lowX).mul(rx).reinterpretAsInts();
+            IntVector moreX = FloatVector.fromArray(FLOATS, nodeData, node + 3 * WIDTH).sub(highX).mul(rx).reinterpretAsInts();
+            IntVector lessY = FloatVector.fromArray(FLOATS, nodeData, node + WIDTH).sub(lowY).mul(ry).reinterpretAsInts();
+            IntVector moreY = FloatVector.fromArray(FLOATS, nodeData, node + 4 * WIDTH).sub(highY).mul(ry).reinterpretAsInts();
+            IntVector lessZ = FloatVector.fromArray(FLOATS, nodeData, node + 2 * WIDTH).sub(lowZ).mul(rz).reinterpretAsInts();
+            IntVector moreZ = FloatVector.fromArray(FLOATS, nodeData, node + 5 * WIDTH).sub(highZ).mul(rz).reinterpretAsInts();
+            IntVector in = lessX.min(moreX).max(lessY.min(moreY)).max(lessZ.min(moreZ).max(begin));
+            IntVector out = lessX.max(moreX).min(lessY.max(moreY)).min(lessZ.max(moreZ).min(end)).max(-1 - WideProbe.SLACK);
+            // A byte for each lane, 1 where in ≤ out + slack: no mask, whose way to an integer Java 17 does not compile.
+            long hits = in.sub(WideProbe.SLACK + 1).sub(out).lanewise(VectorOperators.LSHR, 31)
+                    .convertShape(VectorOperators.I2B, BYTES, 0).reinterpretShape(LONGS, 0).reinterpretAsLongs().lane(0);
             // Mostly there is one, which need not go over the stack.
             if ((hits & hits - 1) == 0 && hits != 0) {
-                node = name(nodeData, node, Integer.numberOfTrailingZeros(hits));
+                node = Float.floatToRawIntBits(nodeData[node + NAMES + (Long.numberOfTrailingZeros(hits) >>> 3)]);
                 if (node < 0) {
                     probe.top = top;
                     search.visits += visits + 1;
@@ -168,8 +165,8 @@ final class WideTree extends Tree {
                 in.intoArray(enters, 0);
                 int bottom = top;
                 for (; hits != 0; hits &= hits - 1) {
-                    int slot = Integer.numberOfTrailingZeros(hits);
-                    long entry = (long) enters[slot] << 32 | name(nodeData, node, slot) & 0xFFFFFFFFL;
+                    int slot = Long.numberOfTrailingZeros(hits) >>> 3;
+                    long entry = (long) enters[slot] << 32 | Float.floatToRawIntBits(nodeData[node + NAMES + slot]) & 0xFFFFFFFFL;
                     int place = top++;
                     for (; place > bottom && stack[place - 1] < entry; place--) {
                         stack[place] = stack[place - 1];
