@@ -16,8 +16,6 @@ import javafx.stage.Stage;
 public final class EditorApp extends Application {
     private static final double WIDTH = 1280;
     private static final double HEIGHT = 800;
-    /** Before this frame the first one is on the screen: while the second is made, the first may still be drawn. */
-    private static final int PAINTED = 3;
 
     @Override
     public void start(Stage stage) {
@@ -35,26 +33,8 @@ public final class EditorApp extends Application {
         if (arguments.isEmpty() && Welcome.isWanted(editor.settings())) {
             editor.welcome();
         }
-        showPainted(stage);
-        times.follow(stage, editor);
-    }
-
-    /** Shows a window that is not to be seen before it has been painted, as far as the system can: on X11, where it is the compositor that makes windows transparent. */
-    static void showPainted(Stage stage) {
-        stage.setOpacity(0);
         stage.show();
-        new AnimationTimer() {
-            private int frames;
-
-            @Override
-            public void handle(long now) {
-                frames++;
-                if (frames == PAINTED) {
-                    stage.setOpacity(1);
-                    stop();
-                }
-            }
-        }.start();
+        times.follow(stage, editor);
     }
 
     /**

@@ -1,6 +1,7 @@
 package cz.paprsek.fx;
 
 import java.util.Optional;
+import javafx.animation.AnimationTimer;
 import javafx.application.Platform;
 import javafx.event.EventHandler;
 import javafx.geometry.Rectangle2D;
@@ -11,6 +12,8 @@ import javafx.stage.WindowEvent;
 /** How large windows are when they open. */
 final class Sizes {
     private static final double SHARE = 0.85;
+    /** Before this frame the first one is on the screen: while the second is made, the first may still be drawn. */
+    private static final int PAINTED = 3;
 
     private Sizes() {}
 
@@ -50,6 +53,23 @@ final class Sizes {
                 });
             }
         });
+    }
+
+    /** Has a window not be seen before it has been painted, whenever it is shown, as far as the system can: on X11, where it is the compositor that makes windows transparent. */
+    static void seenWhenPainted(Stage stage) {
+        stage.addEventHandler(WindowEvent.WINDOW_SHOWING, event -> stage.setOpacity(0));
+        stage.addEventHandler(WindowEvent.WINDOW_SHOWN, event -> new AnimationTimer() {
+            private int frames;
+
+            @Override
+            public void handle(long now) {
+                frames++;
+                if (frames == PAINTED) {
+                    stage.setOpacity(1);
+                    stop();
+                }
+            }
+        }.start());
     }
 
     private static Screen screen(Optional<Rectangle2D> place) {

@@ -22,7 +22,7 @@ record WindowPlace(Rectangle2D bounds, boolean maximized) {
     private static final double LEAST = 100;
 
     /**
-     * Puts a window where it was when it was closed last, and remembers where it is when it is closed.
+     * Puts a window where it was when it was closed last, and remembers where it is when it is closed. It is seen when it has been painted.
      *
      * @param key of the settings
      * @param otherwise gives a size to a window that has never been open, or whose screen is gone
@@ -31,6 +31,7 @@ record WindowPlace(Rectangle2D bounds, boolean maximized) {
         Optional<WindowPlace> place = settings.get(key).flatMap(WindowPlace::parse).filter(WindowPlace::isOnAScreen);
         place.ifPresentOrElse(known -> known.apply(stage), otherwise);
         Follower follower = new Follower(stage, place.map(WindowPlace::bounds));
+        Sizes.seenWhenPainted(stage);
         stage.addEventHandler(WindowEvent.WINDOW_HIDING, event -> follower.place().ifPresent(now -> settings.set(key, now.text())));
     }
 

@@ -76,12 +76,13 @@ class WindowPlaceTest {
     }
 
     @Test
-    void theFirstWindowIsSeenAsSoonAsItHasBeenPainted() {
+    void aWindowIsSeenAsSoonAsItHasBeenPainted() {
         AtomicReference<Double> first = new AtomicReference<>(1.0);
         try (Gui window = Gui.open(() -> {
             Stage stage = new Stage();
             stage.setScene(new Scene(new StackPane(), 200, 100));
-            EditorApp.showPainted(stage);
+            WindowPlace.keep(stage, settings(), "window", () -> {});
+            stage.show();
             first.set(stage.getOpacity());
             return stage;
         })) {
