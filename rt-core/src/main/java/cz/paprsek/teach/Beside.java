@@ -52,7 +52,7 @@ public final class Beside {
         lines.add(words.of("beside.pixel", column, row));
         lines.add(line(" ", "", words.of("beside.right"), words.of("beside.wrong")));
         for (String name : names()) {
-            lines.add(line(differs(name) ? "*" : " ", name, words.figures(text(right.get(name))), words.figures(text(wrong.get(name)))));
+            lines.add(line(differs(name) ? "*" : " ", name.equals(Tracer.RAY) ? words.of("beside.ray") : name, words.figures(text(right.get(name))), words.figures(text(wrong.get(name)))));
         }
         lines.add(line(" ", "sRGB", shown(right), shown(wrong)));
         return lines;

@@ -50,6 +50,9 @@ import java.util.Optional;
  * @source Whitted, An Improved Illumination Model for Shaded Display, CACM 23(6), 1980
  */
 final class Tracer {
+    /** The one number whose name is a word, and not a letter of the formula: the direction that the ray goes. */
+    static final String RAY = "ray";
+
     private final Mistakes made;
     private final Notes notes;
     private final Eye eye;
@@ -123,7 +126,7 @@ final class Tracer {
         Vec r = mirrored(d, n);
         Vec color = hit.paint().color(hit.met().crossing().of(), hit.point(), hit.size());
         Notes here = depth == 1 ? notes : Notes.NONE;
-        here.put("ray", d).put("t", hit.met().t()).put("P", hit.point()).put("N", n).put("R", r).put("C", color);
+        here.put(RAY, d).put("t", hit.met().t()).put("P", hit.point()).put("N", n).put("R", r).put("C", color);
         Vec sum = made.has(AMBIENT_UNCOLORED) ? ambient : ambient.times(color);
         for (int i = 0; i < lamps.size(); i++) {
             sum = i > 0 && made.has(AMBIENT_PER_LIGHT) ? sum.plus(ambient.times(color)) : sum;
