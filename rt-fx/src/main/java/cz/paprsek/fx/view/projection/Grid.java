@@ -20,10 +20,11 @@ import javafx.scene.text.TextAlignment;
 /** Lines at round numbers, as far apart as the zoom allows, with labels; and the axes. */
 final class Grid {
     private static final Font FONT = Font.font("System", 10);
+    private static final Font LETTER_FONT = Font.font("System", FontWeight.BOLD, 11);
 
     private Grid() {}
 
-    static void draw(GraphicsContext g, Viewport view, Axes axes, Palette palette, Locale locale) {
+    static void draw(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
         g.setFill(palette.background());
         g.fillRect(0, 0, view.width(), view.height());
         double step = Rounds.step(view.scale());
@@ -31,7 +32,11 @@ final class Grid {
         lines(g, view, 5 * step, palette.major());
         g.setLineWidth(1);
         axis(g, view, axes, palette);
-        labels(g, view, axes, 5 * step, palette, DecimalFormatSymbols.getInstance(locale).getDecimalSeparator());
+    }
+
+    /** The numbers of the lines, over whatever would strike them through. */
+    static void numbers(GraphicsContext g, Viewport view, Axes axes, Palette palette, Locale locale) {
+        labels(g, view, axes, 5 * Rounds.step(view.scale()), palette, DecimalFormatSymbols.getInstance(locale).getDecimalSeparator());
     }
 
     private static void lines(GraphicsContext g, Viewport view, double step, Color color) {
@@ -77,7 +82,6 @@ final class Grid {
                 label(g, view, number(axes.worldV(i * skip * step), step, point), Plate.MARGIN, y + 3, palette);
             }
         }
-        g.setFont(Font.font("System", FontWeight.BOLD, 11));
     }
 
     private static void label(GraphicsContext g, Viewport view, String text, double x, double y, Palette palette) {
@@ -86,6 +90,7 @@ final class Grid {
 
     /** The names of the axes, where these leave the pane. */
     static void names(GraphicsContext g, Viewport view, Axes axes, Palette palette) {
+        g.setFont(LETTER_FONT);
         g.setTextAlign(TextAlignment.CENTER);
         g.setFill(color(axes.right(), palette));
         Point2D right = right(view, axes);

@@ -348,9 +348,8 @@ public final class ProjectionPane extends Region {
 
     private void drawRest(EditorState state, Set<ScenePath> apart) {
         GraphicsContext g = lower.getGraphicsContext2D();
-        Grid.draw(g, view, axes, theme().palette(), texts.locale());
+        Grid.draw(g, view, axes, theme().palette());
         new Painter(g, view, axes, theme().palette()).rest(state.hidden(), apart, figures);
-        Grid.names(g, view, axes, theme().palette());
     }
 
     private void drawSelection(EditorState state) {
@@ -364,11 +363,15 @@ public final class ProjectionPane extends Region {
             skin.passing((object, isSelected) -> painter.moment(figures.passing(object), isSelected));
             skin.ways(g, theme().palette(), this::toPane);
         });
-        painter.avoid(state, handleBox(), grips());
-        painter.cameras(state, texts);
         highlighted.filter(body -> body.isIn(state.scene())).ifPresent(body -> painter.highlighted(figures.of(body)));
         if (!state.selection().isEmpty()) {
             painter.selected(state, figures);
+        }
+        Grid.numbers(g, view, axes, theme().palette(), texts.locale());
+        Grid.names(g, view, axes, theme().palette());
+        painter.avoid(state, handleBox(), grips());
+        painter.cameras(state, texts);
+        if (!state.selection().isEmpty()) {
             painter.handles(handleBox(), true);
             Box box = figures.box(state.selection());
             if (!box.isEmpty() && view.shows(box)) {

@@ -1,0 +1,48 @@
+package cz.paprsek.fx.view.projection;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import cz.paprsek.fx.Gui;
+import cz.paprsek.fx.model.EditorModel;
+import cz.paprsek.fx.view.command.Edits;
+import cz.paprsek.fx.view.look.Theme;
+import cz.paprsek.fx.view.texts.Texts;
+import cz.paprsek.math.Vec3;
+import cz.paprsek.scene.Scene;
+import cz.paprsek.scene.SceneObject;
+import cz.paprsek.scene.ScenePath;
+import cz.paprsek.shape.Block;
+import java.util.Locale;
+import java.util.stream.IntStream;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.geometry.Point2D;
+import javafx.scene.image.WritableImage;
+import org.junit.jupiter.api.Test;
+
+/** The numbers of the grid of a pane of 400 × 300, where something selected is as wide as the pane and its upper side lies in y = 0. */
+class GridNumbersTest {
+    private final EditorModel model = new EditorModel(Scene.EMPTY.plus(SceneObject.of(new Block(new Vec3(-500, -500, -1), new Vec3(500, 0, 1)))));
+
+    @Test
+    void areNotStruckThroughByWhatIsSelected() {
+        ProjectionPane pane = Gui.on(() -> new ProjectionPane(new Edits(model, Texts.in(Locale.ENGLISH)), Axes.FRONT, new SimpleObjectProperty<>(Theme.LIGHT),
+                new SimpleBooleanProperty(true), new SimpleBooleanProperty(true)));
+        try (Gui gui = Gui.show(() -> pane, 400, 300)) {
+            gui.act(() -> model.select(ScenePath.body(0)));
+            gui.act(() -> pane.zoom(1.4));
+            gui.pulse();
+            WritableImage seen = Gui.on(() -> pane.snapshot(null, null));
+            Point2D zero = Gui.on(() -> pane.toPane(Vec3.ZERO));
+            assertThat(zero.getY()).isBetween(20.0, 270.0);
+            assertThat(selected(seen, 60, 120, zero.getY())).as("the side").isGreaterThan(50);
+            assertThat(selected(seen, 2, 8, zero.getY())).as("on the number").isZero();
+        }
+    }
+
+    /** How many of the columns have a pixel of a selected body near a row. */
+    private static long selected(WritableImage seen, int from, int to, double row) {
+        return IntStream.range(from, to).filter(x -> IntStream.rangeClosed((int) row - 3, (int) row + 3)
+                .anyMatch(y -> seen.getPixelReader().getColor(x, y).equals(Theme.LIGHT.palette().selected()))).count();
+    }
+}
